@@ -1,0 +1,275 @@
+//! The command line's words.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Caustic: a pinball game whose only light is ray traced.
+#[derive(Debug, Parser)]
+#[command(name = "caustic", version, about, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// What to do; without it, play.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// How to play.
+    #[command(flatten)]
+    pub play: PlayArgs,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Play in a window (also what happens without a command)
+    Play(PlayArgs),
+    /// Watch a recording: space pauses, left and right seek 5 s, up and down change the speed
+    Replay(ReplayArgs),
+    /// Play recordings again without a screen and compare every stored hash
+    Verify(VerifyArgs),
+    /// Write a recording's frames as numbered PNG files, or as y4m to standard output
+    Dump(DumpArgs),
+    /// Write one frame as a PNG file
+    Frame(FrameArgs),
+    /// Let the bot play many games without a screen and report what happened
+    Simulate(SimulateArgs),
+    /// Check a table's files and print every error with its place
+    Check(CheckArgs),
+    /// Measure the light, the frame and the simulation
+    Bench(BenchArgs),
+}
+
+/// `caustic play`
+#[derive(Args, Debug, Clone)]
+pub struct PlayArgs {
+    /// A table's name, or the folder of one
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR")]
+    pub table: String,
+    /// Seed of the game's random numbers; by default one is taken from the clock
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Also record the game to this file
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Size of the window in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    pub size: Option<Size>,
+    /// Fill the screen
+    #[arg(long)]
+    pub fullscreen: bool,
+    /// Let the bot play
+    #[arg(long)]
+    pub bot: bool,
+    /// Threads that trace light; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+/// `caustic replay`
+#[derive(Args, Debug, Clone)]
+pub struct ReplayArgs {
+    /// The recording
+    pub file: PathBuf,
+    /// Size of the window in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    pub size: Option<Size>,
+    /// Fill the screen
+    #[arg(long)]
+    pub fullscreen: bool,
+    /// Threads that trace light; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+/// `caustic verify`
+#[derive(Args, Debug, Clone)]
+pub struct VerifyArgs {
+    /// The recordings
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Recordings that are verified at once; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+    /// Also save the simulation and restore it into a new one after every N ticks
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub restore_every: Option<u64>,
+}
+
+/// `caustic dump`
+#[derive(Args, Debug, Clone)]
+pub struct DumpArgs {
+    /// The recording
+    pub file: PathBuf,
+    /// A folder for numbered PNG files, or - for y4m on standard output
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Size of the frames in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
+    pub size: Size,
+    /// Frames in a second of play
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: u32,
+    /// Where to start, in seconds of play
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub from: Option<f64>,
+    /// Where to stop, in seconds of play
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub to: Option<f64>,
+    /// Threads that trace light; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+/// `caustic frame`
+#[derive(Args, Debug, Clone)]
+pub struct FrameArgs {
+    /// A table's name, or the folder of one
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", conflicts_with = "replay")]
+    pub table: String,
+    /// A recording to take the frame from
+    #[arg(long, value_name = "FILE")]
+    pub replay: Option<PathBuf>,
+    /// The moment, in seconds of play
+    #[arg(long, value_name = "S", value_parser = seconds, default_value = "0")]
+    pub at: f64,
+    /// Size of the frame in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
+    pub size: Size,
+    /// Threads that trace light; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+    /// How light is gathered: exact, or monte-carlo (the slow reference)
+    #[arg(long, value_enum, default_value_t = Integrator::Exact)]
+    pub integrator: Integrator,
+    /// Random samples a lamp and pixel, for the reference
+    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: u32,
+    /// The PNG file to write
+    #[arg(long, value_name = "FILE.png")]
+    pub out: PathBuf,
+}
+
+/// How light is gathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Integrator {
+    /// Exact soft shadows.
+    Exact,
+    /// Random points on each lamp.
+    MonteCarlo,
+}
+
+/// `caustic simulate`
+#[derive(Args, Debug, Clone)]
+pub struct SimulateArgs {
+    /// How many games
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub games: u32,
+    /// Seed of the first game; the others count up from it
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Longest time that one game may take, in minutes of play
+    #[arg(long, default_value_t = 15.0, value_parser = seconds)]
+    pub minutes: f64,
+    /// A table's name, or the folder of one
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR")]
+    pub table: String,
+    /// A folder for recordings of games in which something went wrong
+    #[arg(long, value_name = "DIR")]
+    pub save_failures: Option<PathBuf>,
+    /// A folder for recordings of all the games
+    #[arg(long, value_name = "DIR")]
+    pub save_all: Option<PathBuf>,
+    /// Who plays
+    #[arg(long, value_enum, default_value_t = Player::Bot)]
+    pub player: Player,
+    /// Games that are played at once; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+/// Who plays a simulated game.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Player {
+    /// The bot that traps, aims and shoots.
+    Bot,
+    /// Flips at random: what the bot is measured against.
+    Random,
+}
+
+/// `caustic check`
+#[derive(Args, Debug, Clone)]
+pub struct CheckArgs {
+    /// The table's folder, or its name
+    #[arg(value_name = "DIR")]
+    pub table: String,
+}
+
+/// `caustic bench`
+#[derive(Args, Debug, Clone)]
+pub struct BenchArgs {
+    /// What to measure
+    #[arg(value_enum, default_value_t = Bench::All)]
+    pub bench: Bench,
+    /// Size of the frames in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    pub size: Option<Size>,
+    /// Threads that trace light; by default one for each core
+    #[arg(long, value_parser = threads)]
+    pub threads: Option<usize>,
+    /// Print rows as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What to measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Bench {
+    /// The classic race: a room, three circles, four lamps.
+    Room,
+    /// A whole frame of the table, stage by stage.
+    Table,
+    /// Headless play.
+    Tick,
+    /// All of them.
+    All,
+}
+
+/// A size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+}
+
+impl Size {
+    /// The smallest side of a picture or a window.
+    pub const MIN: usize = 64;
+    /// The largest side of a picture or a window.
+    pub const MAX: usize = 16384;
+
+    fn parse(text: &str) -> Result<Size, String> {
+        let numbers = text.split_once(['x', 'X']).map(|(w, h)| (w.trim().parse(), h.trim().parse()));
+        match numbers {
+            Some((Ok(width), Ok(height)))
+                if [width, height].iter().all(|side| (Size::MIN..=Size::MAX).contains(side)) =>
+            {
+                Ok(Size { width, height })
+            }
+            Some((Ok(_), Ok(_))) => Err(format!("each side must be from {} to {} pixels", Size::MIN, Size::MAX)),
+            _ => Err("write it as WIDTHxHEIGHT, for example 540x1080".to_string()),
+        }
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=256) => Ok(count),
+        _ => Err("it must be a whole number from 1 to 256".to_string()),
+    }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1e6).contains(&value) => Ok(value),
+        _ => Err("it must be a number from 0 to 1000000".to_string()),
+    }
+}

@@ -1,0 +1,14 @@
+//! What each word of the command line does.
+
+use crate::Failure;
+use crate::cli::{Cli, Command};
+
+/// Runs what the command line asks for.
+///
+/// # Errors
+/// One sentence that says what went wrong and what to do.
+pub fn run(cli: Cli) -> Result<(), Failure> {
+    match cli.command.unwrap_or(Command::Play(cli.play)) {
+        command => Err(Failure::new(format!("not joined yet: {command:?}"))),
+    }
+}

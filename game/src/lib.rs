@@ -1,0 +1,20 @@
+//! Caustic: everything that knows both the light and the ball.
+//!
+//! The data's way, each arrow one function and each noun plain data:
+//!
+//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> stage -> [`tracer::Scene`] -> radiance -> frame ->
+//! HUD -> window or PNG
+//!
+//! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
+
+pub mod buttons;
+pub mod cli;
+pub mod commands;
+pub mod failure;
+pub mod simulation;
+pub mod table;
+
+pub use buttons::Buttons;
+pub use failure::Failure;
+pub use simulation::{Simulation, Snapshot};
+pub use table::Table;

@@ -1,0 +1,36 @@
+//! What the ball and the machine do.
+//!
+//! A [`Layout`] says what stands on the playfield; a [`Machine`] plays it, a thousand ticks a second: [`Controls`] and
+//! [`Command`]s go in, [`Event`]s and [`Contact`]s come out, and a [`Pose`] says where everything is. The ball is moved
+//! by rays (earliest hit along its path, respond, go on); the flipper is a rotor with one degree of freedom; every
+//! other mechanism is a rapier body.
+//!
+//! Units are SI. The frame is the drawing's: x to the right, **y down the table, towards the player**, the origin at
+//! the playfield's upper left corner. Positive angles turn from x towards y (clockwise on the screen).
+//!
+//! This crate refuses to know what light, a window, a file, a score or a lamp is. It reads no clock, starts no thread
+//! and asks no random number.
+
+mod controls;
+mod event;
+mod layout;
+mod machine;
+mod pose;
+
+pub use controls::{Command, Controls};
+pub use event::{Contact, Event, EventKind};
+pub use layout::{
+    Bumper, Drain, DropTarget, Flipper, Gate, Kind, Layout, Material, Part, PartId, Plunger, Rollover, Saucer,
+    Slingshot, Spinner, Target, Wall,
+};
+pub use machine::{Error, Hashes, Machine};
+pub use pose::{BallPose, Pose};
+
+/// Ticks in a second of play.
+pub const TICKS_PER_SECOND: u32 = 1000;
+/// The length of a tick.
+pub const TICK_S: f64 = 1.0 / TICKS_PER_SECOND as f64;
+/// A pinball's radius: 27 mm across (1 1/16 in).
+pub const BALL_RADIUS_M: f64 = 0.0135;
+/// A pinball's mass.
+pub const BALL_MASS_KG: f64 = 0.08;

@@ -1,0 +1,17 @@
+//! What light does on a flat table.
+//!
+//! A [`Scene`] is lamps, what casts shadows ([`Occluder`]), what has a visible top ([`Top`], [`Ball`]), the floor's art
+//! and a [`View`]. A renderer turns it into linear radiance, and a tone map into the pixels of a [`Frame`]. Direct light
+//! is exact: the visible fraction of each lamp is one minus the length of the union of the intervals that the occluders
+//! cover of it. A Monte Carlo integrator over the same scene is the reference that it is judged by.
+//!
+//! Lengths are millimetres; x to the right, y down. This crate refuses to know what a window, a file, a clock, a rule
+//! or a rolling ball is.
+
+mod frame;
+mod scene;
+mod view;
+
+pub use frame::Frame;
+pub use scene::{Ball, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top};
+pub use view::View;

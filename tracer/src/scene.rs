@@ -1,0 +1,163 @@
+//! What is lit, what lights it and what is in the way: plain data.
+
+use crate::View;
+use geometry::{DVec2, Shape};
+
+/// Linear light or reflectance, red, green, blue (sRGB primaries).
+pub type Rgb = [f32; 3];
+
+/// Things that belong together do not shade each other's tops: a bumper's body does not darken its own cap, nor the
+/// lamp inside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Group(pub u16);
+
+/// Everything that a picture is made of.
+#[derive(Clone, Debug)]
+pub struct Scene<'a> {
+    /// Where the table is on the screen.
+    pub view: View,
+    /// The lamps. A lamp whose colour is black costs nothing.
+    pub lamps: Vec<Lamp>,
+    /// What casts shadows.
+    pub occluders: Vec<Occluder>,
+    /// Surfaces above the floor, from the lowest to the highest.
+    pub tops: Vec<Top>,
+    /// The balls, above every top.
+    pub balls: Vec<Ball>,
+    /// Inserts that glow from below.
+    pub glows: Vec<Glow<'a>>,
+    /// The floor's art.
+    pub floor: &'a Floor,
+    /// Light from everywhere: what a surface shows where no lamp reaches.
+    pub ambient: Rgb,
+}
+
+/// A disc that shines, parallel to the floor.
+///
+/// A floor point at distance `d` in the plane receives
+/// `color * visible fraction * reference^2 / (d^2 + height^2) * (1 - (d / reach)^2)^2` for `d < reach`, nothing beyond;
+/// `reference` is [`Lamp::REFERENCE_MM`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// The middle, mm.
+    pub center_mm: DVec2,
+    /// Radius of the disc, mm; 0 gives hard shadows.
+    pub radius_mm: f64,
+    /// Height above the floor, mm: it softens the falloff near the lamp and says from where a normal is lit.
+    pub height_mm: f64,
+    /// Where its light ends, mm.
+    pub reach_mm: f64,
+    /// Irradiance at the reference distance, before the reach takes its part.
+    pub color: Rgb,
+    /// The group that the lamp is inside of: that group casts no shadow in its light.
+    pub inside: Option<Group>,
+}
+
+impl Lamp {
+    /// The distance at which a lamp's colour is its irradiance, mm.
+    pub const REFERENCE_MM: f64 = 100.0;
+}
+
+/// Something that casts shadows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Occluder {
+    /// Its outline from above, mm.
+    pub shape: Shape,
+    /// What it belongs to.
+    pub group: Group,
+}
+
+/// A visible surface above the floor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Top {
+    /// Its outline from above, mm.
+    pub outline: Outline,
+    /// What it belongs to.
+    pub group: Group,
+    /// How it looks.
+    pub finish: Finish,
+}
+
+/// An outline from above, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outline {
+    /// Core plus radius.
+    Shape(Shape),
+    /// A closed polygon, either way round.
+    Polygon(Vec<DVec2>),
+}
+
+/// How a surface looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finish {
+    /// Reflectance, 0 to 1. With `art` it multiplies the art.
+    pub albedo: Rgb,
+    /// Its form.
+    pub profile: Profile,
+    /// Strength of its highlights: 0 is matt, 1 is polished metal.
+    pub gloss: f32,
+    /// Takes its colour from [`Floor::tops`] (a printed plastic, a bumper's cap) where that is opaque.
+    pub art: bool,
+    /// Light of its own (a cap with a lamp below it).
+    pub emission: Rgb,
+    /// How much of it there is: 1 is solid, 0 is not there (a drop target that has fallen).
+    pub opacity: f32,
+}
+
+/// A surface's form in cross section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Profile {
+    /// Flat, with an edge rounded over this width, mm.
+    Bevel(f32),
+    /// Round all over: a rubber ring, a wire, a dome.
+    Dome,
+}
+
+/// A chrome ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// The middle, mm.
+    pub center_mm: DVec2,
+    /// The radius, mm.
+    pub radius_mm: f64,
+    /// Its group; its shadow is the occluder of the same group.
+    pub group: Group,
+    /// How it has turned: a unit quaternion x, y, z, w. Scratches on the chrome show it.
+    pub rotation: [f32; 4],
+}
+
+/// An insert that glows: a mask on the screen and its light.
+#[derive(Clone, Debug)]
+pub struct Glow<'a> {
+    /// Which pixels, and how much.
+    pub mask: &'a Mask,
+    /// Its radiance.
+    pub color: Rgb,
+}
+
+/// Coverage of some pixels of a view.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mask {
+    /// The leftmost pixel.
+    pub x: usize,
+    /// The topmost pixel.
+    pub y: usize,
+    /// Pixels across.
+    pub width: usize,
+    /// `width` x height coverages, 255 is all.
+    pub coverage: Vec<u8>,
+}
+
+/// The art of a table at a view's resolution, pixel for pixel, sRGB 8 bit: R, G, B, A premultiplied as tiny-skia
+/// leaves them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Floor {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// The playfield: opaque.
+    pub floor: Vec<[u8; 4]>,
+    /// Plastics and caps above it: transparent where there is none.
+    pub tops: Vec<[u8; 4]>,
+}
