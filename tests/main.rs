@@ -1,1 +1,3 @@
-//! .
+//! The whole system: one module a subject.
+
+mod recording;

@@ -11,10 +11,12 @@ pub mod buttons;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+pub mod recording;
 pub mod simulation;
 pub mod table;
 
 pub use buttons::Buttons;
 pub use failure::Failure;
+pub use recording::Recording;
 pub use simulation::{Simulation, Snapshot};
 pub use table::Table;

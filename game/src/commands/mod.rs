@@ -1,5 +1,8 @@
 //! What each word of the command line does.
 
+pub mod parallel;
+pub mod verify;
+
 use crate::Failure;
 use crate::cli::{Cli, Command};
 
@@ -9,6 +12,7 @@ use crate::cli::{Cli, Command};
 /// One sentence that says what went wrong and what to do.
 pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
+        Command::Verify(args) => verify::run(&args),
         command => Err(Failure::new(format!("not joined yet: {command:?}"))),
     }
 }
