@@ -11,7 +11,9 @@ pub mod buttons;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+pub mod lamps;
 pub mod recording;
+pub mod rules;
 pub mod simulation;
 pub mod table;
 

@@ -1,0 +1,126 @@
+//! Names that stand in a script as literals, checked before anyone plays: `lamp("insert-rde", "on")` is found even
+//! where play seldom comes.
+//!
+//! Reads the text only as far as that needs: comments, strings, and a call's first argument.
+
+use super::names::Names;
+use std::collections::BTreeSet;
+
+/// A literal first argument of a call.
+struct Call<'a> {
+    line: usize,
+    function: &'a str,
+    argument: &'a str,
+}
+
+/// Line and sentence for every literal name that the drawing does not have. A name that the script also asks
+/// `exists(...)` about may be absent.
+pub fn unknown_names(text: &str, names: &Names) -> Vec<(usize, String)> {
+    let calls = literal_calls(text);
+    let optional: BTreeSet<&str> =
+        calls.iter().filter(|call| call.function == "exists").map(|call| call.argument).collect();
+    let mandatory = calls.iter().filter(|call| !optional.contains(call.argument));
+    mandatory.filter_map(|call| Some((call.line, check(call, names).err()?))).collect()
+}
+
+fn check(call: &Call, names: &Names) -> Result<(), String> {
+    match call.function {
+        "lamp" | "lamp_color" | "flash" | "show" => names.lamps(call.argument).map(|_| ()),
+        "eject" => names.saucer(call.argument).map(|_| ()),
+        "raise" => names.drop_target(call.argument).map(|_| ()),
+        "closed" => names.part(call.argument).map(|_| ()),
+        _ => Ok(()),
+    }
+}
+
+/// Every `name("literal"` followed by `,` or `)`.
+fn literal_calls(text: &str) -> Vec<Call<'_>> {
+    let tokens = tokens(text);
+    let mut calls = Vec::new();
+    for window in tokens.windows(4) {
+        if let [
+            (line, Token::Word(function)),
+            (_, Token::Mark('(')),
+            (_, Token::Text(argument)),
+            (_, Token::Mark(',' | ')')),
+        ] = window
+        {
+            calls.push(Call { line: *line, function, argument });
+        }
+    }
+    calls
+}
+
+enum Token<'a> {
+    Word(&'a str),
+    Text(&'a str),
+    Mark(char),
+}
+
+/// The words, double-quoted strings and marks of a script, with their lines.
+fn tokens(text: &str) -> Vec<(usize, Token<'_>)> {
+    let mut tokens = Vec::new();
+    let mut rest = text;
+    let mut line = 1;
+    while let Some(first) = rest.chars().next() {
+        let length = if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if rest.starts_with("/*") {
+            comment(rest)
+        } else if first == '"' {
+            let length = string(rest);
+            tokens.push((line, Token::Text(rest[1..length].trim_end_matches('"'))));
+            length
+        } else if first == '_' || first.is_ascii_alphanumeric() {
+            let end = |letter: char| letter != '_' && !letter.is_ascii_alphanumeric();
+            let length = rest.find(end).unwrap_or(rest.len());
+            tokens.push((line, Token::Word(&rest[..length])));
+            length
+        } else {
+            if !first.is_whitespace() {
+                tokens.push((line, Token::Mark(first)));
+            }
+            first.len_utf8()
+        };
+        line += rest[..length].matches('\n').count();
+        rest = &rest[length..];
+    }
+    tokens
+}
+
+/// The length of the block comment that the text begins with; they nest.
+fn comment(text: &str) -> usize {
+    let mut depth = 0;
+    let mut place = 0;
+    while let Some(mark) = text.get(place..).and_then(|rest| rest.find(['/', '*'])) {
+        place += mark;
+        match text.get(place..place + 2) {
+            Some("/*") => {
+                depth += 1;
+                place += 2;
+            }
+            Some("*/") => {
+                depth -= 1;
+                place += 2;
+                if depth == 0 {
+                    return place;
+                }
+            }
+            _ => place += 1,
+        }
+    }
+    text.len()
+}
+
+/// The length of the double-quoted string that the text begins with, both quotes included.
+fn string(text: &str) -> usize {
+    let mut escaped = false;
+    for (place, letter) in text.char_indices().skip(1) {
+        match letter {
+            '\\' if !escaped => escaped = true,
+            '"' if !escaped => return place + 1,
+            _ => escaped = false,
+        }
+    }
+    text.len()
+}

@@ -1,0 +1,6 @@
+//! Rules on a small table built in code, told of events that never happened.
+
+pub(crate) mod bench;
+mod errors;
+mod flow;
+mod memory;

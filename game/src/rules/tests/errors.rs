@@ -1,0 +1,68 @@
+//! What is wrong with a script is said with its line, and never stops the game.
+
+use super::bench::{Bench, table};
+
+fn mistake(rules: &str) -> String {
+    match Bench::new(table(rules, &["lane", "saucer", "drop-1"], &["red", "green"])) {
+        Ok(_) => String::new(),
+        Err(failure) => failure.to_string(),
+    }
+}
+
+#[test]
+fn a_literal_name_that_the_drawing_lacks_is_found_before_play() {
+    let rules =
+        "fn on_switch(name) {\n  if name == \"never\" {\n    lamp(\"rde\", \"on\"); // lamp(\"blue\", 1)\n  }\n}";
+    assert_eq!(
+        mistake(rules),
+        "bench/rules.rhai:3: there is no lamp called \"rde\" in the drawing; did you mean \"red\"?"
+    );
+}
+
+#[test]
+fn every_wrong_name_is_named_at_once() {
+    let rules = "fn on_switch(name) {\n  raise(\"saucer\");\n  eject(\"hole\");\n  flash(\"x*\", 10);\n}";
+    assert_eq!(mistake(rules).lines().count(), 3, "{}", mistake(rules));
+}
+
+#[test]
+fn a_name_that_the_script_asks_about_may_be_absent() {
+    assert_eq!(mistake("fn on_launch() { if exists(\"gate\") { closed(\"gate\"); } }"), "");
+}
+
+#[test]
+fn a_name_made_at_run_time_is_found_when_it_is_used() {
+    let rules = "fn on_start() {\n  let name = \"lamp-\" + 3;\n  lamp(name, \"on\");\n}";
+    assert_eq!(mistake(rules), "bench/rules.rhai:3: there is no lamp called \"lamp-3\" in the drawing");
+}
+
+#[test]
+fn syntax_variables_and_functions_are_checked_with_their_lines() {
+    assert!(mistake("fn on_start() {\n  lamp(\"red\" \"on\");\n}").starts_with("bench/rules.rhai:2: "));
+    assert!(mistake("fn on_start() {\n\n  nothing_like_it(1);\n}").starts_with("bench/rules.rhai:3: "));
+    assert!(mistake("fn on_swich(name) {}").contains("nothing calls on_swich"));
+    assert!(mistake("fn on_start() {\n  if nobody > 1 {}\n}").starts_with("bench/rules.rhai:2: "));
+    assert!(mistake("\nfn on_switch() {}").starts_with("bench/rules.rhai:2: on_switch takes 1 parameter"));
+}
+
+#[test]
+fn a_script_without_end_is_cut_short_and_the_game_goes_on() {
+    let rules = "fn on_start() { start_game(3); }\nfn on_switch(name) {\n  score(1); loop {}\n}";
+    let mut bench = Bench::new(table(rules, &["lane"], &[])).expect("the rules are sound");
+    bench.hit("lane");
+    bench.hit("lane");
+    let complaints = bench.rules.take_complaints();
+    assert_eq!(complaints.len(), 1, "said once: {complaints:?}");
+    assert!(complaints[0].starts_with("bench/rules.rhai:2: this does not come to an end"), "{complaints:?}");
+    assert_eq!(bench.score(), 2, "what was done before the error stays done");
+}
+
+#[test]
+fn a_script_that_grows_or_nests_without_end_is_cut_short() {
+    for body in ["let a = [1]; loop { a += a; }", "let s = \"x\"; loop { s += s; }", "this.again();"] {
+        let rules = format!("fn again() {{ this.again(); }}\nfn on_launch() {{ {body} }}");
+        let mut bench = Bench::new(table(&rules, &["lane"], &[])).expect("the rules are sound");
+        bench.launch();
+        assert_eq!(bench.rules.take_complaints().len(), 1, "{body}");
+    }
+}

@@ -1,0 +1,115 @@
+//! Balls, players, tilt and the ball search, on rules of a few lines.
+
+use super::bench::{Bench, table};
+use crate::Buttons;
+use physics::Command;
+
+const RULES: &str = "
+fn on_start() { message(\"PRESS START\", 0); }
+fn on_button(name) {
+    if name != \"start\" { return; }
+    if !playing() { start_game(2); flippers(true); kickers(true); add_ball(); }
+    else if ball() == 1 && players() < max_players() { add_player(); }
+}
+fn on_switch(name) {
+    if name == \"lane\" { score(100); }
+    if name == \"drain\" && balls_in_play() == 0 {
+        if next_player() { flippers(true); add_ball(); } else { game_over(); flippers(false); }
+    }
+}
+fn on_bob() { score(1); }
+";
+
+fn bench() -> Bench {
+    Bench::new(table(RULES, &["lane", "drain", "saucer", "drop-1", "plunger"], &[])).expect("the rules are sound")
+}
+
+#[test]
+fn players_take_turns_and_the_last_ball_ends_the_game() {
+    let mut bench = bench();
+    bench.hit("lane");
+    assert_eq!(bench.score(), 0, "no points before a game");
+    bench.press(Buttons::START);
+    bench.press(Buttons::START);
+    assert_eq!(bench.display().scores, [0, 0]);
+    for (player, ball) in [(0, 1), (1, 1), (0, 2), (1, 2)] {
+        let display = bench.display();
+        assert_eq!((display.player, display.ball, display.playing), (player, ball, true));
+        bench.launch();
+        bench.hit("lane");
+        bench.drain();
+        bench.wait(1);
+    }
+    let display = bench.display();
+    assert_eq!((display.scores, display.playing, display.ball), (vec![200, 200], false, 0));
+    assert_eq!(bench.orders.last(), Some(&Command::SetFlippers(false)));
+}
+
+#[test]
+fn one_swing_of_the_bob_counts_once() {
+    let mut bench = bench();
+    bench.press(Buttons::START);
+    for _ in 0..4 {
+        bench.bob();
+        bench.wait(100);
+    }
+    assert_eq!(bench.score(), 1, "touches that follow within 300 ms belong to the same swing");
+    bench.wait(300);
+    bench.bob();
+    assert_eq!(bench.score(), 2);
+}
+
+#[test]
+fn a_silent_ball_is_searched_for_and_then_given_up() {
+    let mut bench = bench();
+    bench.press(Buttons::START);
+    bench.wait(20_000);
+    assert_eq!(bench.balls.len(), 1, "a ball at the plunger may wait");
+    bench.launch();
+    bench.wait(11_900);
+    let (eject, raise) = (Command::Eject(bench.part("saucer")), Command::Raise(bench.part("drop-1")));
+    assert!(!bench.ordered(eject), "patience");
+    bench.wait(4_000);
+    assert_eq!(bench.orders.iter().filter(|order| **order == eject).count(), 3, "three rounds");
+    assert!(bench.ordered(raise));
+    assert_eq!(bench.balls.len(), 2, "then another ball");
+    bench.launch();
+    bench.balls.swap(0, 1);
+    bench.drain();
+    bench.wait(1);
+    assert_eq!(bench.display().ball, 2, "the ball that was given up does not count");
+}
+
+#[test]
+fn a_ball_that_was_given_up_and_comes_free_is_in_play_again() {
+    let mut bench = bench();
+    bench.press(Buttons::START);
+    bench.launch();
+    bench.wait(16_000);
+    assert_eq!(bench.balls.len(), 2);
+    bench.launch();
+    bench.balls[0].center.y += 0.2;
+    bench.wait(200);
+    bench.drain();
+    bench.wait(1);
+    assert_eq!(bench.display().ball, 1, "one of two balls was lost");
+}
+
+#[test]
+fn a_player_may_hold_a_ball_on_a_flipper() {
+    let mut bench = bench();
+    bench.press(Buttons::START);
+    bench.launch();
+    bench.hold(Buttons::LEFT);
+    bench.wait(25_000);
+    assert!(!bench.ordered(Command::Eject(bench.part("saucer"))));
+}
+
+#[test]
+fn a_script_that_forgets_the_ball_is_helped() {
+    let rules = "fn on_button(name) { start_game(1); }";
+    let mut bench = Bench::new(table(rules, &["lane", "plunger"], &[])).expect("the rules are sound");
+    bench.press(Buttons::START);
+    bench.wait(16_000);
+    assert_eq!(bench.balls.len(), 1);
+}
