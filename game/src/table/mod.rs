@@ -2,6 +2,24 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod class;
+mod drawing;
+mod hash;
+mod lamps;
+mod load;
+mod numbers;
+mod outline;
+mod parts;
+mod path;
+mod place;
+mod rim;
+mod solids;
+mod source;
+mod split;
+mod style;
+#[cfg(test)]
+mod tests;
+
 use geometry::{DVec2, Shape};
 use physics::{Layout, PartId};
 use std::path::PathBuf;
@@ -11,6 +29,8 @@ use std::path::PathBuf;
 pub struct Table {
     /// The folder's name: `spectrum`.
     pub name: String,
+    /// What it calls itself: `Spectrum`.
+    pub title: String,
     /// The folder.
     pub dir: PathBuf,
     /// What stands on the playfield, in SI units, for the physics.
@@ -39,7 +59,16 @@ impl Table {
     /// # Errors
     /// Every mistake in its files, one line each: file, line, what was expected.
     pub fn load(name: &str) -> Result<Table, Vec<crate::Failure>> {
-        Err(vec![crate::Failure::new(format!("there is no table called {name}"))])
+        let dir = crate::assets::table_dir(name).map_err(|failure| vec![failure])?;
+        Table::load_dir(&dir)
+    }
+
+    /// Reads and checks the table in the folder `dir`.
+    ///
+    /// # Errors
+    /// As [`Table::load`].
+    pub fn load_dir(dir: &std::path::Path) -> Result<Table, Vec<crate::Failure>> {
+        load::load(dir)
     }
 
     /// The part with this id in the drawing.

@@ -1,0 +1,152 @@
+//! From a folder to a [`Table`], or to every mistake in it.
+
+use super::class::Class;
+use super::drawing::{self, Drawing, Thing};
+use super::numbers::{self, Numbers};
+use super::solids::{self, Groups};
+use super::source::Source;
+use super::{Lamp, Solid, Table, lamps, parts, split};
+use crate::Failure;
+use physics::{Layout, Part, PartId};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The files of a table.
+pub(super) const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
+/// The largest of each, bytes.
+const LIMITS: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
+
+/// Reads the table in the folder `dir`.
+pub(super) fn load(dir: &Path) -> Result<Table, Vec<Failure>> {
+    let mut mistakes = Vec::new();
+    let sources = [0, 1, 2].map(|file| {
+        let source = Source::read(&dir.join(FILES[file]), LIMITS[file]);
+        source.map_err(|failure| mistakes.push(failure)).ok()
+    });
+    read(dir, sources, mistakes)
+}
+
+/// The table that these texts say, or `mistakes` and every further one. A missing file is already one of them.
+pub(super) fn read(
+    dir: &Path,
+    [svg, toml, rules]: [Option<Source>; 3],
+    mut mistakes: Vec<Failure>,
+) -> Result<Table, Vec<Failure>> {
+    let document = svg.as_ref().and_then(|svg| drawing::parse(svg).map_err(|failure| mistakes.push(failure)).ok());
+    let drawing =
+        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut mistakes));
+    let ids = drawing.as_ref().map(|drawing| {
+        let things = drawing.things.iter().map(|thing| (thing.name.clone(), thing.class));
+        things.collect::<BTreeMap<String, Class>>()
+    });
+    let numbers = toml.as_ref().map(|toml| numbers::read(toml, ids.as_ref(), &mut mistakes));
+    let (Some(svg), Some(document), Some(drawing), Some(numbers), Some(rules)) =
+        (&svg, &document, &drawing, &numbers, rules)
+    else {
+        return Err(mistakes);
+    };
+    let build = Build::new(svg, &drawing.things, numbers, &mut mistakes);
+    complete(svg, &drawing.things, &mut mistakes);
+    let (floor_svg, tops_svg) = split::split(&svg.text, document);
+    let mut table = Table {
+        name: folder_name(dir),
+        title: numbers.title.clone().unwrap_or_else(|| folder_name(dir)),
+        dir: dir.to_path_buf(),
+        layout: Layout {
+            size_m: drawing.size_mm * 0.001,
+            slope_rad: numbers.slope_deg.to_radians(),
+            playfield_friction: numbers.playfield_friction,
+            parts: build.parts,
+        },
+        size_mm: drawing.size_mm,
+        lamps: build.lamps,
+        solids: build.solids,
+        floor_svg,
+        tops_svg,
+        rules: rules.text,
+        ambient: ambient(numbers),
+        hash: 0,
+    };
+    table.hash = super::hash::of(&table);
+    if mistakes.is_empty() { Ok(table) } else { Err(mistakes) }
+}
+
+fn folder_name(dir: &Path) -> String {
+    let whole = dir.canonicalize().unwrap_or_else(|_| dir.to_path_buf());
+    whole.file_name().map_or_else(|| "table".to_string(), |name| name.to_string_lossy().into_owned())
+}
+
+fn ambient(numbers: &Numbers) -> [f32; 3] {
+    solids::linear(numbers.ambient).map(|light| light * numbers.ambient_power as f32)
+}
+
+/// What every table must have.
+fn complete(svg: &Source, things: &[Thing], mistakes: &mut Vec<Failure>) {
+    let count = |class| things.iter().filter(|thing| thing.class == class).count();
+    for (class, why) in [
+        (Class::Flipper, "a game needs at least one"),
+        (Class::Drain, "a ball could never be lost"),
+        (Class::Plunger, "no ball could come into play"),
+    ] {
+        if count(class) == 0 {
+            mistakes.push(svg.mistake(0, format!("the drawing has no {}: {why}", class.word())));
+        }
+    }
+    for plunger in things.iter().filter(|thing| thing.class == Class::Plunger).skip(1) {
+        mistakes.push(svg.mistake(plunger.at, "there is already a plunger; a table has one"));
+    }
+}
+
+/// The things, made into what they are.
+struct Build {
+    parts: Vec<Part>,
+    lamps: Vec<Lamp>,
+    solids: Vec<Solid>,
+}
+
+impl Build {
+    fn new(svg: &Source, things: &[Thing], numbers: &Numbers, mistakes: &mut Vec<Failure>) -> Build {
+        let mut build = Build { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
+        let mut groups = Groups::default();
+        let grouped: Vec<(&Thing, u16)> = things.iter().map(|thing| (thing, groups.of(thing))).collect();
+        let group_of = |id: &str| {
+            let solid = |thing: &Thing| thing.name == id && thing.class.has_finish();
+            grouped.iter().find(|(thing, _)| solid(thing)).map(|&(_, group)| group)
+        };
+        let mut heights = Vec::new();
+        for &(thing, group) in &grouped {
+            let built = build.thing(thing, group, numbers, group_of);
+            match built {
+                Ok(Some(solid)) => heights.push((solids::height(thing.class), solid)),
+                Ok(None) => {}
+                Err(why) => mistakes.push(svg.mistake(thing.at, format!("{}: {why}", thing.name))),
+            }
+        }
+        heights.sort_by_key(|&(height, _)| height);
+        build.solids = heights.into_iter().map(|(_, solid)| solid).collect();
+        build
+    }
+
+    fn thing(
+        &mut self,
+        thing: &Thing,
+        group: u16,
+        numbers: &Numbers,
+        group_of: impl Fn(&str) -> Option<u16>,
+    ) -> Result<Option<Solid>, String> {
+        match thing.class {
+            Class::Lamp | Class::Insert => {
+                self.lamps.push(lamps::lamp(thing, numbers, group_of)?);
+                Ok(None)
+            }
+            Class::Plastic => solids::solid(thing, None, group, numbers),
+            _ => {
+                let id = PartId(self.parts.len() as u16);
+                let part = Part { name: thing.name.clone(), kind: parts::kind(thing, numbers)? };
+                let solid = solids::solid(thing, Some((id, &part)), group, numbers)?;
+                self.parts.push(part);
+                Ok(solid)
+            }
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What one element draws, on the table, in millimetres.
+
+use super::path::{self, Ellipse, Pen, Piece, Run};
+use super::place::Place;
+use super::style;
+use geometry::{Bounds, Circle, DVec2, Segment};
+use roxmltree::Node;
+
+/// What one element draws.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Outline {
+    /// A circle.
+    Circle(Circle),
+    /// Lines, at least one, each with some length.
+    Runs(Vec<Run>),
+}
+
+impl Outline {
+    /// What `node` draws at `place`, which enlarges by `scale`.
+    pub fn of(node: Node, place: Place, scale: f64) -> Result<Outline, String> {
+        let mut pen = Pen::new(place, scale);
+        match node.tag_name().name() {
+            "circle" => return circle(node, place, scale).map(Outline::Circle),
+            "line" => {
+                pen.start(point(node, "x1", "y1")?)?;
+                pen.line(point(node, "x2", "y2")?)?;
+            }
+            "rect" => rect(node, &mut pen)?,
+            "polyline" => corners(node, &mut pen)?,
+            "polygon" => {
+                corners(node, &mut pen)?;
+                pen.close()?;
+            }
+            "path" => path::draw(&mut pen, required(node, "d")?)?,
+            other => {
+                return Err(format!(
+                    "a thing cannot be a `{other}`: draw it as line, polyline, polygon, path, circle or rect"
+                ));
+            }
+        }
+        let runs = pen.finish();
+        if runs.is_empty() { Err("it has no length".to_string()) } else { Ok(Outline::Runs(runs)) }
+    }
+
+    /// The one straight line that this is.
+    pub fn line(&self) -> Option<Segment> {
+        match self {
+            Outline::Runs(runs) => match runs.as_slice() {
+                [Run { pieces, .. }] => match pieces.as_slice() {
+                    [Piece::Segment(segment)] => Some(*segment),
+                    _ => None,
+                },
+                _ => None,
+            },
+            Outline::Circle(_) => None,
+        }
+    }
+
+    /// The circle that this is.
+    pub fn circle(&self) -> Option<Circle> {
+        match self {
+            Outline::Circle(circle) => Some(*circle),
+            Outline::Runs(_) => None,
+        }
+    }
+
+    /// The closed polygons that this is, if all of it is closed.
+    pub fn polygons(&self) -> Option<Vec<Vec<DVec2>>> {
+        match self {
+            Outline::Circle(circle) => Some(vec![path::circle_polygon(*circle)]),
+            Outline::Runs(runs) => {
+                let closed = runs.iter().all(|run| run.closed && run.polygon.len() > 2);
+                closed.then(|| runs.iter().map(|run| run.polygon.clone()).collect())
+            }
+        }
+    }
+
+    /// The smallest box around it.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Outline::Circle(circle) => circle.bounds(),
+            Outline::Runs(runs) => {
+                let boxes = runs.iter().flat_map(|run| &run.pieces).map(|piece| piece.shape(0.0).bounds());
+                boxes.reduce(Bounds::union).unwrap_or(Bounds::of(DVec2::ZERO, DVec2::ZERO))
+            }
+        }
+    }
+}
+
+fn required<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, String> {
+    node.attribute(name).ok_or_else(|| format!("it has no `{name}`"))
+}
+
+fn number(node: Node, name: &str) -> Result<f64, String> {
+    node.attribute(name).map_or(Ok(0.0), |text| style::length(text, name))
+}
+
+fn point(node: Node, x: &str, y: &str) -> Result<DVec2, String> {
+    Ok(DVec2::new(number(node, x)?, number(node, y)?))
+}
+
+fn circle(node: Node, place: Place, scale: f64) -> Result<Circle, String> {
+    required(node, "r")?;
+    let middle = point(node, "cx", "cy")?;
+    let radius = number(node, "r")? * scale;
+    let center = place.point(middle.x, middle.y);
+    if radius.is_finite() && radius > 0.0 && center.is_finite() {
+        Ok(Circle { center, radius })
+    } else {
+        Err("its radius `r` must be more than 0".to_string())
+    }
+}
+
+fn corners(node: Node, pen: &mut Pen) -> Result<(), String> {
+    let text = required(node, "points")?;
+    let numbers: Result<Vec<f64>, String> = text
+        .split(|c: char| c == ',' || c.is_ascii_whitespace())
+        .filter(|word| !word.is_empty())
+        .map(|word| style::length(word, "points"))
+        .collect();
+    let numbers = numbers?;
+    if numbers.len() % 2 == 1 || numbers.len() < 4 {
+        return Err("its `points` must be two or more pairs of numbers".to_string());
+    }
+    for (index, pair) in numbers.chunks_exact(2).enumerate() {
+        let corner = DVec2::new(pair[0], pair[1]);
+        if index == 0 { pen.start(corner)? } else { pen.line(corner)? }
+    }
+    Ok(())
+}
+
+fn rect(node: Node, pen: &mut Pen) -> Result<(), String> {
+    let corner = point(node, "x", "y")?;
+    let size = point(node, "width", "height")?;
+    if size.min_element() <= 0.0 {
+        return Err("its `width` and `height` must be more than 0".to_string());
+    }
+    let rx = node.attribute("rx").or_else(|| node.attribute("ry"));
+    let rx = rx.map_or(Ok(0.0), |text| style::length(text, "rx"))?;
+    let ry = node.attribute("ry").map_or(Ok(rx), |text| style::length(text, "ry"))?;
+    if rx < 0.0 || ry != rx {
+        return Err("its corners `rx` and `ry` must be equal, and 0 or more".to_string());
+    }
+    let round = rx.min(size.min_element() * 0.5);
+    let at = |x: f64, y: f64| corner + size * DVec2::new(x, y);
+    // Each corner: where the round begins, and where it ends.
+    let [right, down] = [DVec2::X * round, DVec2::Y * round];
+    let corners = [
+        (at(1.0, 0.0) - right, at(1.0, 0.0) + down),
+        (at(1.0, 1.0) - down, at(1.0, 1.0) - right),
+        (at(0.0, 1.0) + right, at(0.0, 1.0) - down),
+        (at(0.0, 0.0) + down, at(0.0, 0.0) + right),
+    ];
+    pen.start(corners[3].1)?;
+    for (begin, end) in corners {
+        pen.line(begin)?;
+        pen.arc(begin, Ellipse::corner(round), end)?;
+    }
+    pen.close()
+}
