@@ -128,7 +128,8 @@ fn zone(thing: &Thing) -> Result<Shape, String> {
 
 fn middle_of_rect(thing: &Thing) -> Result<Shape, String> {
     let polygons = thing.outline.polygons().unwrap_or_default();
-    let [[a, b, c, d]] = polygons.iter().map(|p| <[DVec2; 4]>::try_from(p.clone())).flatten().collect::<Vec<_>>()[..]
+    let [[a, b, c, d]] =
+        polygons.iter().flat_map(|polygon| <[DVec2; 4]>::try_from(polygon.clone())).collect::<Vec<_>>()[..]
     else {
         return Err(expected(thing, "one straight line, a circle or a rectangle"));
     };

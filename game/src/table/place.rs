@@ -22,7 +22,7 @@ impl Place {
         let mut table_from_own = self.table_from_own;
         for token in TransformListParser::from(attribute) {
             let token = token.map_err(|error| format!("the transform `{attribute}` cannot be read: {error}"))?;
-            table_from_own = table_from_own * affine(token);
+            table_from_own *= affine(token);
         }
         if table_from_own.is_finite() {
             Ok(Place { table_from_own })

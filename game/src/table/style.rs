@@ -27,7 +27,7 @@ impl Paint {
 pub(super) fn own_property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let declared = node.attribute("style").and_then(|style| {
         let declarations = style.split(';').filter_map(|declaration| declaration.split_once(':'));
-        declarations.filter(|(key, _)| key.trim() == name).last().map(|(_, value)| value)
+        declarations.rev().find(|(key, _)| key.trim() == name).map(|(_, value)| value)
     });
     let value = declared.or_else(|| node.attribute(name))?;
     Some(value.trim().trim_end_matches("!important").trim_end())

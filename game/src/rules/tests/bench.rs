@@ -20,6 +20,7 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
     let parts = parts.iter().enumerate();
     Table {
         name: "bench".into(),
+        title: String::new(),
         dir: PathBuf::from("bench"),
         layout: Layout {
             size_m: DVec2::new(0.5, 1.0),
