@@ -37,3 +37,12 @@ impl Buttons {
         if down { Buttons(self.0 | other.0) } else { Buttons(self.0 & !other.0) }
     }
 }
+
+impl std::ops::BitOr for Buttons {
+    type Output = Buttons;
+
+    /// The buttons of both.
+    fn bitor(self, other: Buttons) -> Buttons {
+        Buttons(self.0 | other.0)
+    }
+}

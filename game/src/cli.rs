@@ -191,6 +191,8 @@ pub enum Player {
     Bot,
     /// Flips at random: what the bot is measured against.
     Random,
+    /// The bot with two more players, every key and a tilt: for demonstrations.
+    Tour,
 }
 
 /// `caustic check`

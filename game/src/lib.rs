@@ -8,6 +8,7 @@
 //! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
 
 pub mod assets;
+pub mod bot;
 pub mod buttons;
 pub mod cli;
 pub mod commands;

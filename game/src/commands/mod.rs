@@ -1,6 +1,7 @@
 //! What each word of the command line does.
 
 pub mod parallel;
+pub mod simulate;
 pub mod verify;
 
 use crate::Failure;
@@ -12,6 +13,7 @@ use crate::cli::{Cli, Command};
 /// One sentence that says what went wrong and what to do.
 pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
+        Command::Simulate(args) => simulate::run(&args),
         Command::Verify(args) => verify::run(&args),
         command => Err(Failure::new(format!("not joined yet: {command:?}"))),
     }

@@ -164,5 +164,5 @@ impl Checkpoint {
 
 /// The best score of the players.
 pub(crate) fn best_score(simulation: &Simulation) -> i64 {
-    simulation.snapshot().display.scores.into_iter().max().unwrap_or(0)
+    simulation.display().scores.into_iter().max().unwrap_or(0)
 }

@@ -188,7 +188,7 @@ impl Simulation {
 }
 
 /// The buttons as the machine knows them; START is for the rules alone.
-fn controls(buttons: Buttons) -> Controls {
+pub(crate) fn controls(buttons: Buttons) -> Controls {
     Controls {
         left: buttons.contains(Buttons::LEFT),
         right: buttons.contains(Buttons::RIGHT),

@@ -1,0 +1,178 @@
+//! Notices what must never happen to a ball.
+
+use geometry::{Circle, Core, DVec2, Shape, Taper, trig};
+use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, Pose};
+use std::collections::BTreeMap;
+
+/// Ticks between two looks.
+const LOOK_TICKS: u64 = 10;
+/// How far a ball must move in [`STUCK_TICKS`], m.
+const STUCK_M: f64 = 0.002;
+/// How long a ball may lie outside of lane, saucer and flippers, ticks.
+const STUCK_TICKS: u64 = 20_000;
+/// How far a ball may reach into another thing, m.
+const OVERLAP_M: f64 = 0.000_05;
+
+/// What went wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum AnomalyKind {
+    /// A ball has not moved for 20 s where nothing holds it.
+    Stuck,
+    /// A ball is outside the playfield.
+    Escaped,
+    /// A ball is more than 0.05 mm inside a wall, a flipper, a bumper or another ball.
+    Overlap,
+    /// A ball is nowhere: a number is not finite.
+    NotANumber,
+}
+
+impl std::fmt::Display for AnomalyKind {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            AnomalyKind::Stuck => "stuck",
+            AnomalyKind::Escaped => "escaped",
+            AnomalyKind::Overlap => "overlap",
+            AnomalyKind::NotANumber => "NaN",
+        })
+    }
+}
+
+/// One thing that went wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Anomaly {
+    /// What.
+    pub kind: AnomalyKind,
+    /// When.
+    pub tick: u64,
+    /// Where the ball was, mm.
+    pub center_mm: DVec2,
+    /// What it was in or near: a part's name, or how fast it was.
+    pub detail: String,
+}
+
+/// Watches the balls of one game.
+pub struct Watch {
+    solids: Vec<Solid>,
+    flippers: Vec<physics::Flipper>,
+    size_m: DVec2,
+    /// Where each ball was when it last moved, and when.
+    rests: BTreeMap<u32, (DVec2, u64)>,
+    /// What has been noticed: once for each ball and kind.
+    noticed: BTreeMap<(u32, AnomalyKind), Anomaly>,
+}
+
+/// A surface that does not move.
+struct Solid {
+    name: String,
+    shape: Shape,
+    /// A drop target's index among the pose's drop targets.
+    drop_target: Option<usize>,
+}
+
+impl Watch {
+    /// A watch over a game on this layout.
+    pub fn new(layout: &Layout) -> Watch {
+        let mut watch = Watch {
+            solids: vec![],
+            flippers: vec![],
+            size_m: layout.size_m,
+            rests: BTreeMap::new(),
+            noticed: BTreeMap::new(),
+        };
+        let mut drop_targets = 0;
+        for part in &layout.parts {
+            let mut solid = |shape: Shape, drop_target| {
+                watch.solids.push(Solid { name: part.name.clone(), shape, drop_target });
+            };
+            match &part.kind {
+                Kind::Wall(wall) => wall.shapes.iter().for_each(|shape| solid(*shape, None)),
+                Kind::Target(target) => solid(target.shape, None),
+                Kind::DropTarget(target) => {
+                    solid(target.shape, Some(drop_targets));
+                    drop_targets += 1;
+                }
+                Kind::Bumper(bumper) => solid(Shape::disc(bumper.circle.center, bumper.circle.radius), None),
+                Kind::Slingshot(sling) => {
+                    solid(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), None);
+                }
+                Kind::Flipper(flipper) => watch.flippers.push(flipper.clone()),
+                _ => {}
+            }
+        }
+        watch
+    }
+
+    /// Looks at the table after a tick. `excused`: a ball may lie still here (in the plunger's lane, on a raised flipper,
+    /// or no game is on).
+    pub fn look(&mut self, tick: u64, pose: &Pose, excused: impl Fn(&BallPose) -> bool) {
+        if !tick.is_multiple_of(LOOK_TICKS) {
+            return;
+        }
+        for (index, ball) in pose.balls.iter().enumerate() {
+            if !(ball.center.is_finite() && ball.velocity.is_finite()) {
+                self.notice(tick, ball, AnomalyKind::NotANumber, format!("velocity {:?}", ball.velocity));
+                continue;
+            }
+            if self.outside(ball.center) {
+                self.notice(tick, ball, AnomalyKind::Escaped, format!("at {:.2} m/s", ball.velocity.length()));
+            }
+            if let Some((name, depth_m)) = self.inside_of(ball, pose, &pose.balls[index + 1..]) {
+                self.notice(tick, ball, AnomalyKind::Overlap, format!("{:.3} mm inside {name}", depth_m * 1000.0));
+            }
+            self.look_for_rest(tick, ball, ball.held || excused(ball));
+        }
+        self.rests.retain(|id, _| pose.balls.iter().any(|ball| ball.id == *id));
+    }
+
+    /// Everything that was noticed.
+    pub fn anomalies(self) -> Vec<Anomaly> {
+        self.noticed.into_values().collect()
+    }
+
+    fn notice(&mut self, tick: u64, ball: &BallPose, kind: AnomalyKind, detail: String) {
+        let anomaly = Anomaly { kind, tick, center_mm: ball.center * 1000.0, detail };
+        self.noticed.entry((ball.id, kind)).or_insert(anomaly);
+    }
+
+    fn outside(&self, center: DVec2) -> bool {
+        let inside = |at: f64, size: f64| (-BALL_RADIUS_M..size + BALL_RADIUS_M).contains(&at);
+        !inside(center.x, self.size_m.x) || !inside(center.y, self.size_m.y)
+    }
+
+    fn look_for_rest(&mut self, tick: u64, ball: &BallPose, excused: bool) {
+        let (place, since) = self.rests.entry(ball.id).or_insert((ball.center, tick));
+        if excused || place.distance(ball.center) > STUCK_M {
+            (*place, *since) = (ball.center, tick);
+        } else if tick - *since > STUCK_TICKS {
+            self.notice(tick, ball, AnomalyKind::Stuck, "does not move".to_string());
+        }
+    }
+
+    /// What the ball is inside of, and how deep.
+    fn inside_of(&self, ball: &BallPose, pose: &Pose, others: &[BallPose]) -> Option<(String, f64)> {
+        let stands = |solid: &Solid| match solid.drop_target {
+            Some(index) => pose.drop_targets.get(index).is_some_and(|(_, up)| *up >= 1.0),
+            None => true,
+        };
+        let near = |solid: &&Solid| solid.shape.bounds().grown(BALL_RADIUS_M).contains(ball.center);
+        let solids = self.solids.iter().filter(near).filter(|solid| stands(solid));
+        let solids = solids.map(|solid| (solid.name.as_str(), solid.shape.distance(ball.center).0));
+        let flippers = self.flippers.iter().zip(&pose.flippers_rad);
+        let flippers =
+            flippers.map(|(flipper, (_, angle))| ("a flipper", hull(flipper, *angle).distance(ball.center).0));
+        let others = others.iter().filter(|_| !ball.held);
+        let balls = others.map(|other| ("another ball", other.center.distance(ball.center) - BALL_RADIUS_M));
+        solids
+            .chain(flippers)
+            .chain(balls)
+            .map(|(name, distance)| (name.to_string(), BALL_RADIUS_M - distance))
+            .find(|(_, depth)| *depth > OVERLAP_M)
+    }
+}
+
+/// A flipper's outline when it points this way.
+fn hull(flipper: &physics::Flipper, angle_rad: f64) -> Shape {
+    let tip = flipper.base.center + trig::direction(angle_rad) * flipper.length_m;
+    let taper = Taper { a: flipper.base, b: Circle { center: tip, radius: flipper.tip_radius_m } };
+    Shape { core: Core::Taper(taper), radius: 0.0 }
+}

@@ -1,0 +1,125 @@
+//! What would happen: a copy of the machine, played on without the rules.
+
+use super::playfield::Playfield;
+use super::worth::Worth;
+use crate::Buttons;
+use crate::simulation::controls;
+use physics::{EventKind, Kind, Machine};
+
+/// Ticks between two looks at where the balls are.
+const GLANCE_TICKS: u64 = 10;
+
+/// A possible future. A clone can be played on in another way.
+#[derive(Clone)]
+pub(super) struct Future<'a> {
+    machine: Machine,
+    playfield: &'a Playfield,
+    worth: &'a Worth,
+    held: Buttons,
+    /// The tick that has been reached.
+    pub tick: u64,
+    /// What has been hit, in the bot's own opinion.
+    pub gained: f64,
+    /// Balls that are gone, or that nothing can save any more.
+    pub lost: usize,
+    /// A ball came to lie on a raised flipper.
+    pub cradled: bool,
+    /// A saucer has caught a ball.
+    pub caught: bool,
+}
+
+/// What it costs to lose a ball.
+const LOSS: f64 = 60.0;
+/// What it is worth to have a ball under control.
+const CONTROL: f64 = 9.0;
+/// What it costs when a ball comes down between the flippers.
+const GAP: f64 = 25.0;
+
+impl<'a> Future<'a> {
+    /// The present.
+    pub fn now(machine: &Machine, held: Buttons, tick: u64, playfield: &'a Playfield, worth: &'a Worth) -> Future<'a> {
+        let machine = machine.clone();
+        Future { machine, playfield, worth, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
+    }
+
+    /// Presses or lets go.
+    pub fn set(&mut self, buttons: Buttons, down: bool) {
+        self.held = self.held.with(buttons, down);
+    }
+
+    /// Plays on for so many ticks, or until `enough`, which is asked now and then.
+    pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Future) -> bool) {
+        let end = self.tick + ticks;
+        while self.tick < end {
+            self.play_tick();
+            if self.tick.is_multiple_of(GLANCE_TICKS) {
+                self.glance();
+                if enough(self) {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Where the balls are that can still be played.
+    pub fn balls(&self) -> Vec<physics::BallPose> {
+        let mut balls = self.machine.pose().balls;
+        balls.retain(|ball| !ball.held && !self.playfield.in_lane(ball));
+        balls
+    }
+
+    /// Where the flippers are.
+    pub fn playfield(&self) -> &'a Playfield {
+        self.playfield
+    }
+
+    /// Counts the balls that nothing can save any more, at the end of a look ahead.
+    pub fn mark_lost(&mut self) {
+        self.lost += self.balls().iter().filter(|ball| self.playfield.lost(ball.center)).count();
+    }
+
+    /// How good it is to be here.
+    pub fn value(&self) -> f64 {
+        let control = if self.cradled { CONTROL } else { 0.0 };
+        let gap = self.balls().iter().filter(|ball| self.falls_into_gap(ball)).count() as f64;
+        self.gained + control - LOSS * self.lost as f64 - GAP * gap
+    }
+
+    fn play_tick(&mut self) {
+        self.machine.tick(controls(self.held), &[]);
+        self.tick += 1;
+        for event in self.machine.events().iter().filter(|event| event.kind == EventKind::Closed) {
+            let Some(part) = event.part else { continue };
+            self.gained += self.worth.of(part, self.tick);
+            match self.machine.layout().parts.get(usize::from(part.0)).map(|part| &part.kind) {
+                Some(Kind::Drain(_)) => self.lost += 1,
+                Some(Kind::Saucer(_)) => self.caught = true,
+                _ => {}
+            }
+        }
+    }
+
+    fn glance(&mut self) {
+        let balls = self.balls();
+        self.cradled = balls.iter().any(|ball| {
+            let side = |left| if left { Buttons::LEFT } else { Buttons::RIGHT };
+            self.playfield.cradle(ball).is_some_and(|flipper| self.held.contains(side(flipper.left)))
+        });
+    }
+
+    /// A ball that comes down between the flippers, if nothing is in its way.
+    fn falls_into_gap(&self, ball: &physics::BallPose) -> bool {
+        let below_m = self.playfield.line_m - ball.center.y;
+        if ball.velocity.y < 0.1 || below_m > 0.3 * ball.velocity.y {
+            return false;
+        }
+        let x = ball.center.x + ball.velocity.x * (below_m / ball.velocity.y).max(0.0);
+        let tips = |left: bool| {
+            let side = self.playfield.flippers.iter().filter(move |flipper| flipper.left == left);
+            side.map(|flipper| flipper.tip.x)
+        };
+        let left = tips(true).fold(f64::MIN, f64::max);
+        let right = tips(false).fold(f64::MAX, f64::min);
+        (left..right).contains(&x)
+    }
+}

@@ -1,0 +1,162 @@
+//! Chooses what to do with the flippers: tries a few plans in the mind and takes the best.
+
+use super::hands::Move;
+use super::lookahead::Future;
+use crate::Buttons;
+use physics::BallPose;
+
+/// Ticks that a flipper is held up in a stroke.
+const STROKE_TICKS: u64 = 130;
+/// Ticks between two moments at which a stroke is tried.
+const TRY_TICKS: u64 = 9;
+/// Most moments that are tried in one decision.
+const TRIES: usize = 14;
+/// How long the ball's way to the flippers and over them is followed.
+const APPROACH_TICKS: u64 = 650;
+/// How long a stroke's result is followed.
+const RESULT_TICKS: u64 = 650;
+/// How long it is followed to see whether a ball comes to rest on a raised flipper.
+const TRAP_TICKS: u64 = 900;
+/// Ticks that are followed after something was hit, to see where the ball goes.
+const AFTER_HIT_TICKS: u64 = 120;
+
+/// What was decided.
+pub(super) struct Plan {
+    /// What the hands do.
+    pub moves: Vec<Move>,
+    /// How good the bot thinks it is.
+    pub value: f64,
+}
+
+/// The best plan that begins at `start`, the earliest moment at which the hands can obey. `may_hold`: waiting with a raised
+/// flipper is a plan.
+pub(super) fn best(start: &Future, may_hold: bool) -> Plan {
+    let mut plans = Vec::new();
+    let (release, branches) = release(start);
+    plans.push(release);
+    plans.extend(strokes(start, &branches));
+    if may_hold {
+        plans.extend([Buttons::LEFT, Buttons::RIGHT].map(|side| hold(start, side)));
+    }
+    let nothing = Plan { moves: Vec::new(), value: f64::MIN };
+    plans.into_iter().fold(nothing, |best, plan| if plan.value > best.value { plan } else { best })
+}
+
+/// The best push of the cabinet that saves a ball that is lost otherwise, if any does.
+pub(super) fn best_nudge(start: &Future) -> Option<Plan> {
+    let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP];
+    let plans = pushes.into_iter().flat_map(|push| [0, 50, 110].map(|wait| nudge(start, push, wait)));
+    plans.filter(|plan| plan.value > 0.0).reduce(|best, plan| if plan.value > best.value { plan } else { best })
+}
+
+/// The flippers' two buttons.
+const BOTH: Buttons = Buttons(Buttons::LEFT.0 | Buttons::RIGHT.0);
+
+/// Lets go of both flippers; also gives the moments on the way at which a stroke would meet a ball.
+fn release<'a>(start: &Future<'a>) -> (Plan, Vec<(Buttons, Future<'a>)>) {
+    let mut future = start.clone();
+    future.set(BOTH, false);
+    let mut branches = Vec::new();
+    while future.tick < start.tick + APPROACH_TICKS && future.lost == 0 && branches.len() < TRIES {
+        let balls = future.balls();
+        for side in sides_in_reach(&future, &balls) {
+            branches.push((side, future.clone()));
+        }
+        if !branches.is_empty() && balls.iter().all(|ball| leaves(&future, ball)) {
+            break;
+        }
+        future.play(TRY_TICKS, |_| false);
+    }
+    future.mark_lost();
+    let moves = vec![Move { tick: start.tick, buttons: BOTH, down: false }];
+    (Plan { moves, value: future.value() }, branches)
+}
+
+/// The sides whose flippers could strike a ball now.
+fn sides_in_reach(future: &Future, balls: &[BallPose]) -> impl Iterator<Item = Buttons> {
+    let reach = |left| {
+        let mut flippers = future.playfield().flippers.iter().filter(move |flipper| flipper.left == left);
+        flippers.any(|flipper| balls.iter().any(|ball| flipper.reaches(ball.center)))
+    };
+    let sides = [(Buttons::LEFT, reach(true)), (Buttons::RIGHT, reach(false))];
+    sides.into_iter().filter(|(_, reached)| *reached).map(|(side, _)| side)
+}
+
+/// A ball that goes up again and is out of reach.
+fn leaves(future: &Future, ball: &BallPose) -> bool {
+    ball.velocity.y < -0.3 && future.playfield().in_reach(ball.center).is_none()
+}
+
+/// A stroke at each of these moments. A hand is not exact, so a moment is as good as it and its neighbours are.
+fn strokes(start: &Future, branches: &[(Buttons, Future)]) -> Vec<Plan> {
+    let mut plans = Vec::new();
+    for wanted in [Buttons::LEFT, Buttons::RIGHT] {
+        let moments: Vec<&Future> =
+            branches.iter().filter(|(side, _)| *side == wanted).map(|(_, future)| future).collect();
+        let values: Vec<f64> = moments.iter().map(|future| stroke_value(future, wanted)).collect();
+        for (index, future) in moments.iter().enumerate() {
+            let near = |at: Option<usize>| at.and_then(|at| values.get(at)).copied().unwrap_or(values[index] - 5.0);
+            let value = 0.5 * values[index] + 0.25 * (near(index.checked_sub(1)) + near(Some(index + 1)));
+            plans.push(Plan { moves: stroke(start.tick, future.tick, wanted), value });
+        }
+    }
+    plans
+}
+
+/// What comes of a stroke that begins here.
+fn stroke_value(moment: &Future, side: Buttons) -> f64 {
+    let mut future = moment.clone();
+    future.set(side, true);
+    future.play(STROKE_TICKS, |future| future.lost > 0);
+    future.set(side, false);
+    let mut enough_at = None;
+    future.play(RESULT_TICKS, |future| {
+        if future.gained > 0.0 && enough_at.is_none() {
+            enough_at = Some(future.tick + AFTER_HIT_TICKS);
+        }
+        future.lost > 0 || future.caught || enough_at.is_some_and(|tick| future.tick >= tick)
+    });
+    future.mark_lost();
+    future.value()
+}
+
+/// Lets go of both flippers at `from`, strikes with one at `at`, and lets go again.
+fn stroke(from: u64, at: u64, side: Buttons) -> Vec<Move> {
+    vec![
+        Move { tick: from, buttons: BOTH, down: false },
+        Move { tick: at, buttons: side, down: true },
+        Move { tick: at + STROKE_TICKS, buttons: side, down: false },
+    ]
+}
+
+/// Holds one flipper up, to trap the ball.
+fn hold(start: &Future, side: Buttons) -> Plan {
+    let mut future = start.clone();
+    future.set(BOTH, false);
+    future.set(side, true);
+    future.play(TRAP_TICKS, |future| future.lost > 0 || future.cradled || future.caught);
+    future.mark_lost();
+    let other = Buttons(BOTH.0 & !side.0);
+    let moves = vec![
+        Move { tick: start.tick, buttons: other, down: false },
+        Move { tick: start.tick, buttons: side, down: true },
+    ];
+    Plan { moves, value: future.value() }
+}
+
+/// Pushes the cabinet after `wait` ticks.
+fn nudge(start: &Future, push: Buttons, wait: u64) -> Plan {
+    const PUSH_TICKS: u64 = 40;
+    let mut future = start.clone();
+    future.play(wait, |_| false);
+    let at = future.tick;
+    future.set(push, true);
+    future.play(PUSH_TICKS, |_| false);
+    future.set(push, false);
+    future.play(TRAP_TICKS, |future| future.lost > 0);
+    future.mark_lost();
+    let value = if future.lost > 0 { -1.0 } else { 1.0 + future.value() };
+    let moves =
+        vec![Move { tick: at, buttons: push, down: true }, Move { tick: at + PUSH_TICKS, buttons: push, down: false }];
+    Plan { moves, value }
+}

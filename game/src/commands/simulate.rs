@@ -1,0 +1,179 @@
+//! `caustic simulate`: many games without a screen, and a summary of what happened in them.
+
+use super::parallel::{pool, progress_bar};
+use crate::bot::anomaly::AnomalyKind;
+use crate::bot::trial::{self, Trial};
+use crate::bot::{Bot, Random, Tour};
+use crate::cli::{Player, SimulateArgs};
+use crate::{Failure, Table};
+use physics::{Kind, TICKS_PER_SECOND};
+use rayon::prelude::*;
+use std::fmt::Write;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Plays the games and prints the summary.
+///
+/// # Errors
+/// If the table cannot be read, a recording cannot be written, or anything went wrong in a game.
+#[expect(clippy::disallowed_methods, reason = "measures the speed; the games do not read it")]
+pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
+    let table = load(&args.table)?;
+    let bar = progress_bar(u64::from(args.games), "games");
+    let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)) as u64;
+    let seeds: Vec<u64> = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number)).collect();
+    let games = pool(args.threads)?.install(|| {
+        let one = |seed: &u64| {
+            let began = Instant::now();
+            let trial = trial::play(&table, *seed, player(args.player, *seed), longest)?;
+            let core_time = began.elapsed();
+            bar.inc(1);
+            Game::keep(trial, core_time, args)
+        };
+        seeds.par_iter().map(one).collect::<Result<Vec<Game>, Failure>>()
+    })?;
+    bar.finish_and_clear();
+    print!("{}", summary(&table, &games));
+    match games.iter().map(|game| game.trial.anomalies.len()).sum() {
+        0 => Ok(()),
+        1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
+        many => Err(Failure::new(format!("{many} things went wrong; --save-failures DIR keeps their games"))),
+    }
+}
+
+fn load(table: &str) -> Result<Arc<Table>, Failure> {
+    let lines = |failures: Vec<Failure>| failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    Table::load(table).map(Arc::new).map_err(|failures| Failure::new(lines(failures)))
+}
+
+fn player(player: Player, seed: u64) -> trial::Player {
+    match player {
+        Player::Bot => trial::Player::Bot(Bot::new(seed)),
+        Player::Random => trial::Player::Random(Random::new(seed)),
+        Player::Tour => trial::Player::Tour(Tour::new(seed)),
+    }
+}
+
+/// A game that was played, and what it took.
+struct Game {
+    /// Without its recording.
+    trial: Trial,
+    core_time: Duration,
+    /// Length of the recording.
+    bytes: usize,
+}
+
+impl Game {
+    /// Writes the game's recording where it is wanted, then forgets it.
+    fn keep(mut trial: Trial, core_time: Duration, args: &SimulateArgs) -> Result<Game, Failure> {
+        let recording = std::mem::take(&mut trial.recording);
+        let failures = args.save_failures.as_ref().filter(|_| !trial.anomalies.is_empty());
+        for dir in args.save_all.iter().chain(failures) {
+            let path = dir.join(format!("game-{}.caustic", trial.seed));
+            std::fs::create_dir_all(dir)
+                .and_then(|()| std::fs::write(&path, &recording))
+                .map_err(|error| Failure::new(format!("cannot write {}: {error}", path.display())))?;
+        }
+        Ok(Game { trial, core_time, bytes: recording.len() })
+    }
+}
+
+/// Everything that the games have shown, as text.
+fn summary(table: &Table, games: &[Game]) -> String {
+    let mut text = String::new();
+    summarise_games(&mut text, games);
+    let trials: Vec<&Trial> = games.iter().map(|game| &game.trial).collect();
+    summarise_switches(&mut text, table, &trials);
+    summarise_anomalies(&mut text, &trials);
+    text
+}
+
+fn summarise_games(text: &mut String, all: &[Game]) {
+    let trials: Vec<&Trial> = all.iter().map(|game| &game.trial).collect();
+    let core_time: Duration = all.iter().map(|game| game.core_time).sum();
+    let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
+    let scores = Sorted::new(trials.iter().map(|trial| trial.score as f64));
+    let balls = Sorted::new(trials.iter().flat_map(|trial| &trial.balls).map(|ticks| seconds(*ticks)));
+    let games = Sorted::new(trials.iter().map(|trial| seconds(trial.ticks)));
+    let bytes: usize = all.iter().map(|game| game.bytes).sum();
+    let over = trials.iter().filter(|trial| trial.over).count();
+    let minutes = (games.sum() / 60.0).max(1e-9);
+    let speed = games.sum() / core_time.as_secs_f64().max(1e-9);
+    let lines = [
+        format!("games      {} ({over} came to their end)", trials.len()),
+        format!("score      median {:.0}, mean {:.0}, best {:.0}", scores.at(0.5), scores.mean(), scores.at(1.0)),
+        format!(
+            "ball time  median {:.1} s, quartiles {:.1} s and {:.1} s",
+            balls.at(0.5),
+            balls.at(0.25),
+            balls.at(0.75)
+        ),
+        format!("game time  median {:.1} s, longest {:.1} s", games.at(0.5), games.at(1.0)),
+        format!("recording  {:.0} bytes a minute", bytes as f64 / minutes),
+        format!("speed      {speed:.0} times real time on one core"),
+    ];
+    lines.iter().for_each(|line| _ = writeln!(text, "{line}"));
+}
+
+fn summarise_switches(text: &mut String, table: &Table, trials: &[&Trial]) {
+    let parts = table.layout.parts.iter().enumerate();
+    let switches = parts.filter(|(_, part)| !matches!(part.kind, Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_)));
+    let hits = |index: usize| trials.iter().map(|trial| trial.hits[index]).sum::<u64>();
+    let mut never = Vec::new();
+    let _ = writeln!(text, "hits");
+    for (index, part) in switches {
+        match hits(index) {
+            0 => never.push(part.name.as_str()),
+            count => _ = writeln!(text, "  {count:>8}  {}", part.name),
+        }
+    }
+    let _ = writeln!(text, "never hit  {}", if never.is_empty() { "none".to_string() } else { never.join(", ") });
+}
+
+fn summarise_anomalies(text: &mut String, trials: &[&Trial]) {
+    let all = || trials.iter().flat_map(|trial| trial.anomalies.iter().map(move |anomaly| (trial.seed, anomaly)));
+    let count = |kind| all().filter(|(_, anomaly)| anomaly.kind == kind).count();
+    let _ = writeln!(
+        text,
+        "anomalies  stuck {}, escaped {}, overlap {}, NaN {}",
+        count(AnomalyKind::Stuck),
+        count(AnomalyKind::Escaped),
+        count(AnomalyKind::Overlap),
+        count(AnomalyKind::NotANumber)
+    );
+    for (seed, anomaly) in all() {
+        let (x, y) = (anomaly.center_mm.x, anomaly.center_mm.y);
+        let second = anomaly.tick as f64 / f64::from(TICKS_PER_SECOND);
+        let kind = anomaly.kind;
+        let _ = writeln!(text, "  game {seed} at {second:.2} s: {kind} at {x:.1}, {y:.1} mm, {}", anomaly.detail);
+    }
+    let mut complaints: Vec<&String> = trials.iter().flat_map(|trial| &trial.complaints).collect();
+    complaints.sort();
+    complaints.dedup();
+    complaints.iter().for_each(|complaint| _ = writeln!(text, "rules      {complaint}"));
+}
+
+/// Numbers in order, for their quantiles.
+struct Sorted(Vec<f64>);
+
+impl Sorted {
+    fn new(numbers: impl Iterator<Item = f64>) -> Sorted {
+        let mut numbers: Vec<f64> = numbers.collect();
+        numbers.sort_by(f64::total_cmp);
+        Sorted(numbers)
+    }
+
+    /// The number below which this share of them lies; 0 if there is none.
+    fn at(&self, share: f64) -> f64 {
+        let last = self.0.len().saturating_sub(1) as f64;
+        self.0.get((share * last).round() as usize).copied().unwrap_or(0.0)
+    }
+
+    fn sum(&self) -> f64 {
+        self.0.iter().sum()
+    }
+
+    fn mean(&self) -> f64 {
+        self.sum() / self.0.len().max(1) as f64
+    }
+}
