@@ -2,7 +2,7 @@
 
 use game::Buttons;
 use game::recording::{CHECKPOINT_TICKS, Checkpoint, Damage, FLUSH_TICKS, Header, Recording, Writer};
-use game::simulation::Hashes;
+use game::simulation::{Hashes, SIMULATION_VERSION};
 use proptest::prelude::*;
 use std::io::Cursor;
 
@@ -133,6 +133,22 @@ fn another_format_version_is_refused_by_name() {
     bytes[8] = 9;
     assert_eq!(Recording::parse(&bytes), Err(Damage::FormatVersion(9)));
     assert!(Damage::FormatVersion(9).to_string().contains("format version 9"));
+}
+
+fn refusal(header: &Header) -> String {
+    let bytes = Writer::new(Cursor::new(Vec::new()), header).unwrap().finish(0, hashes(0), 0).unwrap().into_inner();
+    Recording::parse(&bytes).unwrap().start().err().unwrap().to_string()
+}
+
+#[test]
+fn another_simulation_another_table_and_no_table_are_refused_by_name() {
+    let mine = Header { simulation_version: SIMULATION_VERSION, ..header() };
+    let other = refusal(&Header { simulation_version: SIMULATION_VERSION + 3, ..mine.clone() });
+    assert!(other.contains(&format!("simulation version {}", SIMULATION_VERSION + 3)), "{other}");
+    let changed = refusal(&mine);
+    assert!(changed.contains("spectrum has changed since"), "{changed}");
+    let missing = refusal(&Header { table: "atlantis".into(), ..mine });
+    assert!(missing.contains("there is no table called atlantis"), "{missing}");
 }
 
 #[test]

@@ -56,3 +56,36 @@ impl Hands {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(tick: u64, down: bool) -> Move {
+        Move { tick, buttons: Buttons::LEFT, down }
+    }
+
+    #[test]
+    fn moves_come_in_their_order_a_little_early_or_late() {
+        let mut chance = Chance::new(5);
+        let mut moments = Vec::new();
+        for _ in 0..200 {
+            let mut hands = Hands::default();
+            hands.intend(&[press(100, true), press(103, false)], 98, &mut chance);
+            let held: Vec<bool> = (98..140).map(|tick| hands.at(tick).contains(Buttons::LEFT)).collect();
+            assert!(!hands.busy() && hands.held() == Buttons::NONE);
+            moments.extend(held.iter().position(|down| *down));
+        }
+        let (first, last) = (moments.iter().min().unwrap(), moments.iter().max().unwrap());
+        assert!(*first == 0 && (6..=14).contains(last), "presses from {first} to {last} ticks after they could be");
+    }
+
+    #[test]
+    fn a_new_intention_replaces_the_old_one() {
+        let mut chance = Chance::new(1);
+        let mut hands = Hands::default();
+        hands.intend(&[press(50, true)], 0, &mut chance);
+        hands.intend(&[], 10, &mut chance);
+        assert_eq!(hands.at(90), Buttons::NONE);
+    }
+}

@@ -120,3 +120,64 @@ impl Flipper {
         far && outward && above
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry::Circle;
+    use physics::{Material, Part};
+
+    /// Two flippers with a gap of 50 mm between their tips.
+    fn playfield() -> Playfield {
+        let flipper = |x: f64, rest_deg: f64, up_deg: f64, left| {
+            let rubber = Material { restitution: 0.8, falloff_s_per_m: 0.1, friction: 0.5 };
+            Kind::Flipper(physics::Flipper {
+                base: Circle { center: DVec2::new(x, 0.9), radius: 0.011 },
+                length_m: 0.07,
+                tip_radius_m: 0.007,
+                rest_rad: rest_deg.to_radians(),
+                up_rad: up_deg.to_radians(),
+                left,
+                material: rubber,
+                coil_torque_n_m: 1.0,
+                hold_torque_n_m: 1.0,
+                spring_torque_n_m: 0.2,
+                mass_kg: 0.05,
+            })
+        };
+        let kinds = [flipper(0.15, 30.0, -25.0, true), flipper(0.32, 150.0, 205.0, false)];
+        let parts = kinds.map(|kind| Part { name: "flipper".into(), kind }).to_vec();
+        let size_m = DVec2::new(0.5, 1.0);
+        Playfield::new(&Layout { size_m, slope_rad: 0.1, playfield_friction: 0.1, parts })
+    }
+
+    #[test]
+    fn a_ball_over_a_flipper_is_in_reach_and_one_below_or_between_is_lost() {
+        let seen = playfield();
+        let side = |x, y| seen.in_reach(DVec2::new(x, y)).map(|flipper| flipper.left);
+        assert_eq!(side(0.18, 0.88), Some(true));
+        assert_eq!(side(0.29, 0.88), Some(false));
+        assert_eq!(side(0.235, 0.80), None, "too far up");
+        assert!(!seen.lost(DVec2::new(0.235, 0.80)));
+        assert!(seen.lost(DVec2::new(0.17, 0.95)), "below the left flipper");
+        assert!(seen.lost(DVec2::new(0.235, 0.96)), "between the tips");
+        assert!(seen.lost(DVec2::new(0.05, 0.95)), "in the outlane");
+    }
+
+    #[test]
+    fn a_falling_ball_arrives_and_a_rising_one_does_not() {
+        let seen = playfield();
+        let mut ball = BallPose {
+            id: 1,
+            center: DVec2::new(0.2, 0.43),
+            velocity: DVec2::new(0.0, 2.0),
+            spin: [0.0; 3],
+            rotation: [0.0, 0.0, 0.0, 1.0],
+            held: false,
+        };
+        let ticks = seen.arrives_in(&ball).unwrap();
+        assert!((180..240).contains(&ticks), "{ticks} ticks for about 0.4 m at 2 m/s");
+        ball.velocity.y = -2.0;
+        assert_eq!(seen.arrives_in(&ball), None);
+    }
+}

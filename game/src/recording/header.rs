@@ -2,7 +2,7 @@
 
 use super::format::{Bytes, FORMAT_VERSION, MAGIC, SEAL};
 use crate::simulation::SIMULATION_VERSION;
-use crate::{Failure, Table};
+use crate::{Failure, Table, assets};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -86,9 +86,10 @@ impl Header {
     }
 }
 
-/// The folder that a reader must look into; empty for a table that comes with the program and is found by its name.
+/// The folder that a reader must look into; empty for a table that is found by its name.
 fn folder(table: &Table) -> String {
-    if table.dir.ends_with(Path::new("assets/tables").join(&table.name)) {
+    let same = |dir: &Path| dir.canonicalize().ok() == table.dir.canonicalize().ok();
+    if assets::table_dir(&table.name).is_ok_and(|dir| same(&dir)) {
         return String::new();
     }
     let absolute = table.dir.canonicalize();
