@@ -1,5 +1,6 @@
 //! What each word of the command line does.
 
+pub mod check;
 pub mod parallel;
 pub mod simulate;
 pub mod verify;
@@ -14,6 +15,7 @@ use crate::cli::{Cli, Command};
 pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
         Command::Simulate(args) => simulate::run(&args),
+        Command::Check(args) => check::run(&args),
         Command::Verify(args) => verify::run(&args),
         command => Err(Failure::new(format!("not joined yet: {command:?}"))),
     }

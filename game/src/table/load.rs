@@ -39,12 +39,9 @@ pub(super) fn read(
         let things = drawing.things.iter().map(|thing| (thing.name.clone(), thing.class));
         things.collect::<BTreeMap<String, Class>>()
     });
-    let numbers = toml.as_ref().map(|toml| numbers::read(toml, ids.as_ref(), &mut mistakes));
-    let (Some(svg), Some(document), Some(drawing), Some(numbers), Some(rules)) =
-        (&svg, &document, &drawing, &numbers, rules)
-    else {
-        return Err(mistakes);
-    };
+    let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
+    let numbers = &numbers::read(&toml, ids.as_ref(), &mut mistakes);
+    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(mistakes) };
     let build = Build::new(svg, &drawing.things, numbers, &mut mistakes);
     complete(svg, &drawing.things, &mut mistakes);
     let (floor_svg, tops_svg) = split::split(&svg.text, document);
@@ -63,7 +60,7 @@ pub(super) fn read(
         solids: build.solids,
         floor_svg,
         tops_svg,
-        rules: rules.text,
+        rules: rules.map_or_else(String::new, |rules| rules.text),
         ambient: ambient(numbers),
         hash: 0,
     };

@@ -2,6 +2,7 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+pub mod art;
 mod class;
 mod drawing;
 mod hash;
@@ -68,7 +69,9 @@ impl Table {
     /// # Errors
     /// As [`Table::load`].
     pub fn load_dir(dir: &std::path::Path) -> Result<Table, Vec<crate::Failure>> {
-        load::load(dir)
+        let table = load::load(dir)?;
+        art::check(&table).map_err(|failure| vec![failure])?;
+        Ok(table)
     }
 
     /// The part with this id in the drawing.

@@ -1,7 +1,7 @@
 //! Each class of thing becomes what it should, in metres.
 
-use super::{read, table};
-use crate::table::{LampKind, Table};
+use super::table;
+use crate::table::Table;
 use geometry::{Core, DVec2, Shape};
 use physics::Kind;
 

@@ -1,0 +1,46 @@
+//! `caustic check`: every mistake in a table, or a line that says it is good.
+
+use crate::cli::CheckArgs;
+use crate::table::LampKind;
+use crate::{Failure, Simulation, Table};
+use std::sync::Arc;
+
+/// Checks the drawing, the numbers, the art and the rules.
+///
+/// # Errors
+/// Every mistake, one line each.
+pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let table = Table::load(&args.table).map_err(|mistakes| all(&mistakes))?;
+    let table = Arc::new(table);
+    let mut simulation = Simulation::new(table.clone(), 0)?;
+    let complaints = simulation.complaints();
+    if !complaints.is_empty() {
+        return Err(all(&complaints));
+    }
+    println!("{}", summary(&args.table, &table));
+    Ok(())
+}
+
+/// One sentence a line.
+fn all(mistakes: &[impl ToString]) -> Failure {
+    let count = match mistakes.len() {
+        1 => "one mistake".to_string(),
+        count => format!("{count} mistakes"),
+    };
+    let lines: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
+    Failure::new(format!("the table has {count}\n{}", lines.join("\n")))
+}
+
+fn summary(name: &str, table: &Table) -> String {
+    let bulbs = table.lamps.iter().filter(|lamp| matches!(lamp.kind, LampKind::Bulb { .. })).count();
+    format!(
+        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} hash={:016x}",
+        table.title,
+        table.size_mm.x,
+        table.size_mm.y,
+        table.layout.parts.len(),
+        table.lamps.len() - bulbs,
+        table.solids.len(),
+        table.hash
+    )
+}
