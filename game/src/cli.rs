@@ -126,9 +126,9 @@ pub struct FrameArgs {
     /// A recording to take the frame from
     #[arg(long, value_name = "FILE")]
     pub replay: Option<PathBuf>,
-    /// The moment, in seconds of play
-    #[arg(long, value_name = "S", value_parser = seconds, default_value = "0")]
-    pub at: f64,
+    /// The moment, in seconds of play; by default a recording's end, or a table two seconds after it was switched on
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub at: Option<f64>,
     /// Size of the frame in pixels
     #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
     pub size: Size,

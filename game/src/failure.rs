@@ -11,6 +11,11 @@ impl Failure {
     pub fn new(sentence: impl Into<String>) -> Failure {
         Failure(sentence.into())
     }
+
+    /// All of `failures` as one, a line each.
+    pub fn of_many(failures: Vec<Failure>) -> Failure {
+        Failure(failures.into_iter().map(|failure| failure.0).collect::<Vec<_>>().join("\n"))
+    }
 }
 
 impl fmt::Display for Failure {

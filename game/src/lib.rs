@@ -13,10 +13,13 @@ pub mod buttons;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+pub mod hud;
 pub mod lamps;
+pub mod picture;
 pub mod recording;
 pub mod rules;
 pub mod simulation;
+pub mod stage;
 pub mod table;
 
 pub use buttons::Buttons;

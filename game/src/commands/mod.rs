@@ -1,6 +1,7 @@
 //! What each word of the command line does.
 
 pub mod check;
+pub mod frame;
 pub mod parallel;
 pub mod simulate;
 pub mod verify;
@@ -14,6 +15,7 @@ use crate::cli::{Cli, Command};
 /// One sentence that says what went wrong and what to do.
 pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
+        Command::Frame(args) => frame::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Verify(args) => verify::run(&args),

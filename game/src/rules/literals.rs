@@ -68,13 +68,9 @@ fn tokens(text: &str) -> Vec<(usize, Token<'_>)> {
         } else if rest.starts_with("/*") {
             comment(rest)
         } else if first == '"' {
-            let length = quoted(rest, '"');
+            let length = string(rest);
             tokens.push((line, Token::Text(rest[1..length].trim_end_matches('"'))));
             length
-        } else if first == '\'' || first == '`' {
-            // What stands in these is no literal name: a letter, or a text with values in it.
-            tokens.push((line, Token::Mark(first)));
-            quoted(rest, first)
         } else if first == '_' || first.is_ascii_alphanumeric() {
             let end = |letter: char| letter != '_' && !letter.is_ascii_alphanumeric();
             let length = rest.find(end).unwrap_or(rest.len());
@@ -116,14 +112,15 @@ fn comment(text: &str) -> usize {
     text.len()
 }
 
-/// The length of the text in quotes that this begins with, both quotes included.
-fn quoted(text: &str, quote: char) -> usize {
+/// The length of the double-quoted string that the text begins with, both quotes included.
+fn string(text: &str) -> usize {
     let mut escaped = false;
     for (place, letter) in text.char_indices().skip(1) {
-        if letter == quote && !escaped {
-            return place + 1;
+        match letter {
+            '\\' if !escaped => escaped = true,
+            '"' if !escaped => return place + 1,
+            _ => escaped = false,
         }
-        escaped = letter == '\\' && !escaped && quote != '`';
     }
     text.len()
 }

@@ -4,4 +4,3 @@ pub(crate) mod bench;
 mod errors;
 mod flow;
 mod memory;
-mod spectrum;

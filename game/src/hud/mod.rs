@@ -1,0 +1,155 @@
+//! The display: what is told to the player around and over the table.
+//!
+//! A night observatory: blue-black, brass hairlines, an amber dot matrix. Everything that lasts is drawn once and
+//! copied; it is drawn again only when what it says changes. The display is a function of the moment and of what the
+//! window adds; it refuses to know a clock, a key or a file.
+
+mod canvas;
+mod card;
+mod dots;
+mod keys;
+mod lettering;
+mod matrix;
+mod overlay;
+mod panel;
+mod programme;
+mod surround;
+
+pub use canvas::{Canvas, Rect};
+pub use card::{Card, Seek};
+pub use dots::{HEIGHT as DOTS_DOWN, WIDTH as DOTS_ACROSS};
+pub use keys::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
+pub use overlay::{Debug, Times, Touch};
+
+use crate::picture::placement::Placement;
+use crate::simulation::Snapshot;
+use crate::{Failure, Table};
+use dots::Dots;
+use lettering::Lettering;
+use panel::Words;
+use tracer::Frame;
+
+const NIGHT: u32 = 0x06_0810;
+const BRASS: u32 = 0xb0_8d57;
+const AMBER: u32 = 0xff_b347;
+const IVORY: u32 = 0xec_e6d6;
+const MIST: u32 = 0x86_8fa3;
+
+/// Who is at the machine, if not the player.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Badge {
+    /// A recording.
+    Replay,
+    /// The bot.
+    Bot,
+}
+
+/// What a window adds to the moment.
+#[derive(Clone, Default)]
+pub struct Chrome {
+    /// Who is at the machine.
+    pub badge: Option<Badge>,
+    /// A sentence for the player.
+    pub notice: Option<String>,
+    /// What covers the table.
+    pub card: Option<&'static Card>,
+    /// How far a replay is.
+    pub seek: Option<Seek>,
+    /// What happens behind the picture.
+    pub debug: Option<Debug>,
+}
+
+/// The display and everything that it keeps.
+pub struct Hud {
+    lettering: Lettering,
+    placement: Option<Placement>,
+    backdrop: Frame,
+    dots: Option<Dots>,
+    words: Option<Words>,
+    outlines: overlay::Outlines,
+}
+
+impl Hud {
+    /// A display that has drawn nothing yet.
+    ///
+    /// # Errors
+    /// If a font in the program is damaged.
+    pub fn new() -> Result<Hud, Failure> {
+        Ok(Hud {
+            lettering: Lettering::new()?,
+            placement: None,
+            backdrop: Frame::default(),
+            dots: None,
+            words: None,
+            outlines: overlay::Outlines::default(),
+        })
+    }
+
+    /// Draws what surrounds the table at a new size; `frame` must have that size.
+    pub fn fit(&mut self, placement: Placement, frame: &mut Frame) {
+        if self.placement == Some(placement) {
+            return;
+        }
+        self.backdrop = Frame::new(placement.width, placement.height);
+        surround::draw(&mut Canvas::new(&mut self.backdrop), &placement);
+        frame.clone_from(&self.backdrop);
+        self.outlines = overlay::Outlines::default();
+        (self.placement, self.dots, self.words) = (Some(placement), None, None);
+    }
+
+    /// Puts back what surrounds the table in `rect`.
+    pub fn restore(&self, frame: &mut Frame, rect: Rect) {
+        Canvas::new(frame).copy(&self.backdrop, rect, (rect.x, rect.y));
+    }
+
+    /// Draws what has changed around the table.
+    pub fn draw_around(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
+        let Some(placement) = self.placement else { return };
+        let dots = programme::page(&moment.display, moment.tick);
+        if placement.pitch > 0 && self.dots.as_ref() != Some(&dots) {
+            matrix::draw(&mut Canvas::new(frame), placement.matrix, placement.pitch, &dots);
+            self.dots = Some(dots);
+        }
+        let words = Words::new(&table.title.to_uppercase(), &moment.display, chrome.badge);
+        if self.words.as_ref() != Some(&words) {
+            self.draw_words(&placement, &words, frame);
+            self.words = Some(words);
+        }
+    }
+
+    fn draw_words(&mut self, placement: &Placement, words: &Words, frame: &mut Frame) {
+        use crate::picture::placement::Side;
+        let rects = match placement.side {
+            Side::Band(left, right) => vec![left, right],
+            Side::Panel(panel) => {
+                let below = placement.matrix.bottom().max(panel.y);
+                let above = Rect::new(panel.x, panel.y, panel.width, placement.matrix.y - panel.y);
+                vec![above, Rect::new(panel.x, below, panel.width, panel.bottom() - below)]
+            }
+        };
+        for rect in rects {
+            self.restore(frame, rect);
+            panel::draw(&mut Canvas::new(frame).within(rect), &mut self.lettering, placement, words);
+        }
+    }
+
+    /// Draws what lies over the table; the table itself must have been drawn anew.
+    pub fn draw_over(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
+        let Some(placement) = self.placement else { return };
+        let mut canvas = Canvas::new(frame);
+        let mut canvas = canvas.within(placement.table);
+        if let Some(debug) = &chrome.debug {
+            self.outlines.fit(table, placement.table);
+            overlay::draw(&mut canvas, &mut self.lettering, &self.outlines, table, &placement, moment, debug);
+        }
+        if let Some(seek) = &chrome.seek {
+            card::seek(&mut canvas, &mut self.lettering, placement.table, seek);
+        }
+        if let Some(card) = chrome.card {
+            card::draw(&mut canvas, &mut self.lettering, placement.table, card);
+        }
+        if let Some(text) = &chrome.notice {
+            card::notice(&mut canvas, &mut self.lettering, placement.table, text);
+        }
+    }
+}

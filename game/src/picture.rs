@@ -1,0 +1,147 @@
+//! From two ticks to a finished picture: the one function that the window, a dump and a single frame share.
+//!
+//! The same moment, size and table give the same bytes on any number of threads, with a window or without.
+
+mod interim;
+pub mod placement;
+
+use crate::hud::{Canvas, Chrome, Hud, Rect, Times};
+use crate::simulation::Snapshot;
+use crate::stage::{self, Printed, Stage};
+use crate::{Failure, Table};
+use placement::Placement;
+use rayon::ThreadPool;
+use std::sync::Arc;
+use std::time::Instant;
+use tracer::{Frame, View};
+
+/// The moment between two ticks.
+#[derive(Clone, Copy)]
+pub struct Moment<'a> {
+    /// The earlier tick.
+    pub previous: &'a Snapshot,
+    /// The later tick.
+    pub current: &'a Snapshot,
+    /// How far from the earlier to the later, 0 to 1.
+    pub alpha: f64,
+}
+
+impl<'a> Moment<'a> {
+    /// A tick itself.
+    pub fn at(snapshot: &'a Snapshot) -> Moment<'a> {
+        Moment { previous: snapshot, current: snapshot, alpha: 1.0 }
+    }
+}
+
+/// Everything that is kept from one picture to the next.
+pub struct Picture {
+    pool: ThreadPool,
+    table: Arc<Table>,
+    stage: Stage,
+    hud: Hud,
+    frame: Frame,
+    scenery: Option<Scenery>,
+    times: Times,
+}
+
+/// What depends on the size.
+struct Scenery {
+    placement: Placement,
+    view: View,
+    printed: Printed,
+    playfield: Frame,
+    /// How far the playfield was moved by a push when it was last drawn, pixels.
+    shift: (i32, i32),
+}
+
+impl Picture {
+    /// Pictures of `table`, traced on the threads of `pool`.
+    ///
+    /// # Errors
+    /// If a font in the program is damaged.
+    pub fn new(table: Arc<Table>, pool: ThreadPool) -> Result<Picture, Failure> {
+        let (stage, hud, frame) = (Stage::new(&table), Hud::new()?, Frame::default());
+        Ok(Picture { pool, table, stage, hud, frame, scenery: None, times: Times::default() })
+    }
+
+    /// The table that is drawn.
+    pub fn table(&self) -> &Arc<Table> {
+        &self.table
+    }
+
+    /// Draws another table, or the same one after its files have changed.
+    pub fn set_table(&mut self, table: Arc<Table>) {
+        self.stage = Stage::new(&table);
+        self.table = table;
+        self.scenery = None;
+    }
+
+    /// What the last picture cost.
+    pub fn times(&self) -> Times {
+        self.times
+    }
+
+    /// The picture of a moment, `width` x `height` pixels (1 or more each).
+    ///
+    /// # Errors
+    /// If the table's art cannot be printed at this size.
+    pub fn draw(&mut self, moment: Moment, width: usize, height: usize, chrome: &Chrome) -> Result<&Frame, Failure> {
+        let start = now();
+        let moment = stage::blend(moment.previous, moment.current, moment.alpha);
+        self.fit(width.max(1), height.max(1))?;
+        if let Some(scenery) = &mut self.scenery {
+            let scene = self.stage.scene(&self.table, &moment, scenery.view, &scenery.printed);
+            let staged = now();
+            self.pool.install(|| interim::render(&scene, &mut scenery.playfield));
+            let lit = now();
+            self.times.stage_ms = ms(start, staged);
+            self.times.light_ms = ms(staged, lit);
+        }
+        let toned = now();
+        self.compose(&moment, chrome);
+        self.times.hud_ms = ms(toned, now());
+        Ok(&self.frame)
+    }
+
+    fn fit(&mut self, width: usize, height: usize) -> Result<(), Failure> {
+        let fits = |scenery: &Scenery| (scenery.placement.width, scenery.placement.height) == (width, height);
+        if self.scenery.as_ref().is_some_and(fits) {
+            return Ok(());
+        }
+        let placement = Placement::new(width, height, self.table.size_mm);
+        let view = View::fit(placement.table.width as usize, placement.table.height as usize, self.table.size_mm);
+        let printed = Printed::new(&self.table, &view)?;
+        self.hud.fit(placement, &mut self.frame);
+        let playfield = Frame::new(view.width, view.height);
+        self.scenery = Some(Scenery { placement, view, printed, playfield, shift: (0, 0) });
+        Ok(())
+    }
+
+    /// The playfield in its well, and the display around and over it.
+    fn compose(&mut self, moment: &Snapshot, chrome: &Chrome) {
+        let Some(scenery) = &mut self.scenery else { return };
+        let push = moment.pose.cabinet_m * 1000.0 / scenery.view.mm_per_px;
+        let shift = (push.x.round() as i32, push.y.round() as i32);
+        if shift != scenery.shift {
+            self.hud.restore(&mut self.frame, scenery.placement.well);
+            scenery.shift = shift;
+        }
+        let place: Rect = scenery.placement.table.moved(shift.0, shift.1);
+        let mut canvas = Canvas::new(&mut self.frame);
+        canvas.within(scenery.placement.well).copy(&scenery.playfield, place, (0, 0));
+        self.hud.draw_around(&self.table, moment, chrome, &mut self.frame);
+        self.hud.draw_over(&self.table, moment, chrome, &mut self.frame);
+    }
+}
+
+#[expect(
+    clippy::disallowed_methods,
+    reason = "tells what a frame costs; nothing that is drawn or played depends on it"
+)]
+fn now() -> Instant {
+    Instant::now()
+}
+
+fn ms(from: Instant, to: Instant) -> f64 {
+    to.duration_since(from).as_secs_f64() * 1000.0
+}

@@ -1,0 +1,179 @@
+//! From a moment of the game to what light needs to know: lamps, what stands in their way, what can be seen.
+//!
+//! The stage turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table; what does
+//! (flippers, drop targets, gates, spinners, kickers, the plunger, balls) is put in its place for each picture, always
+//! in the same order, so that a renderer can tell what has changed. It refuses to know what a pixel, a window, a rule
+//! or a clock is.
+
+mod blend;
+mod light;
+mod motion;
+mod plunger;
+
+pub use blend::blend;
+pub use light::{linear, linear_channel};
+
+use crate::Failure;
+use crate::simulation::{LampLight, Snapshot};
+use crate::table::{Lamp, LampKind, Solid, Table, art};
+use geometry::{DVec2, Shape};
+use motion::Motion;
+use tracer::{Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, View};
+
+/// Metres to millimetres.
+const MM_PER_M: f64 = 1000.0;
+
+/// A ball's radius, mm.
+pub const BALL_RADIUS_MM: f64 = physics::BALL_RADIUS_M * MM_PER_M;
+
+/// A ball that lies in a saucer is lower, so less of it stands out of the hole.
+const SUNK: f64 = 0.9;
+
+/// How much of a lamp's light comes out through the cap above it.
+const CAP_GLOW: f32 = 0.22;
+
+/// What is printed on a table, at one view's resolution.
+pub struct Printed {
+    /// The floor and the plastics.
+    pub floor: Floor,
+    /// Where each lamp of the table that is an insert shines, in the lamps' order; empty masks for bulbs.
+    pub masks: Vec<Mask>,
+}
+
+impl Printed {
+    /// Prints what `view` shows of `table`.
+    ///
+    /// # Errors
+    /// If the table's art cannot be printed at this size.
+    pub fn new(table: &Table, view: &View) -> Result<Printed, Failure> {
+        Ok(Printed { floor: art::floor(table, view)?, masks: art::masks(table, view) })
+    }
+}
+
+/// A table, ready to be put on stage.
+pub struct Stage {
+    actors: Vec<Actor>,
+    plunger: Option<plunger::Rod>,
+    /// The first group that no solid uses.
+    free_group: u16,
+    ambient: Rgb,
+}
+
+/// A solid with what moves it.
+struct Actor {
+    solid: Solid,
+    motion: Motion,
+    /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
+    bulb: Option<usize>,
+}
+
+impl Stage {
+    /// Everything of `table` that does not change from picture to picture.
+    pub fn new(table: &Table) -> Stage {
+        let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
+        let plunger = plunger::Rod::of(&table.layout, Group(free_group));
+        let actors = table.solids.iter().enumerate().filter_map(|(index, _)| Actor::new(table, index)).collect();
+        Stage { actors, plunger, free_group, ambient: table.ambient }
+    }
+
+    /// What `moment` looks like from `view`. `printed` must be of the same table and view.
+    pub fn scene<'a>(&self, table: &Table, moment: &Snapshot, view: View, printed: &'a Printed) -> Scene<'a> {
+        let mut scene = Scene {
+            view,
+            lamps: lamps(&table.lamps, &moment.lamps),
+            occluders: Vec::with_capacity(2 * self.actors.len()),
+            tops: Vec::with_capacity(2 * self.actors.len()),
+            balls: Vec::with_capacity(moment.pose.balls.len()),
+            glows: glows(&table.lamps, &moment.lamps, &printed.masks),
+            floor: &printed.floor,
+            ambient: self.ambient,
+        };
+        if let Some(rod) = &self.plunger {
+            rod.place(moment.pose.plunger, &mut scene);
+        }
+        for actor in &self.actors {
+            let glow = actor.bulb.map_or([0.0; 3], |bulb| glow_of(&table.lamps[bulb], moment.lamps.get(bulb)));
+            actor.place(moment, glow, &mut scene);
+        }
+        self.place_balls(moment, &mut scene);
+        scene
+    }
+
+    fn place_balls(&self, moment: &Snapshot, scene: &mut Scene) {
+        for (index, pose) in moment.pose.balls.iter().enumerate() {
+            let group = Group(self.free_group.saturating_add(1 + index as u16));
+            let center_mm = pose.center * MM_PER_M;
+            let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM };
+            let rotation = pose.rotation.map(|part| part as f32);
+            scene.balls.push(tracer::Ball { center_mm, radius_mm, group, rotation });
+            scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
+        }
+    }
+}
+
+impl Actor {
+    /// `None` for what is not drawn from its solid.
+    fn new(table: &Table, index: usize) -> Option<Actor> {
+        let solid = table.solids[index].clone();
+        let motion = Motion::of(&table.layout, &solid)?;
+        let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
+        let inside =
+            |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
+        let bulb = if highest { table.lamps.iter().position(inside) } else { None };
+        Some(Actor { solid, motion, bulb })
+    }
+
+    fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
+        let group = Group(self.solid.group);
+        let placed = self.motion.place(&self.solid, &moment.pose);
+        if self.solid.shadow {
+            scene.occluders.extend(placed.shadows.iter().map(|&shape| Occluder { shape, group }));
+        }
+        let mut finish = placed.finish;
+        finish.emission = std::array::from_fn(|i| finish.emission[i] + finish.albedo[i] * glow[i]);
+        scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
+    }
+}
+
+/// A solid's outlines as it is drawn.
+fn outlines(solid: &Solid) -> Vec<Outline> {
+    match &solid.plastic_mm {
+        Some(polygon) => vec![Outline::Polygon(polygon.clone())],
+        None => solid.shapes_mm.iter().map(|&shape| Outline::Shape(shape)).collect(),
+    }
+}
+
+fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
+    let bulb = |(lamp, light): (&Lamp, &LampLight)| match lamp.kind {
+        LampKind::Insert { .. } => None,
+        LampKind::Bulb { center_mm, radius_mm, height_mm, reach_mm, inside } => {
+            let color = radiance(lamp, light);
+            Some(tracer::Lamp { center_mm, radius_mm, height_mm, reach_mm, color, inside: inside.map(Group) })
+        }
+    };
+    lamps.iter().zip(lights).filter_map(bulb).collect()
+}
+
+fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glow<'a>> {
+    let lit = |((lamp, light), mask): ((&Lamp, &LampLight), &'a Mask)| {
+        let shines = matches!(lamp.kind, LampKind::Insert { .. }) && light.level > 0;
+        shines.then(|| Glow { mask, color: radiance(lamp, light) })
+    };
+    lamps.iter().zip(lights).zip(masks).filter_map(lit).collect()
+}
+
+/// A lamp's light: its colour, linear, times its power and its level.
+fn radiance(lamp: &Lamp, light: &LampLight) -> Rgb {
+    let strength = lamp.power as f32 * f32::from(light.level) / 1000.0;
+    linear(light.color).map(|channel| channel * strength)
+}
+
+/// What comes out through the cap above a bulb.
+fn glow_of(lamp: &Lamp, light: Option<&LampLight>) -> Rgb {
+    light.map_or([0.0; 3], |light| radiance(lamp, light).map(|channel| channel * CAP_GLOW))
+}
+
+/// `point` in millimetres.
+fn mm(point_m: DVec2) -> DVec2 {
+    point_m * MM_PER_M
+}
