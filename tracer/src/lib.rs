@@ -8,10 +8,31 @@
 //! Lengths are millimetres; x to the right, y down. This crate refuses to know what a window, a file, a clock, a rule
 //! or a rolling ball is.
 
+mod albedo;
+mod ball;
+mod candidates;
+mod coverage;
+mod dither;
+pub mod exact;
 mod frame;
+mod glare;
+mod irradiance;
+mod lanes;
+pub mod monte_carlo;
+mod obstruction;
+mod points;
+mod radiance;
+mod renderer;
 mod scene;
+mod silhouette;
+mod tile;
+pub mod tone;
 mod view;
+mod visibility;
 
 pub use frame::Frame;
+pub use lanes::Path;
+pub use radiance::Radiance;
+pub use renderer::Renderer;
 pub use scene::{Ball, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top};
 pub use view::View;

@@ -56,6 +56,24 @@ pub struct Lamp {
 impl Lamp {
     /// The distance at which a lamp's colour is its irradiance, mm.
     pub const REFERENCE_MM: f64 = 100.0;
+
+    /// What a floor point that sees all of the lamp receives of its colour.
+    pub fn falloff(&self, point_mm: DVec2) -> f64 {
+        let square = point_mm.distance_squared(self.center_mm);
+        let height = self.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM);
+        let rest = (1.0 - square / (self.reach_mm * self.reach_mm)).max(0.0);
+        Lamp::REFERENCE_MM * Lamp::REFERENCE_MM / (square + height * height) * rest * rest
+    }
+
+    /// A lamp in the floor's own plane would be infinitely bright at its middle, so none is lower than this, mm.
+    pub const LEAST_HEIGHT_MM: f64 = 0.1;
+
+    /// Whether it gives any light.
+    pub(crate) fn shines(&self) -> bool {
+        let finite = self.center_mm.is_finite() && self.radius_mm.is_finite() && self.height_mm.is_finite();
+        let positive = self.reach_mm > 0.0 && self.reach_mm.is_finite();
+        finite && positive && self.color.iter().all(|c| c.is_finite()) && self.color.iter().any(|&c| c > 0.0)
+    }
 }
 
 /// Something that casts shadows.
@@ -160,4 +178,21 @@ pub struct Floor {
     pub floor: Vec<[u8; 4]>,
     /// Plastics and caps above it: transparent where there is none.
     pub tops: Vec<[u8; 4]>,
+}
+
+impl Mask {
+    /// Whole rows of pixels.
+    pub fn height(&self) -> usize {
+        self.coverage.len().checked_div(self.width).unwrap_or(0)
+    }
+}
+
+impl Floor {
+    /// Whether the art is of the size of the scene's view, with every pixel there.
+    pub(crate) fn fits(&self, scene: &Scene) -> bool {
+        let pixels = self.width * self.height;
+        (self.width, self.height) == (scene.view.width, scene.view.height)
+            && self.floor.len() == pixels
+            && self.tops.len() == pixels
+    }
 }

@@ -1,0 +1,241 @@
+//! A chrome ball, seen from straight above: a mirror with the whole table in it.
+//!
+//! Every pixel of the ball sends the eye's ray on in the mirrored direction. Rays that go down meet the floor, which is
+//! lit already; rays that go up meet the lamps, or a dim room with one soft panel overhead, so that a ball has a bright
+//! spot and a rim even where no lamp reaches it. Scratches turn with the ball.
+
+use crate::lanes::{clamp, max};
+use crate::{Ball, Lamp, Rgb, View};
+use geometry::DVec2;
+use rayon::prelude::*;
+
+/// What chrome mirrors of each colour.
+const CHROME: Rgb = [0.86, 0.88, 0.90];
+
+/// The sky of a night room, where no panel is.
+const ROOM: Rgb = [0.020, 0.023, 0.032];
+
+/// The soft panel overhead.
+const PANEL: Rgb = [0.95, 0.92, 0.86];
+
+/// A lamp's glint is at most this often its colour.
+const GLINT: f32 = 14.0;
+
+/// A lamp as a ball mirrors it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Glint {
+    /// The middle, mm from the ball's middle, and its height above the floor.
+    place: [f32; 3],
+    radius: f32,
+    color: Rgb,
+}
+
+impl Glint {
+    /// `lamp`, of which the ball sees `fraction`.
+    pub fn new(lamp: &Lamp, ball: &Ball, fraction: f32) -> Glint {
+        let from_ball = lamp.center_mm - ball.center_mm;
+        Glint {
+            place: [from_ball.x as f32, from_ball.y as f32, lamp.height_mm as f32],
+            radius: max(lamp.radius_mm as f32, 1.0),
+            color: lamp.color.map(|c| c * fraction),
+        }
+    }
+}
+
+/// Light and coverage of the pixels of a ball.
+#[derive(Debug, Default)]
+pub(crate) struct Patch {
+    x: usize,
+    y: usize,
+    width: usize,
+    pixels: Vec<[f32; 4]>,
+}
+
+/// The lit table below the balls.
+#[derive(Clone, Copy)]
+pub(crate) struct Table<'a> {
+    pub view: &'a View,
+    pub planes: &'a [Vec<f32>; 3],
+    pub stride: usize,
+    pub ambient: Rgb,
+}
+
+impl Patch {
+    /// Renders a ball that mirrors `table` and `glints` and stands in `arriving` light.
+    pub fn render(&mut self, ball: &Ball, table: Table, glints: &[Glint], arriving: Rgb) {
+        let view = table.view;
+        let reach = DVec2::splat(ball.radius_mm + view.mm_per_px);
+        let size = DVec2::new(view.width as f64, view.height as f64);
+        let from = view.screen_from_table(ball.center_mm - reach).clamp(DVec2::ZERO, size);
+        let to = view.screen_from_table(ball.center_mm + reach).clamp(DVec2::ZERO, size).ceil();
+        self.pixels.clear();
+        (self.x, self.y) = (from.x as usize, from.y as usize);
+        self.width = (to.x as usize).saturating_sub(self.x);
+        let height = (to.y as usize).saturating_sub(self.y);
+        if self.width == 0 || height == 0 || !(ball.radius_mm > 0.0) {
+            self.width = 0;
+            return;
+        }
+        self.pixels.resize(self.width * height, [0.0; 4]);
+        let mirror = Mirror { ball, table, glints, arriving };
+        let (x, y) = (self.x, self.y);
+        self.pixels.par_chunks_mut(self.width).with_min_len(4).enumerate().for_each(|(row, pixels)| {
+            for (column, pixel) in pixels.iter_mut().enumerate() {
+                *pixel = mirror.pixel(view.table_from_pixel(x + column, y + row));
+            }
+        });
+    }
+
+    /// Puts the ball on the picture.
+    pub fn blend(&self, planes: &mut [Vec<f32>; 3], stride: usize) {
+        if self.width == 0 {
+            return;
+        }
+        for (row, pixels) in self.pixels.chunks(self.width).enumerate() {
+            let start = (self.y + row) * stride + self.x;
+            for (column, pixel) in pixels.iter().enumerate() {
+                for (plane, light) in planes.iter_mut().zip(pixel) {
+                    let out = &mut plane[start + column];
+                    *out += (light - *out) * pixel[3];
+                }
+            }
+        }
+    }
+}
+
+struct Mirror<'a> {
+    ball: &'a Ball,
+    table: Table<'a>,
+    glints: &'a [Glint],
+    arriving: Rgb,
+}
+
+impl Mirror<'_> {
+    /// Light and coverage at a point of the table.
+    fn pixel(&self, point_mm: DVec2) -> [f32; 4] {
+        let radius = self.ball.radius_mm;
+        let from_middle = point_mm - self.ball.center_mm;
+        let distance = from_middle.length();
+        let coverage = clamp((0.5 - (distance - radius) / self.table.view.mm_per_px) as f32, 0.0, 1.0);
+        if coverage <= 0.0 {
+            return [0.0; 4];
+        }
+        // The pixels of the edge take the light just inside it.
+        let on_ball = from_middle * (0.995 / (distance / radius).max(0.995) / radius);
+        let (nx, ny) = (on_ball.x as f32, on_ball.y as f32);
+        let nz = max(1.0 - nx * nx - ny * ny, 0.0).sqrt();
+        let normal = [nx, ny, nz];
+        let out = [2.0 * nz * nx, 2.0 * nz * ny, 2.0 * nz * nz - 1.0];
+        let mut light = self.surroundings(normal, out);
+        for glint in self.glints {
+            self.add_glint(glint, normal, out, &mut light);
+        }
+        let scratch = self.scratches(normal);
+        let grazing = (1.0 - nz) * (1.0 - nz) * (1.0 - nz);
+        let mut pixel = [0.0, 0.0, 0.0, coverage];
+        for channel in 0..3 {
+            let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
+            let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
+            let rim = 0.05 * grazing * (1.0 + self.arriving[channel]);
+            pixel[channel] = light[channel] * mirrors * (1.0 - 0.6 * scratch) + matt * scratch * nz + rim;
+        }
+        pixel
+    }
+
+    /// The floor below or the room above, in the direction `out`.
+    fn surroundings(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
+        let sky = sky(out);
+        if out[2] >= -0.02 {
+            return sky;
+        }
+        let radius = self.ball.radius_mm as f32;
+        let height = radius * (1.0 + normal[2]);
+        let run = height / -out[2];
+        let x = normal[0] * radius + out[0] * run;
+        let y = normal[1] * radius + out[1] * run;
+        let floor = self.floor(self.ball.center_mm + DVec2::new(f64::from(x), f64::from(y)));
+        // Far away, just below the horizon, the floor gives way to the room.
+        let far = clamp(run * (1.0 / 500.0), 0.0, 1.0);
+        [0, 1, 2].map(|channel| floor[channel] + (sky[channel] - floor[channel]) * far * far)
+    }
+
+    /// The light of the floor at a point, between the four nearest pixels.
+    fn floor(&self, point_mm: DVec2) -> Rgb {
+        let Table { view, planes, stride, .. } = self.table;
+        let place = view.screen_from_table(point_mm) - DVec2::splat(0.5);
+        let (right, bottom) = ((view.width - 1) as f64, (view.height - 1) as f64);
+        let outside = (-place.x).max(place.x - right).max(-place.y).max(place.y - bottom).max(0.0);
+        let fade = (1.0 - outside * view.mm_per_px * 0.05).max(0.0) as f32;
+        let (x, y) = (place.x.clamp(0.0, right), place.y.clamp(0.0, bottom));
+        let (left, top) = (x as usize, y as usize);
+        let (across, down) = ((x - left as f64) as f32, (y - top as f64) as f32);
+        let next_x = (left + 1).min(view.width - 1);
+        let next_y = (top + 1).min(view.height - 1);
+        [0, 1, 2].map(|channel: usize| {
+            let plane = &planes[channel];
+            let blend = |row: usize| {
+                let (a, b) = (plane[row * stride + left], plane[row * stride + next_x]);
+                a + (b - a) * across
+            };
+            let (above, below) = (blend(top), blend(next_y));
+            (above + (below - above) * down) * fade
+        })
+    }
+
+    /// A lamp's mirror image: a disc of its angle, no smaller than what one pixel sees.
+    fn add_glint(&self, glint: &Glint, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
+        let radius = self.ball.radius_mm as f32;
+        let x = glint.place[0] - normal[0] * radius;
+        let y = glint.place[1] - normal[1] * radius;
+        let z = max(glint.place[2], radius) - radius * (1.0 + normal[2]) + radius;
+        let square = max(x * x + y * y + z * z, 1.0);
+        let along = x * out[0] + y * out[1] + z * out[2];
+        if along <= 0.0 {
+            return;
+        }
+        let off_square = max(1.0 - along * along / square, 0.0);
+        let lamp_square = glint.radius * glint.radius / square;
+        let pixel = 1.6 * self.table.view.mm_per_px as f32 / radius;
+        let blurred = lamp_square + pixel * pixel;
+        let edge = max(1.0 - off_square / (3.0 * blurred), 0.0);
+        let strength = GLINT * edge * edge * edge * (lamp_square / blurred).sqrt();
+        for channel in 0..3 {
+            light[channel] += glint.color[channel] * strength;
+        }
+    }
+
+    /// How scratched the ball is where its normal is this.
+    fn scratches(&self, normal: [f32; 3]) -> f32 {
+        let [x, y, z] = unrotated(self.ball.rotation, normal);
+        let width = max(1.2 * self.table.view.mm_per_px as f32 / self.ball.radius_mm as f32, 0.05);
+        let line = |off: f32| max(1.0 - off.abs() / width, 0.0);
+        let ring = line(z) * 0.55;
+        let half_ring = if y > 0.0 { line(0.8 * x + 0.6 * z) * 0.4 } else { 0.0 };
+        let dot =
+            max(1.0 - ((x - 0.8) * (x - 0.8) + (y + 0.2) * (y + 0.2) + (z - 0.57) * (z - 0.57)) * 30.0, 0.0) * 0.5;
+        let scuff = if x > -0.2 { line(y - 0.45 * z + 0.5) * 0.3 } else { 0.0 };
+        max(max(ring, half_ring), max(dot, scuff))
+    }
+}
+
+/// The room in an upward direction: night, a little lighter towards the top, and a panel behind the player's head.
+fn sky(out: [f32; 3]) -> Rgb {
+    let up = max(out[2], 0.02);
+    let (x, y) = (out[0] / up, out[1] / up);
+    let soft = |v: f32, from: f32, to: f32| {
+        let t = clamp((v - from) / (to - from), 0.0, 1.0);
+        t * t * (3.0 - 2.0 * t)
+    };
+    let panel = (1.0 - soft(x.abs(), 0.30, 0.85)) * (1.0 - soft((y + 0.75).abs(), 0.22, 0.70));
+    let glow = 1.0 / (1.0 + 0.8 * (x * x + (y + 0.75) * (y + 0.75)));
+    let visible = if out[2] > 0.02 { 1.0 } else { 0.0 };
+    [0, 1, 2].map(|channel: usize| {
+        ROOM[channel] * (0.6 + 0.8 * max(out[2], 0.0)) + PANEL[channel] * visible * (0.85 * panel + 0.05 * glow)
+    })
+}
+
+/// `v` in the frame of something that was turned by the unit quaternion `q`.
+fn unrotated([qx, qy, qz, qw]: [f32; 4], [x, y, z]: [f32; 3]) -> [f32; 3] {
+    let (tx, ty, tz) = (2.0 * (z * qy - y * qz), 2.0 * (x * qz - z * qx), 2.0 * (y * qx - x * qy));
+    [x + qw * tx + (tz * qy - ty * qz), y + qw * ty + (tx * qz - tz * qx), z + qw * tz + (ty * qx - tx * qy)]
+}

@@ -1,0 +1,116 @@
+//! Blue noise: an order of thresholds without patterns, so that dark gradients have no steps.
+//!
+//! R. Ulichney, "The void-and-cluster method for dither array generation", 1993. The array is made once, on first use,
+//! and is the same on every machine.
+
+use std::sync::OnceLock;
+
+/// Cells along a side; the array repeats.
+pub(crate) const SIZE: usize = 64;
+
+const CELLS: usize = SIZE * SIZE;
+
+/// How far a cell's influence is followed.
+const REACH: isize = 7;
+
+/// Thresholds in (-0.5, 0.5), evenly spread, row by row.
+pub(crate) fn thresholds() -> &'static [f32; CELLS] {
+    static THRESHOLDS: OnceLock<Box<[f32; CELLS]>> = OnceLock::new();
+    THRESHOLDS.get_or_init(|| {
+        let mut thresholds = Box::new([0.0; CELLS]);
+        for (cell, rank) in ranks().into_iter().enumerate() {
+            thresholds[cell] = (rank as f32 + 0.5) / CELLS as f32 - 0.5;
+        }
+        thresholds
+    })
+}
+
+/// A pattern of cells and how crowded each place is.
+struct Pattern {
+    set: Vec<bool>,
+    crowding: Vec<f32>,
+    kernel: Vec<f32>,
+}
+
+impl Pattern {
+    fn new() -> Pattern {
+        let side = 2 * REACH + 1;
+        let kernel = (0..side * side)
+            .map(|at| {
+                let (x, y) = ((at % side - REACH) as f32, (at / side - REACH) as f32);
+                libm::expf(-(x * x + y * y) / (2.0 * 1.5 * 1.5))
+            })
+            .collect();
+        Pattern { set: vec![false; CELLS], crowding: vec![0.0; CELLS], kernel }
+    }
+
+    fn put(&mut self, cell: usize, present: bool) {
+        self.set[cell] = present;
+        let sign = if present { 1.0 } else { -1.0 };
+        let (cx, cy) = ((cell % SIZE) as isize, (cell / SIZE) as isize);
+        for dy in -REACH..=REACH {
+            for dx in -REACH..=REACH {
+                let x = (cx + dx).rem_euclid(SIZE as isize) as usize;
+                let y = (cy + dy).rem_euclid(SIZE as isize) as usize;
+                let at = (dy + REACH) * (2 * REACH + 1) + dx + REACH;
+                self.crowding[y * SIZE + x] += sign * self.kernel[at as usize];
+            }
+        }
+    }
+
+    /// The most crowded cell that is set, or the emptiest place that is not.
+    fn extreme(&self, present: bool) -> usize {
+        let mut best = 0;
+        let mut most = f32::MIN;
+        for cell in 0..CELLS {
+            let crowding = if present { self.crowding[cell] } else { -self.crowding[cell] };
+            if self.set[cell] == present && crowding > most {
+                (best, most) = (cell, crowding);
+            }
+        }
+        best
+    }
+}
+
+/// The order in which the cells of the array are filled.
+fn ranks() -> Vec<usize> {
+    let mut pattern = Pattern::new();
+    let first = CELLS / 10;
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut placed = 0;
+    while placed < first {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        let cell = (state >> 20) as usize % CELLS;
+        if !pattern.set[cell] {
+            pattern.put(cell, true);
+            placed += 1;
+        }
+    }
+    for _ in 0..CELLS {
+        let cluster = pattern.extreme(true);
+        pattern.put(cluster, false);
+        let void = pattern.extreme(false);
+        pattern.put(void, true);
+        if void == cluster {
+            break;
+        }
+    }
+    let start: Vec<usize> = (0..CELLS).filter(|&cell| pattern.set[cell]).collect();
+    let mut ranks = vec![0; CELLS];
+    for rank in (0..first).rev() {
+        let cluster = pattern.extreme(true);
+        pattern.put(cluster, false);
+        ranks[cluster] = rank;
+    }
+    for cell in start {
+        pattern.put(cell, true);
+    }
+    for rank in first..CELLS {
+        let void = pattern.extreme(false);
+        pattern.put(void, true);
+        ranks[void] = rank;
+    }
+    ranks
+}

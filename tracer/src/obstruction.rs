@@ -1,0 +1,207 @@
+//! What stands between one lamp and the points of one tile: chains that are easy, pieces that are not, or darkness.
+//!
+//! A chain whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
+//! interval, from its lowest tangent to its highest. Pieces that come near the tile or the lamp are taken one by one,
+//! with every case thought of.
+
+use crate::Group;
+use crate::candidates::{BEFORE_LAMP, BETWEEN, Candidates, MEETS_LEFT, MEETS_RIGHT};
+use crate::silhouette::{Bulge, Link, Silhouettes};
+use geometry::{Circle, DVec2, Taper};
+
+/// A part of a chain, in mm from the tile's middle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Element {
+    /// A disc: middle and radius.
+    Disc([f32; 3]),
+    /// A piece of an arc's outer circle.
+    Bulge(Cap),
+}
+
+/// The piece of a circle within an angle, in mm from the tile's middle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cap {
+    /// The circle's middle and radius.
+    pub circle: [f32; 3],
+    /// The unit vector to the middle of the piece.
+    pub middle: [f32; 2],
+    /// The piece is where a radius dotted with `middle` is at least this, mm.
+    pub least: f32,
+}
+
+/// The hull of two discs, in mm from the tile's middle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    /// One disc: middle and radius.
+    pub a: [f32; 3],
+    /// The other.
+    pub b: [f32; 3],
+    /// Both straight sides: x, y where each touches `a`, x, y where it touches `b`.
+    pub sides: [[f32; 4]; 2],
+    /// What bulges out, if it is a piece of an arc.
+    pub cap: Option<Cap>,
+    /// Whether it is one disc alone.
+    pub single: bool,
+    /// Whether it may reach beyond the lamp's chord.
+    pub clipped: bool,
+}
+
+/// What stands between one lamp and the points of one tile.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Obstruction {
+    /// The easy chains' parts, one chain after another.
+    pub elements: Vec<Element>,
+    /// Where in `elements` each chain ends.
+    pub ends: Vec<usize>,
+    /// The hard pieces.
+    pub pieces: Vec<Piece>,
+}
+
+/// How much of a lamp the points of a tile see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    /// All of it, every point.
+    Lit,
+    /// Nothing of it, every point.
+    Dark,
+    /// It must be asked point by point.
+    Mixed,
+}
+
+impl Obstruction {
+    /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for one
+    /// group.
+    pub fn gather(
+        &mut self,
+        near: &Candidates,
+        all: &Silhouettes,
+        middle_mm: DVec2,
+        without: Option<Group>,
+    ) -> Verdict {
+        self.elements.clear();
+        self.ends.clear();
+        self.pieces.clear();
+        let place = Place { all, middle_mm };
+        let mut chain = 0u8;
+        for at in 0..near.len() {
+            let counts = near.counts(at) && Some(near.group[at]) != without;
+            let alone = near.link[at] == Link::Start;
+            let before = if alone { at } else { at - 1 };
+            let codes = (near.code[before], near.code[at]);
+            let easy = counts && codes.0 & codes.1 & BETWEEN != 0;
+            let open = self.ends.last().copied().unwrap_or(0) < self.elements.len();
+            if open && (!easy || alone) {
+                if dark(chain) {
+                    return Verdict::Dark;
+                }
+                self.ends.push(self.elements.len());
+            }
+            if easy {
+                if self.ends.last().copied().unwrap_or(0) == self.elements.len() {
+                    self.elements.push(Element::Disc(place.disc(near.index[before] as usize)));
+                    chain = codes.0;
+                }
+                if !alone {
+                    if let Link::Bulge(bulge) = near.link[at] {
+                        self.elements.push(Element::Bulge(place.cap(&all.bulges[bulge as usize])));
+                    }
+                    self.elements.push(Element::Disc(place.disc(near.index[at] as usize)));
+                    chain |= codes.1;
+                }
+            } else if counts {
+                let clipped = codes.0 & codes.1 & BEFORE_LAMP == 0;
+                place.push_pieces(near, before, at, clipped, &mut self.pieces);
+            }
+        }
+        if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
+            if dark(chain) {
+                return Verdict::Dark;
+            }
+            self.ends.push(self.elements.len());
+        }
+        if self.ends.is_empty() && self.pieces.is_empty() { Verdict::Lit } else { Verdict::Mixed }
+    }
+
+    /// How many intervals the chains and pieces cover.
+    pub fn intervals(&self) -> usize {
+        self.ends.len() + self.pieces.len()
+    }
+}
+
+/// Whether a connected chain, all of it between tile and lamp, reaches from one side of their hull to the other.
+fn dark(chain: u8) -> bool {
+    chain & MEETS_LEFT != 0 && chain & MEETS_RIGHT != 0
+}
+
+/// Brings things from the table into a tile's coordinates.
+struct Place<'a> {
+    all: &'a Silhouettes,
+    middle_mm: DVec2,
+}
+
+impl Place<'_> {
+    fn circle(&self, circle: Circle) -> [f32; 3] {
+        let center = circle.center - self.middle_mm;
+        [center.x as f32, center.y as f32, circle.radius as f32]
+    }
+
+    fn disc(&self, index: usize) -> [f32; 3] {
+        let disc = &self.all.discs[index];
+        self.circle(Circle { center: disc.center, radius: disc.radius })
+    }
+
+    fn cap(&self, bulge: &Bulge) -> Cap {
+        Cap {
+            circle: self.circle(bulge.outer),
+            middle: [bulge.middle.x as f32, bulge.middle.y as f32],
+            least: (bulge.cos_half * bulge.outer.radius) as f32,
+        }
+    }
+
+    fn push_pieces(&self, near: &Candidates, before: usize, at: usize, clipped: bool, pieces: &mut Vec<Piece>) {
+        let circle = |at: usize| {
+            let disc = &self.all.discs[near.index[at] as usize];
+            Circle { center: disc.center, radius: disc.radius }
+        };
+        let Link::Bulge(bulge) = near.link[at] else {
+            return pieces.push(self.piece(circle(before), circle(at), None, clipped));
+        };
+        let bulge = &self.all.bulges[bulge as usize];
+        let radius = circle(at).radius;
+        let core = bulge.outer.radius - radius;
+        let vertices = &self.all.fine[bulge.fine.0..=bulge.fine.1];
+        for ends in vertices.windows(2) {
+            let (a, b) = (ends[0], ends[1]);
+            let chord_middle = (a + b) * 0.5 - bulge.outer.center;
+            let middle = chord_middle.try_normalize().unwrap_or(bulge.middle);
+            let least = (a - bulge.outer.center).dot(middle) * (bulge.outer.radius / core);
+            let cap = Cap {
+                circle: self.circle(bulge.outer),
+                middle: [middle.x as f32, middle.y as f32],
+                least: least as f32,
+            };
+            let disc = |center| Circle { center, radius };
+            pieces.push(self.piece(disc(a), disc(b), Some(cap), clipped));
+        }
+    }
+
+    fn piece(&self, a: Circle, b: Circle, cap: Option<Cap>, clipped: bool) -> Piece {
+        let taper = Taper { a, b };
+        let sides = taper.side_normals().map(|normals| {
+            normals.map(|normal| {
+                let side = taper.side(normal);
+                let (from, to) = (side.a - self.middle_mm, side.b - self.middle_mm);
+                [from.x as f32, from.y as f32, to.x as f32, to.y as f32]
+            })
+        });
+        let nowhere = [[0.0; 4]; 2];
+        Piece {
+            a: self.circle(a),
+            b: self.circle(b),
+            sides: sides.unwrap_or(nowhere),
+            cap,
+            single: sides.is_none(),
+            clipped,
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The light that leaves the table towards the eye, before any film has seen it.
+
+use crate::lanes::LANES;
+
+/// A picture in linear light, unbounded above: three planes of `f32`, and its glare.
+///
+/// Keep one and render into it again and again: it allocates only when the size changes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Radiance {
+    width: usize,
+    height: usize,
+    stride: usize,
+    /// Red, green, blue; `stride * height` each.
+    pub(crate) planes: [Vec<f32>; 3],
+    pub(crate) glare: crate::glare::Pyramid,
+}
+
+impl Radiance {
+    /// A black picture.
+    pub fn new(width: usize, height: usize) -> Radiance {
+        let mut radiance = Radiance::default();
+        radiance.resize(width, height);
+        radiance
+    }
+
+    /// Makes the picture `width` x `height` pixels; what was in it is lost if that is another size.
+    pub fn resize(&mut self, width: usize, height: usize) {
+        if (width, height) == (self.width, self.height) {
+            return;
+        }
+        (self.width, self.height) = (width, height);
+        self.stride = width.next_multiple_of(LANES);
+        for plane in &mut self.planes {
+            plane.clear();
+            plane.resize(self.stride * height, 0.0);
+        }
+        self.glare.resize(width, height);
+    }
+
+    /// Pixels across.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Numbers from the start of one row to the start of the next, a multiple of [`LANES`].
+    pub(crate) fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// The light at a pixel.
+    pub fn pixel(&self, x: usize, y: usize) -> [f32; 3] {
+        let at = y * self.stride + x;
+        [self.planes[0][at], self.planes[1][at], self.planes[2][at]]
+    }
+}

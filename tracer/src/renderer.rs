@@ -1,0 +1,196 @@
+//! From a scene to the light that leaves it: prepares what all tiles share, renders the tiles on every core, then the
+//! balls that mirror them, then the glare.
+
+use crate::ball::{Glint, Patch, Table};
+use crate::candidates::Candidates;
+use crate::coverage::Form;
+use crate::lanes::Path;
+use crate::monte_carlo::Sampling;
+use crate::points::{Points, TILE};
+use crate::silhouette::Silhouettes;
+use crate::tile::{Stage, Workspace};
+use crate::{Lamp, Radiance, Scene, Top, exact};
+use rayon::prelude::*;
+use std::cell::RefCell;
+
+/// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.
+const BLOCK: usize = 2 * TILE;
+
+/// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
+pub struct Renderer {
+    path: Path,
+    silhouettes: Silhouettes,
+    lamps: Vec<(Lamp, Candidates)>,
+    tops: Vec<Top>,
+    forms: Vec<Option<Form>>,
+    whole_tile: (f64, Points),
+    glints: Vec<Glint>,
+    patches: Vec<Patch>,
+}
+
+thread_local! {
+    static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
+}
+
+impl Default for Renderer {
+    fn default() -> Renderer {
+        Renderer::new()
+    }
+}
+
+impl Renderer {
+    /// A renderer for this machine's best instruction set.
+    pub fn new() -> Renderer {
+        Renderer::on(Path::best())
+    }
+
+    /// A renderer on a chosen instruction set: the same bits on each.
+    pub fn on(path: Path) -> Renderer {
+        Renderer {
+            path,
+            silhouettes: Silhouettes::default(),
+            lamps: Vec::new(),
+            tops: Vec::new(),
+            forms: Vec::new(),
+            whole_tile: (0.0, Points::none()),
+            glints: Vec::new(),
+            patches: Vec::new(),
+        }
+    }
+
+    /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
+    pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.render_with(scene, None, radiance);
+    }
+
+    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs.
+    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
+        self.render_with(scene, Some(sampling), radiance);
+    }
+
+    fn render_with(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+        radiance.resize(scene.view.width, scene.view.height);
+        if scene.view.width == 0 || scene.view.height == 0 {
+            return;
+        }
+        self.prepare(scene);
+        let stage = Stage {
+            path: self.path,
+            scene,
+            silhouettes: &self.silhouettes,
+            lamps: &self.lamps,
+            forms: &self.forms,
+            whole_tile: &self.whole_tile.1,
+            sampling,
+        };
+        render_tiles(&stage, radiance);
+        self.render_balls(scene, radiance);
+        let (width, height, stride) = (radiance.width(), radiance.height(), radiance.stride());
+        radiance.glare.gather(self.path, &radiance.planes, stride, width, height);
+    }
+
+    fn prepare(&mut self, scene: &Scene) {
+        self.silhouettes.set(&scene.occluders);
+        let shining = scene.lamps.iter().filter(|lamp| lamp.shines());
+        let mut count = 0;
+        for lamp in shining {
+            if self.lamps.len() == count {
+                self.lamps.push((*lamp, Candidates::default()));
+            }
+            let (kept, candidates) = &mut self.lamps[count];
+            *kept = *lamp;
+            candidates.set(lamp, &self.silhouettes);
+            count += 1;
+        }
+        self.lamps.truncate(count);
+        self.prepare_tops(&scene.tops);
+        if self.whole_tile.0 != scene.view.mm_per_px {
+            self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
+        }
+    }
+
+    /// Most tops are where they were in the last frame.
+    fn prepare_tops(&mut self, tops: &[Top]) {
+        self.tops.truncate(tops.len());
+        self.forms.truncate(tops.len());
+        for (at, top) in tops.iter().enumerate() {
+            if self.tops.len() == at {
+                self.tops.push(top.clone());
+                self.forms.push(Form::new(top));
+            } else if self.tops[at] != *top {
+                self.tops[at].clone_from(top);
+                self.forms[at] = Form::new(top);
+            }
+        }
+    }
+
+    fn render_balls(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.patches.resize_with(scene.balls.len(), Patch::default);
+        for (ball, patch) in scene.balls.iter().zip(&mut self.patches) {
+            self.glints.clear();
+            let mut arriving = [0.0; 3];
+            for (lamp, candidates) in &self.lamps {
+                let falloff = lamp.falloff(ball.center_mm) as f32;
+                if falloff <= 0.0 {
+                    continue;
+                }
+                let seen =
+                    exact::visible_fraction_of(&self.silhouettes, candidates, lamp, ball.center_mm, Some(ball.group));
+                if seen > 0.0 {
+                    self.glints.push(Glint::new(lamp, ball, seen as f32));
+                }
+                for channel in 0..3 {
+                    arriving[channel] += lamp.color[channel] * falloff * seen as f32;
+                }
+            }
+            let table = Table {
+                view: &scene.view,
+                planes: &radiance.planes,
+                stride: radiance.stride(),
+                ambient: scene.ambient,
+            };
+            patch.render(ball, table, &self.glints, arriving);
+        }
+        let stride = radiance.stride();
+        for patch in &self.patches {
+            patch.blend(&mut radiance.planes, stride);
+        }
+    }
+}
+
+fn render_tiles(stage: &Stage, radiance: &mut Radiance) {
+    let stride = radiance.stride();
+    let height = radiance.height();
+    let [red, green, blue] = &mut radiance.planes;
+    let band = stride * BLOCK;
+    let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+    bands.enumerate().for_each(|(at, ((red, green), blue))| {
+        WORKSPACE.with_borrow_mut(|workspace| {
+            render_band(stage, workspace, at * BLOCK, height, stride, [red, green, blue]);
+        });
+    });
+}
+
+fn render_band(
+    stage: &Stage,
+    workspace: &mut Workspace,
+    top: usize,
+    height: usize,
+    stride: usize,
+    mut planes: [&mut [f32]; 3],
+) {
+    let bottom = (top + BLOCK).min(height);
+    for left in (0..stage.scene.view.width).step_by(BLOCK) {
+        workspace.enter_block(stage, left, top, BLOCK);
+        for y in (top..bottom).step_by(TILE) {
+            for x in (left..stride.min(left + BLOCK)).step_by(TILE) {
+                workspace.render(stage, x, y);
+                for (plane, tile) in planes.iter_mut().zip(&workspace.out) {
+                    for (row, line) in tile.iter().enumerate().take(bottom - y) {
+                        plane[(y - top + row) * stride + x..][..TILE].copy_from_slice(line);
+                    }
+                }
+            }
+        }
+    }
+}

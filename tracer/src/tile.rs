@@ -1,0 +1,415 @@
+//! One tile of the picture: what is seen at its pixels, and the light there.
+//!
+//! The highest top is looked at first, so that nothing is lit that is hidden. Lamps are the outer loop: what stands
+//! between a lamp and the tile is found once, and serves the floor and every top in the tile.
+
+use crate::albedo::{self, Albedo};
+use crate::candidates::{Candidates, Cone};
+use crate::coverage::{Edge, Form};
+use crate::irradiance::{Beam, DARKNESS, Light, Normals, light_floor, light_top};
+use crate::lanes::{LANES, Path, clamp, max};
+use crate::monte_carlo::Sampling;
+use crate::obstruction::{Obstruction, Verdict};
+use crate::points::{AREA, Plane, Points, TILE};
+use crate::silhouette::Silhouettes;
+use crate::visibility::{Intervals, Source, visible_fraction};
+use crate::{Finish, Group, Lamp, Scene, monte_carlo};
+use geometry::{Bounds, DVec2};
+
+/// Below this much of a pixel, nobody sees it.
+const UNSEEN: f32 = 1.0 / 1024.0;
+
+/// Everything that the tiles of one picture have in common.
+pub(crate) struct Stage<'a> {
+    pub path: Path,
+    pub scene: &'a Scene<'a>,
+    pub silhouettes: &'a Silhouettes,
+    /// The lamps that shine, and what may stand in their way.
+    pub lamps: &'a [(Lamp, Candidates)],
+    /// The tops' outlines; `None` where there is nothing to see.
+    pub forms: &'a [Option<Form>],
+    /// Every pixel of a tile.
+    pub whole_tile: &'a Points,
+    /// How visibility is found: exactly, or by sampling.
+    pub sampling: Option<Sampling>,
+}
+
+/// What a thread needs to render tiles; kept, so that nothing is allocated once it is warm.
+pub(crate) struct Workspace {
+    near: Vec<Candidates>,
+    lit: Vec<usize>,
+    forms: Vec<usize>,
+    between: Obstruction,
+    room: Intervals,
+    fraction: Plane,
+    floor: Points,
+    floor_light: Light,
+    tops: Vec<TopLayer>,
+    edge: Edge,
+    remaining: Plane,
+    art: Albedo,
+    printed: Albedo,
+    /// The tile's radiance, when it is done.
+    pub out: Light,
+}
+
+/// The part of one top that a tile shows.
+struct TopLayer {
+    form: usize,
+    points: Points,
+    coverage: Plane,
+    normals: Normals,
+    diffuse: Light,
+    mirrored: Light,
+}
+
+impl TopLayer {
+    fn new() -> TopLayer {
+        let zero = [[0.0; LANES]; TILE];
+        TopLayer {
+            form: 0,
+            points: Points::none(),
+            coverage: zero,
+            normals: Normals { x: zero, y: zero, z: zero },
+            diffuse: DARKNESS,
+            mirrored: DARKNESS,
+        }
+    }
+}
+
+impl Workspace {
+    /// Nothing yet.
+    pub fn new() -> Workspace {
+        let zero = [[0.0; LANES]; TILE];
+        Workspace {
+            near: Vec::new(),
+            lit: Vec::new(),
+            forms: Vec::new(),
+            between: Obstruction::default(),
+            room: Intervals::default(),
+            fraction: zero,
+            floor: Points::none(),
+            floor_light: DARKNESS,
+            tops: Vec::new(),
+            edge: Edge::none(),
+            remaining: zero,
+            art: Albedo::none(),
+            printed: Albedo::none(),
+            out: DARKNESS,
+        }
+    }
+
+    /// Makes ready for the tiles of a block of the screen, from (`x`, `y`) on, `side` pixels wide and high.
+    pub fn enter_block(&mut self, stage: &Stage, x: usize, y: usize, side: usize) {
+        let view = &stage.scene.view;
+        let half = side as f64 * 0.5 * view.mm_per_px;
+        let corner = view.origin_mm + DVec2::new(x as f64, y as f64) * view.mm_per_px;
+        let middle = corner + DVec2::splat(half);
+        let bounds = Bounds::of(middle, middle).grown(half + view.mm_per_px);
+        self.forms.clear();
+        let overlaps = |form: &Option<Form>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
+        self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
+        self.lit.clear();
+        self.near.resize_with(stage.lamps.len(), Candidates::default);
+        for (at, (lamp, _)) in stage.lamps.iter().enumerate() {
+            let cone = Cone::new(lamp, middle, half * std::f64::consts::SQRT_2);
+            if !cone.beyond(lamp.reach_mm) {
+                self.lit.push(at);
+                stage.lamps[at].1.narrow(stage.path, &cone, &mut self.near[at]);
+            }
+        }
+    }
+
+    /// Renders the tile whose upper left pixel is (`x`, `y`) into `out`.
+    pub fn render(&mut self, stage: &Stage, x: usize, y: usize) {
+        let view = &stage.scene.view;
+        let half = DVec2::splat(TILE as f64 * 0.5);
+        let middle = view.origin_mm + (DVec2::new(x as f64, y as f64) + half) * view.mm_per_px;
+        let layers = self.find_surfaces(stage, middle);
+        self.light_surfaces(stage, middle, layers, (x, y));
+        self.compose_floor(stage, x, y, middle);
+        for layer in (0..layers).rev() {
+            self.compose_top(stage, layer);
+        }
+    }
+
+    /// Packs what is seen of every top, the highest first, and of the floor; says how many tops there are.
+    fn find_surfaces(&mut self, stage: &Stage, middle: DVec2) -> usize {
+        let mm_per_px = stage.scene.view.mm_per_px;
+        let bounds = Bounds::of(middle, middle).grown((TILE as f64 * 0.5 + 1.0) * mm_per_px);
+        self.remaining = [[1.0; LANES]; TILE];
+        let mut layers = 0;
+        for &at in self.forms.iter().rev() {
+            let Some(form) = &stage.forms[at] else { continue };
+            if !form.bounds.overlaps(&bounds) {
+                continue;
+            }
+            form.measure(stage.path, stage.whole_tile, middle, mm_per_px, &mut self.edge);
+            if self.tops.len() == layers {
+                self.tops.push(TopLayer::new());
+            }
+            let layer = &mut self.tops[layers];
+            layer.form = at;
+            let opacity = clamp(stage.scene.tops[at].finish.opacity, 0.0, 1.0);
+            layer.pack(&self.edge, form.bevel_mm(), opacity, mm_per_px as f32, &mut self.remaining);
+            layers += usize::from(layer.points.count > 0);
+        }
+        let hidden = self.remaining.iter().flatten().filter(|&&rest| rest < UNSEEN).count();
+        if hidden < AREA / 8 {
+            self.floor.clone_from(stage.whole_tile);
+        } else {
+            self.floor.count = 0;
+            for pixel in 0..AREA {
+                if self.remaining[pixel / LANES][pixel % LANES] >= UNSEEN {
+                    self.floor.push_pixel(pixel, mm_per_px as f32);
+                }
+            }
+            self.floor.pad();
+        }
+        layers
+    }
+
+    fn light_surfaces(&mut self, stage: &Stage, middle: DVec2, layers: usize, corner: (usize, usize)) {
+        self.floor_light = DARKNESS;
+        for layer in &mut self.tops[..layers] {
+            layer.diffuse = DARKNESS;
+            layer.mirrored = DARKNESS;
+        }
+        let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * stage.scene.view.mm_per_px;
+        for &at in &self.lit {
+            let lamp = &stage.lamps[at].0;
+            let cone = Cone::new(lamp, middle, radius);
+            if cone.beyond(lamp.reach_mm) {
+                continue;
+            }
+            let near = &mut self.near[at];
+            near.classify(stage.path, &cone);
+            let mut gaze = Gaze {
+                stage,
+                near,
+                lamp,
+                middle,
+                corner,
+                between: &mut self.between,
+                room: &mut self.room,
+                fraction: &mut self.fraction,
+            };
+            let beam = Beam::new(lamp, middle);
+            if self.floor.count > 0 && gaze.sees(&self.floor, None) {
+                light_floor(stage.path, &self.floor, beam, gaze.fraction, &mut self.floor_light);
+            }
+            for layer in &mut self.tops[..layers] {
+                if gaze.sees(&layer.points, Some(stage.scene.tops[layer.form].group)) {
+                    let TopLayer { points, normals, diffuse, mirrored, .. } = layer;
+                    light_top(stage.path, points, normals, beam, gaze.fraction, diffuse, mirrored);
+                }
+            }
+        }
+    }
+
+    fn compose_floor(&mut self, stage: &Stage, x: usize, y: usize, middle: DVec2) {
+        let scene = stage.scene;
+        let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
+        let floor = scene.floor;
+        if floor.fits(scene) {
+            albedo::read(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
+            if self.forms.iter().any(|&at| scene.tops[at].finish.art) {
+                albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
+            }
+        } else {
+            self.art.color = [[[0.5; LANES]; TILE]; 3];
+            self.printed.alpha = [[0.0; LANES]; TILE];
+        }
+        for channel in 0..3 {
+            let out = &mut self.out[channel];
+            let light = &self.floor_light[channel];
+            if self.floor.count == AREA {
+                out.clone_from(light);
+            } else {
+                *out = [[0.0; LANES]; TILE];
+                for point in 0..self.floor.count {
+                    let pixel = usize::from(self.floor.pixel[point]);
+                    out[pixel / LANES][pixel % LANES] = light[point / LANES][point % LANES];
+                }
+            }
+            for row in 0..TILE {
+                for i in 0..LANES {
+                    out[row][i] = self.art.color[channel][row][i] * (out[row][i] + scene.ambient[channel]);
+                }
+            }
+        }
+        self.add_contact_shadows(stage, middle);
+        self.add_glows(scene, x, y);
+    }
+
+    /// Darkens the floor where a ball hides the sky: a sphere that rests on it, seen from the floor, hides the part
+    /// `(r / s)^2 cos`, s being the distance of its middle.
+    fn add_contact_shadows(&mut self, stage: &Stage, middle: DVec2) {
+        for ball in &stage.scene.balls {
+            let from_tile = ball.center_mm - middle;
+            let reach = ball.radius_mm * 4.0 + TILE as f64 * stage.scene.view.mm_per_px;
+            if !(from_tile.length_squared() < reach * reach) {
+                continue;
+            }
+            let (bx, by, radius) = (from_tile.x as f32, from_tile.y as f32, ball.radius_mm as f32);
+            for row in 0..TILE {
+                for i in 0..LANES {
+                    let (dx, dy) = (stage.whole_tile.x[row][i] - bx, stage.whole_tile.y[row][i] - by);
+                    let square = dx * dx + dy * dy + radius * radius;
+                    let hidden = radius * radius * radius / (square * square.sqrt());
+                    let open = 1.0 - 0.9 * hidden;
+                    for plane in &mut self.out {
+                        plane[row][i] *= open;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds the inserts that glow, as light through the art that is printed on them.
+    fn add_glows(&mut self, scene: &Scene, x: usize, y: usize) {
+        for glow in &scene.glows {
+            let mask = glow.mask;
+            let columns = mask.x.max(x)..(mask.x + mask.width).min(x + TILE);
+            let lines = mask.y.max(y)..(mask.y + mask.height()).min(y + TILE);
+            for line in lines {
+                for column in columns.clone() {
+                    let coverage = mask.coverage[(line - mask.y) * mask.width + column - mask.x];
+                    if coverage == 0 {
+                        continue;
+                    }
+                    let (row, i) = (line - y, column - x);
+                    let art = [0, 1, 2].map(|channel: usize| self.art.color[channel][row][i]);
+                    let luminance = 0.2126 * art[0] + 0.7152 * art[1] + 0.0722 * art[2];
+                    let strength = f32::from(coverage) * (1.0 / 255.0);
+                    for channel in 0..3 {
+                        let through = 0.15 + 0.45 * luminance + 0.4 * art[channel];
+                        self.out[channel][row][i] += glow.color[channel] * strength * through;
+                    }
+                }
+            }
+        }
+    }
+
+    fn compose_top(&mut self, stage: &Stage, layer: usize) {
+        let layer = &self.tops[layer];
+        let finish = &stage.scene.tops[layer.form].finish;
+        for point in 0..layer.points.count {
+            let (block, lane) = (point / LANES, point % LANES);
+            let pixel = usize::from(layer.points.pixel[point]);
+            let (row, i) = (pixel / LANES, pixel % LANES);
+            let coverage = layer.coverage[block][lane];
+            let up = layer.normals.z[block][lane];
+            let printed = if finish.art { self.printed.alpha[row][i] } else { 0.0 };
+            for channel in 0..3 {
+                let art = 1.0 + (self.printed.color[channel][row][i] - 1.0) * printed;
+                let light = Reflected {
+                    albedo: finish.albedo[channel] * art,
+                    art,
+                    up,
+                    diffuse: layer.diffuse[channel][block][lane],
+                    mirrored: layer.mirrored[channel][block][lane],
+                };
+                let out = &mut self.out[channel][row][i];
+                let radiance = light.radiance(finish, channel, stage.scene.ambient[channel]);
+                *out += (radiance - *out) * coverage;
+            }
+        }
+    }
+}
+
+/// What one channel of a top's point is made of.
+struct Reflected {
+    albedo: f32,
+    art: f32,
+    up: f32,
+    diffuse: f32,
+    mirrored: f32,
+}
+
+impl Reflected {
+    fn radiance(&self, finish: &Finish, channel: usize, ambient: f32) -> f32 {
+        let gloss = clamp(finish.gloss, 0.0, 1.0);
+        // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
+        let tint = 0.3 + (self.albedo - 0.3) * gloss;
+        let scattered = self.albedo * (1.0 - 0.4 * gloss) * (self.diffuse + ambient * (0.5 + 0.5 * self.up));
+        scattered + 2.5 * gloss * tint * self.mirrored + finish.emission[channel] * self.art
+    }
+}
+
+impl TopLayer {
+    /// Packs the pixels that the outline covers and nothing above hides.
+    fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
+        self.points.count = 0;
+        let per_mm = 1.0 / mm_per_px;
+        for row in 0..TILE {
+            for i in 0..LANES {
+                let distance = edge.distance[row][i];
+                let coverage = clamp(0.5 - distance * per_mm, 0.0, 1.0) * opacity;
+                let rest = remaining[row][i];
+                if coverage * rest < UNSEEN {
+                    continue;
+                }
+                remaining[row][i] = rest * (1.0 - coverage);
+                let at = self.points.count;
+                self.points.push_pixel(row * LANES + i, mm_per_px);
+                let (block, lane) = (at / LANES, at % LANES);
+                // A quarter of a circle: upright at the edge, level at the bevel's inner end.
+                let lean = 0.96 * clamp(1.0 + distance / bevel_mm, 0.0, 1.0);
+                self.coverage[block][lane] = coverage;
+                self.normals.x[block][lane] = edge.away_x[row][i] * lean;
+                self.normals.y[block][lane] = edge.away_y[row][i] * lean;
+                self.normals.z[block][lane] = max(1.0 - lean * lean, 0.0).sqrt();
+            }
+        }
+        self.points.pad();
+    }
+}
+
+/// One lamp, looked at from one tile.
+struct Gaze<'a, 'b> {
+    stage: &'a Stage<'a>,
+    near: &'b Candidates,
+    lamp: &'a Lamp,
+    middle: DVec2,
+    corner: (usize, usize),
+    between: &'b mut Obstruction,
+    room: &'b mut Intervals,
+    fraction: &'b mut Plane,
+}
+
+impl Gaze<'_, '_> {
+    /// Finds how much of the lamp each point sees, past everything but one group; `false` is nothing at all.
+    fn sees(&mut self, points: &Points, without: Option<Group>) -> bool {
+        if let Some(sampling) = &self.stage.sampling {
+            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
+            let occluders = &self.stage.scene.occluders;
+            sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
+            return true;
+        }
+        match self.between.gather(self.near, self.stage.silhouettes, self.middle, without) {
+            Verdict::Dark => return false,
+            Verdict::Lit => self.fraction[..points.blocks()].fill([1.0; LANES]),
+            Verdict::Mixed => {
+                let from_tile = self.lamp.center_mm - self.middle;
+                let source = Source {
+                    x: from_tile.x as f32,
+                    y: from_tile.y as f32,
+                    radius: self.lamp.radius_mm.max(0.0) as f32,
+                };
+                self.room.reserve(self.between.intervals());
+                visible_fraction(
+                    self.stage.path,
+                    points.blocks(),
+                    &points.x,
+                    &points.y,
+                    source,
+                    self.between,
+                    self.room,
+                    self.fraction,
+                );
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,393 @@
+//! The visible fraction of a lamp, point by point.
+//!
+//! From a point P the lamp is its chord: the diameter that is perpendicular to the way from P to the lamp's middle.
+//! Each occluder covers an interval of the chord, and the visible fraction is one minus the length of the intervals'
+//! union. Intervals are kept as slopes across the way to the lamp, so that the chord is [-r/d, r/d].
+//!
+//! The union of any number of intervals needs their ends sorted, but not their pairs kept: a place that no interval
+//! covers, where k have begun, is one where k have ended, so it lies between the k-th end and the next beginning. The
+//! gaps are `max(0, begin[k + 1] - end[k])`, and ends and beginnings are sorted by themselves, with `min` and `max`.
+
+use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
+use crate::obstruction::{Cap, Element, Obstruction, Piece};
+use crate::points::{Plane, TILE};
+
+/// A slope that stands for "straight across".
+const STEEP: f32 = 1e18;
+
+/// Where a lamp is, in mm from the tile's middle, and its radius.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source {
+    /// Across.
+    pub x: f32,
+    /// Down.
+    pub y: f32,
+    /// 0 for hard shadows.
+    pub radius: f32,
+}
+
+/// Room for the ends of the intervals that a tile's points see.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Intervals {
+    low: Vec<Plane>,
+    high: Vec<Plane>,
+}
+
+impl Intervals {
+    /// Makes room for `count` intervals a point.
+    pub fn reserve(&mut self, count: usize) {
+        if self.low.len() < count {
+            self.low.resize(count, [[0.0; LANES]; TILE]);
+            self.high.resize(count, [[0.0; LANES]; TILE]);
+        }
+    }
+}
+
+clones! {
+    /// The visible fraction of `source` at the first `blocks` blocks of points.
+    pub(crate) fn visible_fraction(
+        blocks: usize, x: &Plane, y: &Plane, source: Source, between: &Obstruction, room: &mut Intervals,
+        fraction: &mut Plane,
+    ) = visible_fraction_lanes;
+}
+
+#[inline(always)]
+fn visible_fraction_lanes(
+    blocks: usize,
+    x: &Plane,
+    y: &Plane,
+    source: Source,
+    between: &Obstruction,
+    room: &mut Intervals,
+    fraction: &mut Plane,
+) {
+    let count = between.intervals();
+    let (low, high) = (&mut room.low[..count], &mut room.high[..count]);
+    let mut first = 0;
+    for (chain, &end) in between.ends.iter().enumerate() {
+        let elements = &between.elements[first..end];
+        first = end;
+        for block in 0..blocks {
+            cover_chain(&x[block], &y[block], source, elements, &mut low[chain][block], &mut high[chain][block]);
+        }
+    }
+    for (at, piece) in between.pieces.iter().enumerate() {
+        let (low, high) = (&mut low[between.ends.len() + at], &mut high[between.ends.len() + at]);
+        for block in 0..blocks {
+            if piece.clipped {
+                cover_piece::<true>(&x[block], &y[block], source, piece, &mut low[block], &mut high[block]);
+            } else {
+                cover_piece::<false>(&x[block], &y[block], source, piece, &mut low[block], &mut high[block]);
+            }
+        }
+    }
+    for block in 0..blocks {
+        let out = &mut fraction[block];
+        if source.radius == 0.0 {
+            hard_shadow(block, low, high, out);
+            continue;
+        }
+        let (x, y) = (&x[block], &y[block]);
+        match count {
+            1 => uncovered::<1>(x, y, source, block, low, high, out),
+            2 => uncovered::<2>(x, y, source, block, low, high, out),
+            3 => uncovered::<3>(x, y, source, block, low, high, out),
+            4 => uncovered::<4>(x, y, source, block, low, high, out),
+            5 => uncovered::<5>(x, y, source, block, low, high, out),
+            6 => uncovered::<6>(x, y, source, block, low, high, out),
+            _ => uncovered_many(x, y, source, block, low, high, out),
+        }
+    }
+}
+
+/// Way from a point to the lamp; never zero, so that there is a direction.
+#[inline(always)]
+fn way(x: f32, y: f32, source: Source) -> (f32, f32, f32) {
+    let (ux, uy) = (source.x - x, source.y - y);
+    let square = ux * ux + uy * uy;
+    let here = square < 1e-8;
+    (if here { 1e-4 } else { ux }, if here { 0.0 } else { uy }, if here { 1e-8 } else { square })
+}
+
+/// The interval of a chain that lies between the points and the lamp's chord.
+#[inline(always)]
+fn cover_chain(x: &Lanes, y: &Lanes, source: Source, elements: &[Element], low: &mut Lanes, high: &mut Lanes) {
+    let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
+    for element in elements {
+        match *element {
+            Element::Disc([qx, qy, radius]) => {
+                for i in 0..LANES {
+                    let (ux, uy, square) = way(x[i], y[i], source);
+                    let (cx, cy) = (qx - x[i], qy - y[i]);
+                    let (ahead, aside) = (cx * ux + cy * uy, cy * ux - cx * uy);
+                    let tangent = max(cx * cx + cy * cy - radius * radius, 0.0).sqrt();
+                    let swing = radius * square * tangent;
+                    let product = ahead * aside;
+                    let scale = 1.0 / (ahead * ahead - radius * radius * square);
+                    lowest[i] = min(lowest[i], (product - swing) * scale);
+                    highest[i] = max(highest[i], (product + swing) * scale);
+                }
+            }
+            Element::Bulge(cap) => {
+                for i in 0..LANES {
+                    let (ux, uy, square) = way(x[i], y[i], source);
+                    let ends = tangents(x[i], y[i], cap.circle, ux, uy);
+                    let middle = in_frame(cap.middle, ux, uy);
+                    let least = cap.least * square;
+                    let (lower, upper) =
+                        (on_cap(&ends, ends.lower, middle, least), on_cap(&ends, ends.upper, middle, least));
+                    lowest[i] = if lower { min(lowest[i], slope(ends.lower)) } else { lowest[i] };
+                    highest[i] = if upper { max(highest[i], slope(ends.upper)) } else { highest[i] };
+                }
+            }
+        }
+    }
+    (*low, *high) = (lowest, highest);
+}
+
+/// A disc seen from a point: everything in the frame whose first axis is the way to the lamp, times that way's length.
+struct Tangents {
+    /// The disc's middle.
+    center: [f32; 2],
+    /// Unnormalised directions of the tangents.
+    lower: [f32; 2],
+    /// The other one.
+    upper: [f32; 2],
+    /// What takes a tangent's direction to the point where it touches.
+    touch: f32,
+    /// Whether the point is inside the disc.
+    inside: bool,
+}
+
+#[inline(always)]
+fn in_frame(v: [f32; 2], ux: f32, uy: f32) -> [f32; 2] {
+    [v[0] * ux + v[1] * uy, v[1] * ux - v[0] * uy]
+}
+
+#[inline(always)]
+fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tangents {
+    let (cx, cy) = (qx - x, qy - y);
+    let [ahead, aside] = in_frame([cx, cy], ux, uy);
+    let square = cx * cx + cy * cy;
+    let tangent_square = square - radius * radius;
+    let tangent = max(tangent_square, 0.0).sqrt();
+    Tangents {
+        center: [ahead, aside],
+        lower: [ahead * tangent + aside * radius, aside * tangent - ahead * radius],
+        upper: [ahead * tangent - aside * radius, aside * tangent + ahead * radius],
+        touch: tangent / max(square, 1e-12),
+        inside: tangent_square < 0.0,
+    }
+}
+
+/// The slope of a direction; one that does not point towards the lamp is as steep as can be, to its own side.
+#[inline(always)]
+fn slope([ahead, aside]: [f32; 2]) -> f32 {
+    let sideways = if aside < 0.0 { -STEEP } else { STEEP };
+    let forward = ahead > 0.0;
+    let quotient = clamp(aside / (if forward { ahead } else { 1.0 }), -STEEP, STEEP);
+    if forward { quotient } else { sideways }
+}
+
+/// Whether the tangent touches the circle within the cap.
+#[inline(always)]
+fn on_cap(seen: &Tangents, tangent: [f32; 2], middle: [f32; 2], least: f32) -> bool {
+    let (nx, ny) = (tangent[0] * seen.touch - seen.center[0], tangent[1] * seen.touch - seen.center[1]);
+    (nx * middle[0] + ny * middle[1] >= least) & !seen.inside
+}
+
+/// The interval of any hull of two discs, wherever it lies.
+#[inline(always)]
+fn cover_piece<const CLIPPED: bool>(
+    x: &Lanes,
+    y: &Lanes,
+    source: Source,
+    piece: &Piece,
+    low: &mut Lanes,
+    high: &mut Lanes,
+) {
+    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0 });
+    let has_cap = piece.cap.is_some();
+    let hull = !piece.single;
+    for i in 0..LANES {
+        let (ux, uy, square) = way(x[i], y[i], source);
+        let a = tangents(x[i], y[i], piece.a, ux, uy);
+        let b = tangents(x[i], y[i], piece.b, ux, uy);
+        let (mut lowest, mut lowest_at) = (slope(a.lower), a.lower[0] * a.touch);
+        let (mut highest, mut highest_at) = (slope(a.upper), a.upper[0] * a.touch);
+        let (b_lower, b_upper) = (slope(b.lower), slope(b.upper));
+        lowest_at = if b_lower < lowest { b.lower[0] * b.touch } else { lowest_at };
+        highest_at = if b_upper > highest { b.upper[0] * b.touch } else { highest_at };
+        lowest = min(b_lower, lowest);
+        highest = max(b_upper, highest);
+        if has_cap {
+            let ends = tangents(x[i], y[i], cap.circle, ux, uy);
+            let middle = in_frame(cap.middle, ux, uy);
+            let least = cap.least * square;
+            let (lower, upper) = (slope(ends.lower), slope(ends.upper));
+            let lower_counts = on_cap(&ends, ends.lower, middle, least) & (lower < lowest);
+            let upper_counts = on_cap(&ends, ends.upper, middle, least) & (upper > highest);
+            lowest_at = if lower_counts { ends.lower[0] * ends.touch } else { lowest_at };
+            highest_at = if upper_counts { ends.upper[0] * ends.touch } else { highest_at };
+            lowest = if lower_counts { lower } else { lowest };
+            highest = if upper_counts { upper } else { highest };
+        }
+        // Seen from outside, a hull spans less than half a turn: from the tangent at the disc on one side to the
+        // tangent at the disc on the other.
+        let b_above_a = cross(a.center, b.center) >= 0.0;
+        let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
+        let inside = a.inside | b.inside | (hull & (span < 0.0));
+        if CLIPPED {
+            let (bottom, top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
+            lowest = if lowest_at > square { bottom } else { lowest };
+            highest = if highest_at > square { top } else { highest };
+        }
+        let empty = lowest > highest;
+        low[i] = if inside {
+            -STEEP
+        } else if empty {
+            STEEP
+        } else {
+            lowest
+        };
+        high[i] = if inside | empty { STEEP } else { highest };
+    }
+}
+
+#[inline(always)]
+fn cross(a: [f32; 2], b: [f32; 2]) -> f32 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// The slopes between which a hull crosses the line of the lamp's chord; turned round if it does not.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn across_chord(
+    x: f32,
+    y: f32,
+    piece: &Piece,
+    a: &Tangents,
+    b: &Tangents,
+    ux: f32,
+    uy: f32,
+    square: f32,
+) -> (f32, f32) {
+    let (mut bottom, mut top) = (STEEP, -STEEP);
+    for (disc, radius) in [(a, piece.a[2]), (b, piece.b[2])] {
+        let off = square - disc.center[0];
+        let half_square = radius * radius * square - off * off;
+        let half = max(half_square, 0.0).sqrt();
+        let crosses = half_square >= 0.0;
+        bottom = if crosses { min(bottom, disc.center[1] - half) } else { bottom };
+        top = if crosses { max(top, disc.center[1] + half) } else { top };
+    }
+    for side in &piece.sides {
+        let from = in_frame([side[0] - x, side[1] - y], ux, uy);
+        let to = in_frame([side[2] - x, side[3] - y], ux, uy);
+        let crosses = (from[0] < square) != (to[0] < square);
+        let run = to[0] - from[0];
+        let part = (square - from[0]) / (if crosses { run } else { 1.0 });
+        let at = from[1] + (to[1] - from[1]) * part;
+        let counts = crosses & !piece.single;
+        bottom = if counts { min(bottom, at) } else { bottom };
+        top = if counts { max(top, at) } else { top };
+    }
+    (bottom / square, top / square)
+}
+
+/// Visible or not: for a lamp without size.
+#[inline(always)]
+fn hard_shadow(block: usize, low: &[Plane], high: &[Plane], out: &mut Lanes) {
+    *out = [1.0; LANES];
+    for (low, high) in low.iter().zip(high.iter()) {
+        for i in 0..LANES {
+            let covered = (low[block][i] <= 0.0) & (high[block][i] >= 0.0);
+            out[i] = if covered { 0.0 } else { out[i] };
+        }
+    }
+}
+
+/// One minus the union of `N` intervals, in registers.
+#[inline(always)]
+fn uncovered<const N: usize>(
+    x: &Lanes,
+    y: &Lanes,
+    source: Source,
+    block: usize,
+    low: &[Plane],
+    high: &[Plane],
+    out: &mut Lanes,
+) {
+    for i in 0..LANES {
+        let (_, _, square) = way(x[i], y[i], source);
+        let limit = source.radius / square.sqrt();
+        let (mut begin, mut end) = ([0.0; N], [0.0; N]);
+        for k in 0..N {
+            begin[k] = clamp(low[k][block][i], -limit, limit);
+            end[k] = clamp(high[k][block][i], -limit, limit);
+        }
+        for last in (1..N).rev() {
+            for k in 0..last {
+                (begin[k], begin[k + 1]) = (min(begin[k], begin[k + 1]), max(begin[k], begin[k + 1]));
+                (end[k], end[k + 1]) = (min(end[k], end[k + 1]), max(end[k], end[k + 1]));
+            }
+        }
+        let mut gaps = begin[0] + limit;
+        for k in 1..N {
+            gaps += max(begin[k] - end[k - 1], 0.0);
+        }
+        gaps += limit - end[N - 1];
+        out[i] = clamp(gaps / (2.0 * limit), 0.0, 1.0);
+    }
+}
+
+/// One minus the union of any number of intervals, sorted in place.
+#[inline(always)]
+fn uncovered_many(
+    x: &Lanes,
+    y: &Lanes,
+    source: Source,
+    block: usize,
+    low: &mut [Plane],
+    high: &mut [Plane],
+    out: &mut Lanes,
+) {
+    let mut limit = [0.0; LANES];
+    for i in 0..LANES {
+        limit[i] = source.radius / way(x[i], y[i], source).2.sqrt();
+    }
+    for plane in low.iter_mut().chain(high.iter_mut()) {
+        for i in 0..LANES {
+            plane[block][i] = clamp(plane[block][i], -limit[i], limit[i]);
+        }
+    }
+    sort(block, low);
+    sort(block, high);
+    let mut gaps = limit;
+    for i in 0..LANES {
+        gaps[i] += low[0][block][i];
+    }
+    for (begin, end) in low[1..].iter().zip(high.iter()) {
+        for i in 0..LANES {
+            gaps[i] += max(begin[block][i] - end[block][i], 0.0);
+        }
+    }
+    let last = &high[high.len() - 1][block];
+    for i in 0..LANES {
+        out[i] = clamp((gaps[i] + limit[i] - last[i]) / (2.0 * limit[i]), 0.0, 1.0);
+    }
+}
+
+/// Sorts each lane of one block by itself.
+#[inline(always)]
+fn sort(block: usize, planes: &mut [Plane]) {
+    for last in (1..planes.len()).rev() {
+        for k in 0..last {
+            let (lower, upper) = planes.split_at_mut(k + 1);
+            let (a, b) = (&mut lower[k][block], &mut upper[0][block]);
+            for i in 0..LANES {
+                (a[i], b[i]) = (min(a[i], b[i]), max(a[i], b[i]));
+            }
+        }
+    }
+}
