@@ -40,6 +40,13 @@ pub struct Material {
     pub friction: f64,
 }
 
+impl Material {
+    /// Coefficient of restitution of an impact at `speed_m_s` along the normal.
+    pub fn restitution_at(&self, speed_m_s: f64) -> f64 {
+        self.restitution / (1.0 + self.falloff_s_per_m * speed_m_s)
+    }
+}
+
 /// What a part is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Kind {

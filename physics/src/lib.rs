@@ -11,11 +11,23 @@
 //! This crate refuses to know what light, a window, a file, a score or a lamp is. It reads no clock, starts no thread
 //! and asks no random number.
 
+mod ball;
+mod cabinet;
+mod check;
 mod controls;
 mod event;
+mod flipper;
+mod grid;
 mod layout;
 mod machine;
+mod plan;
+mod plunger;
 mod pose;
+mod save;
+mod state;
+mod sweep;
+mod touch;
+mod zones;
 
 pub use controls::{Command, Controls};
 pub use event::{Contact, Event, EventKind};

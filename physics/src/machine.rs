@@ -1,13 +1,27 @@
 //! The machine in play.
 
-use crate::{Command, Contact, Controls, Event, Layout, PartId, Pose};
+use crate::ball::{Ball, Hold};
+use crate::plan::{Plan, Role};
+use crate::state::{KICKER_READY_TICKS, State};
+use crate::sweep::{Motion, Scratch, Sweep};
+use crate::{
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, Pose, TICK_S, check, save, zones,
+};
+use geometry::DVec2;
 use std::sync::Arc;
 
+/// Steps in a tick while a flipper moves: 8 kHz.
+const FINE_STEPS: u32 = 8;
+
 /// Everything on the playfield, tick after tick. A clone goes on exactly as the original does, and is cheap: the layout
-/// is shared.
+/// and all that follows from it is shared.
 #[derive(Clone, Debug)]
 pub struct Machine {
     layout: Arc<Layout>,
+    plan: Arc<Plan>,
+    pub(crate) state: State,
+    scratch: Scratch,
+    starts: Vec<DVec2>,
     events: Vec<Event>,
     contacts: Vec<Contact>,
 }
@@ -36,7 +50,18 @@ impl Machine {
     /// # Errors
     /// If a part's numbers cannot be.
     pub fn new(layout: Arc<Layout>) -> Result<Machine, Error> {
-        Ok(Machine { layout, events: Vec::new(), contacts: Vec::new() })
+        check::layout(&layout)?;
+        let plan = Plan::new(&layout);
+        let state = State::new(&plan);
+        Ok(Machine {
+            layout,
+            plan: Arc::new(plan),
+            state,
+            scratch: Scratch::default(),
+            starts: Vec::new(),
+            events: Vec::new(),
+            contacts: Vec::new(),
+        })
     }
 
     /// What stands on the playfield.
@@ -45,9 +70,140 @@ impl Machine {
     }
 
     /// One millisecond. Commands are obeyed first, in their order.
-    pub fn tick(&mut self, _controls: Controls, _commands: &[Command]) {
+    pub fn tick(&mut self, controls: Controls, commands: &[Command]) {
         self.events.clear();
         self.contacts.clear();
+        commands.iter().for_each(|command| self.obey(command));
+        self.feed();
+        self.raise();
+        let (acceleration, tilted) = self.state.mechanisms.cabinet.tick(&controls);
+        if tilted {
+            self.events.push(Event { part: None, kind: EventKind::TiltBob });
+        }
+        for ticks in &mut self.state.mechanisms.kickers {
+            *ticks = (*ticks + 1).min(KICKER_READY_TICKS);
+        }
+        self.pull_plungers(controls.plunger);
+        self.starts.clear();
+        self.starts.extend(self.state.balls.iter().map(|ball| ball.center));
+        self.move_all(&controls, acceleration);
+        zones::tick(&self.plan, &mut self.state, &self.starts, &mut self.events);
+        self.report_launch();
+        self.state.balls.iter_mut().for_each(|ball| ball.end_tick(TICK_S));
+    }
+
+    /// Puts a ball on the playfield, for experiments: centre in m, velocity in m/s, spin as in [`crate::BallPose::spin`]. Returns its id.
+    pub fn put_ball(&mut self, center: DVec2, velocity_m_s: DVec2, spin_rad_s: [f64; 3]) -> u32 {
+        let id = self.state.mechanisms.next_ball;
+        self.state.mechanisms.next_ball = id.wrapping_add(1);
+        let ball = Ball { velocity: velocity_m_s, spin: spin_rad_s.into(), ..Ball::new(id, center) };
+        self.state.balls.push(ball);
+        id
+    }
+
+    fn obey(&mut self, command: &Command) {
+        match *command {
+            Command::AddBall => self.state.mechanisms.queue = self.state.mechanisms.queue.saturating_add(1),
+            Command::Eject(part) => {
+                if let Some(saucer) = self.plan.saucers.iter().position(|&(own, _)| own == part.0) {
+                    zones::eject(&self.plan, &mut self.state, saucer, &mut self.events);
+                }
+            }
+            Command::Raise(part) => {
+                if let Some(drop) = self.plan.drops.iter().position(|drop| drop.part == part.0) {
+                    self.state.mechanisms.drops[drop].wanted = !self.state.mechanisms.drops[drop].solid;
+                }
+            }
+            Command::SetFlippers(live) => self.state.mechanisms.flippers_live = live,
+            Command::SetKickers(live) => self.state.mechanisms.kickers_live = live,
+        }
+    }
+
+    /// Puts a waiting ball into the plunger lane, as soon as there is room.
+    fn feed(&mut self) {
+        let Some((part, plunger)) = self.plan.plungers.first() else { return };
+        let room = 2.0 * BALL_RADIUS_M + 1e-3;
+        let free = self.state.balls.iter().all(|ball| ball.center.distance(plunger.feed) > room);
+        if self.state.mechanisms.queue > 0 && free {
+            self.state.mechanisms.queue -= 1;
+            self.state.balls.push(Ball::new(self.state.mechanisms.next_ball, plunger.feed));
+            self.state.mechanisms.next_ball = self.state.mechanisms.next_ball.wrapping_add(1);
+            self.events.push(Event { part: Some(PartId(*part)), kind: EventKind::Fed });
+        }
+    }
+
+    /// Raises the drop targets that are asked to rise and have no ball over them.
+    fn raise(&mut self) {
+        let plan = Arc::clone(&self.plan);
+        for obstacle in &plan.obstacles {
+            let Role::Drop(index) = obstacle.role else { continue };
+            let clear = self.state.balls.iter().all(|ball| obstacle.shape.distance(ball.center).0 > 0.0);
+            let drop = &mut self.state.mechanisms.drops[index];
+            if drop.wanted && clear {
+                drop.wanted = false;
+                drop.solid = true;
+                self.events.push(Event { part: Some(PartId(obstacle.part)), kind: EventKind::Opened });
+            }
+        }
+    }
+
+    fn pull_plungers(&mut self, held: bool) {
+        for ((_, plunger), rod) in self.plan.plungers.iter().zip(&mut self.state.mechanisms.rods) {
+            rod.tick(plunger, held);
+        }
+    }
+
+    fn move_all(&mut self, controls: &Controls, cabinet: DVec2) {
+        let plan = Arc::clone(&self.plan);
+        let pull = DVec2::new(0.0, plan.floor.gravity) - cabinet;
+        let live = self.state.mechanisms.flippers_live;
+        let pressed = |left: bool| live && if left { controls.left } else { controls.right };
+        let fine = TICK_S / f64::from(FINE_STEPS);
+        let mut moving = false;
+        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
+            let duration = if rotor.seated { TICK_S } else { fine };
+            moving |= blade.energise(rotor, pressed(blade.flipper.left), duration);
+        }
+        let steps = if moving { FINE_STEPS } else { 1 };
+        let duration = TICK_S / f64::from(steps);
+        for step in 0..steps {
+            for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
+                if !rotor.seated {
+                    if step > 0 {
+                        blade.energise(rotor, pressed(blade.flipper.left), duration);
+                    }
+                    blade.accelerate(rotor, duration);
+                }
+            }
+            self.step(&plan, pull, duration);
+            for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
+                blade.settle(rotor);
+            }
+        }
+    }
+
+    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64) {
+        self.scratch.motions.clear();
+        for ball in &self.state.balls {
+            let sunk = match ball.hold {
+                Hold::Sinking(saucer) => zones::bowl(&plan.saucers[saucer].1, ball),
+                _ => DVec2::ZERO,
+            };
+            self.scratch.motions.push(Motion::new(pull + sunk));
+        }
+        let (events, contacts) = (&mut self.events, &mut self.contacts);
+        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts }.step(duration);
+    }
+
+    fn report_launch(&mut self) {
+        for ((part, plunger), rod) in self.plan.plungers.iter().zip(&self.state.mechanisms.rods) {
+            let face = rod.face(plunger);
+            let shot =
+                |ball: &Ball| ball.velocity.dot(plunger.way) > 0.5 * rod.speed && face.distance(ball.center).0 < 2e-3;
+            if rod.is_shooting() && rod.pulled <= 0.0 && self.state.balls.iter().any(shot) {
+                self.events.push(Event { part: Some(PartId(*part)), kind: EventKind::Launched });
+            }
+        }
     }
 
     /// What happened in the last tick, in order.
@@ -62,24 +218,107 @@ impl Machine {
 
     /// Where everything is now.
     pub fn pose(&self) -> Pose {
-        Pose::default()
+        let (plan, own) = (&self.plan, &self.state.mechanisms);
+        let angles = plan.blades.iter().zip(&own.rotors).map(|(blade, rotor)| (PartId(blade.part), rotor.angle));
+        let drops = plan.drops.iter().zip(&own.drops).map(|(d, s)| (PartId(d.part), f64::from(u8::from(s.solid))));
+        let kickers = plan.kickers.iter().zip(&own.kickers).map(|(k, &ticks)| (PartId(k.part), kick_pose(ticks)));
+        let pulled = plan.plungers.iter().zip(&own.rods).map(|((_, p), rod)| (rod.pulled / p.stroke_m).max(0.0));
+        Pose {
+            balls: self.state.balls.iter().map(Ball::pose).collect(),
+            flippers_rad: angles.collect(),
+            drop_targets: drops.collect(),
+            spinners_rad: plan.spinners.iter().map(|&(part, _)| (PartId(part), 0.0)).collect(),
+            gates_rad: plan.gates.iter().map(|&(part, _)| (PartId(part), 0.0)).collect(),
+            kickers: kickers.collect(),
+            plunger: pulled.fold(0.0, f64::max),
+            cabinet_m: own.cabinet.place,
+        }
+    }
+
+    /// How long each ball has hardly moved where nothing should hold it, ticks: in the order of [`Pose::balls`]; 0 for
+    /// a ball in a saucer, in the plunger lane or on a raised flipper.
+    pub fn stuck_ticks(&self) -> Vec<u32> {
+        let excused = |ball: &Ball| ball.is_held() || self.waits_for_plunger(ball) || self.lies_on_flipper(ball);
+        let stuck = |ball: &Ball| if excused(ball) { 0 } else { ball.still_ticks };
+        self.state.balls.iter().map(stuck).collect()
+    }
+
+    fn waits_for_plunger(&self, ball: &Ball) -> bool {
+        self.plan.plungers.iter().any(|(_, plunger)| {
+            let from_tip = ball.center - plunger.tip;
+            let lane = plunger.half_width_m + BALL_RADIUS_M;
+            from_tip.dot(plunger.way.perp()).abs() < lane && from_tip.dot(plunger.way) < 8.0 * BALL_RADIUS_M
+        })
+    }
+
+    fn lies_on_flipper(&self, ball: &Ball) -> bool {
+        self.plan.blades.iter().zip(&self.state.mechanisms.rotors).any(|(blade, rotor)| {
+            let gap = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
+            gap < 1e-3 && blade.is_raised(rotor)
+        })
+    }
+
+    /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.
+    pub fn overlap_m(&self) -> f64 {
+        let mut deepest = f64::NEG_INFINITY;
+        let own = &self.state.mechanisms;
+        for (index, ball) in self.state.balls.iter().enumerate() {
+            self.plan.obstacle_grid.visit(ball.center, ball.center, |obstacle| {
+                let obstacle = &self.plan.obstacles[obstacle];
+                let counts = match obstacle.role {
+                    Role::Drop(drop) => own.drops[drop].solid,
+                    Role::Gate(_) => false,
+                    _ => true,
+                };
+                if counts {
+                    deepest = deepest.max(-obstacle.shape.distance(ball.center).0);
+                }
+            });
+            for (blade, rotor) in self.plan.blades.iter().zip(&own.rotors) {
+                deepest = deepest.max(BALL_RADIUS_M - blade.taper(rotor.angle).distance(ball.center).0);
+            }
+            for other in &self.state.balls[index + 1..] {
+                deepest = deepest.max(2.0 * BALL_RADIUS_M - ball.center.distance(other.center));
+            }
+        }
+        deepest
+    }
+
+    /// How many balls are not on the playfield, or nowhere at all (not a number).
+    pub fn escaped(&self) -> usize {
+        let on = |ball: &Ball| {
+            ball.center.cmpge(DVec2::ZERO).all() && ball.center.cmple(self.plan.size).all() && ball.velocity.is_finite()
+        };
+        self.state.balls.iter().filter(|ball| !on(ball)).count()
     }
 
     /// Of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
-        Hashes { balls: 0, mechanisms: 0 }
+        save::hashes(&self.state)
     }
 
     /// Everything that can change what happens next.
     pub fn save(&self) -> Vec<u8> {
-        Vec::new()
+        save::write(&self.layout, &self.state)
     }
 
     /// The machine that [`Machine::save`] wrote, on the same layout.
     ///
     /// # Errors
     /// If the bytes are not what `save` writes for this layout.
-    pub fn restore(layout: Arc<Layout>, _bytes: &[u8]) -> Result<Machine, Error> {
-        Machine::new(layout)
+    pub fn restore(layout: Arc<Layout>, bytes: &[u8]) -> Result<Machine, Error> {
+        let mut machine = Machine::new(layout)?;
+        let state = save::read(&machine.layout, bytes).map_err(Error::Save)?;
+        if !state.fits(&machine.plan) {
+            return Err(Error::Save("the saved machine has other parts than this layout".into()));
+        }
+        machine.state = state;
+        Ok(machine)
     }
+}
+
+/// How far a kicker is out, `ticks` after it fired: out in 8 ms, back in 40.
+fn kick_pose(ticks: u16) -> f64 {
+    let ticks = f64::from(ticks);
+    if ticks < 8.0 { ticks / 8.0 } else { (1.0 - (ticks - 8.0) / 40.0).max(0.0) }
 }

@@ -13,6 +13,9 @@ pub struct Arc {
     middle: DVec2,
     half_angle: f64,
     cos_half_angle: f64,
+    /// The unit vectors from the centre to the ends: kept, because trigonometry at every question would cost more than
+    /// the question.
+    ends: [DVec2; 2],
 }
 
 impl Arc {
@@ -21,7 +24,14 @@ impl Arc {
     pub fn new(circle: Circle, start_rad: f64, sweep_rad: f64) -> Arc {
         let half_angle = (sweep_rad.abs() * 0.5).min(std::f64::consts::PI);
         let middle = trig::direction(start_rad + half_angle.copysign(sweep_rad));
-        Arc { circle, middle, half_angle, cos_half_angle: libm::cos(half_angle) }
+        let (sin, cos) = trig::sin_cos(half_angle);
+        let ends = [DVec2::new(cos, -sin).rotate(middle), DVec2::new(cos, sin).rotate(middle)];
+        Arc { circle, middle, half_angle, cos_half_angle: cos, ends }
+    }
+
+    /// The arc's two ends, in the order of [`Arc::at`].
+    pub fn ends(&self) -> [DVec2; 2] {
+        self.ends.map(|end| self.circle.center + end * self.circle.radius)
     }
 
     /// The circle that the arc is a piece of.
@@ -68,7 +78,7 @@ impl Arc {
             let outward = (point - self.circle.center).try_normalize().unwrap_or(self.middle);
             return self.circle.center + outward * self.circle.radius;
         }
-        let (start, end) = (self.at(0.0), self.at(1.0));
+        let [start, end] = self.ends();
         if point.distance_squared(end) < point.distance_squared(start) { end } else { start }
     }
 
@@ -94,6 +104,8 @@ impl Arc {
             .into_iter()
             .map(|axis| center + axis * radius)
             .filter(|&extreme| self.spans(extreme))
-            .fold(Bounds::of(self.at(0.0), self.at(1.0)), |bounds, extreme| bounds.union(Bounds::of(extreme, extreme)))
+            .fold(Bounds::of(self.ends()[0], self.ends()[1]), |bounds, extreme| {
+                bounds.union(Bounds::of(extreme, extreme))
+            })
     }
 }

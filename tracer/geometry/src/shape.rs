@@ -106,7 +106,7 @@ impl Shape {
         if radius > self.radius {
             first = Hit::nearer(first, arc.with_radius(radius - self.radius).cast_from_inside(ray));
         }
-        for end in [arc.at(0.0), arc.at(1.0)] {
+        for end in arc.ends() {
             first = Hit::nearer(first, Circle { center: end, radius: self.radius }.cast(ray));
         }
         first

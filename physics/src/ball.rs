@@ -1,0 +1,151 @@
+//! A steel sphere that rolls and slides on the playfield, and nothing that it may hit.
+
+use crate::BALL_RADIUS_M;
+use geometry::DVec2;
+use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+
+/// Moment of inertia of a solid sphere over `m r^2`.
+const INERTIA: f64 = 0.4;
+/// Deceleration of a rolling ball over the force that presses it down: hard steel on lacquer.
+const ROLLING_RESISTANCE: f64 = 2e-4;
+/// Radius of the patch that the ball rests on; its friction slows the spin about the vertical.
+const PATCH_RADIUS_M: f64 = 3e-4;
+/// Below this a ball counts as still.
+const STILL_M_S: f64 = 5e-3;
+
+/// What has a ball in its power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Hold {
+    /// Nothing.
+    Free,
+    /// It sinks into this saucer's bowl.
+    Sinking(usize),
+    /// It lies in this saucer.
+    Held(usize),
+    /// It was thrown out of this saucer and is still above it.
+    Thrown(usize),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Ball {
+    pub id: u32,
+    pub center: DVec2,
+    pub velocity: DVec2,
+    /// About x, y and the vertical; a point at `r` from the centre moves with `spin x r`.
+    pub spin: DVec3,
+    pub rotation: DQuat,
+    pub hold: Hold,
+    /// Ticks since it last moved.
+    pub still_ticks: u32,
+}
+
+/// What the playfield does to a ball.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Floor {
+    /// Down the slope, m/s^2.
+    pub gravity: f64,
+    /// What presses the ball to the playfield, m/s^2.
+    pub press: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// How velocity and spin change, per second.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Drive {
+    pub velocity: DVec2,
+    pub spin: DVec3,
+}
+
+impl Ball {
+    pub fn new(id: u32, center: DVec2) -> Ball {
+        Ball {
+            id,
+            center,
+            velocity: DVec2::ZERO,
+            spin: DVec3::ZERO,
+            rotation: DQuat::IDENTITY,
+            hold: Hold::Free,
+            still_ticks: 0,
+        }
+    }
+
+    pub fn is_held(&self) -> bool {
+        matches!(self.hold, Hold::Held(_))
+    }
+
+    /// Velocity of the ball's lowest point over the playfield.
+    pub fn floor_slip(&self) -> DVec2 {
+        self.velocity + DVec2::new(-self.spin.y, self.spin.x) * BALL_RADIUS_M
+    }
+
+    /// Gives the ball's lowest point an impulse over mass, m/s.
+    pub fn push_floor(&mut self, push: DVec2) {
+        self.velocity += push;
+        let turn = 1.0 / (INERTIA * BALL_RADIUS_M);
+        self.spin += DVec3::new(push.y, -push.x, 0.0) * turn;
+    }
+
+    /// Velocity of the point of the ball that faces `-normal`, along `normal.perp()` and along the vertical.
+    pub fn rim_slip(&self, normal: DVec2) -> DVec2 {
+        let along = self.velocity.dot(normal.perp()) - BALL_RADIUS_M * self.spin.z;
+        let up = BALL_RADIUS_M * (self.spin.y * normal.x - self.spin.x * normal.y);
+        DVec2::new(along, up)
+    }
+
+    /// Gives the point of the ball that faces `-normal` an impulse over mass, m/s, along `normal.perp()` and along the
+    /// vertical. The vertical one only turns the ball: the playfield and the glass keep its centre at its height.
+    pub fn push_rim(&mut self, normal: DVec2, push: DVec2) {
+        self.velocity += normal.perp() * push.x;
+        let turn = 1.0 / (INERTIA * BALL_RADIUS_M);
+        self.spin += DVec3::new(-normal.y * push.y, normal.x * push.y, -push.x) * turn;
+    }
+
+    /// How the ball goes on for `duration` with nothing in its way, under `pull` (gravity and the cabinet), m/s^2.
+    ///
+    /// Friction never does more than end the slip, so a rolling ball keeps rolling: 5/7 of the pull is left of itself.
+    pub fn drive(&self, floor: &Floor, pull: DVec2, duration: f64) -> Drive {
+        let mut after = *self;
+        after.velocity += pull * duration;
+        let slip = after.floor_slip();
+        let speed = slip.length();
+        if speed > 0.0 {
+            let grip = (floor.friction * floor.press * duration).min(speed * INERTIA / (1.0 + INERTIA));
+            after.push_floor(slip * (-grip / speed));
+        }
+        after.resist(floor, duration);
+        Drive { velocity: (after.velocity - self.velocity) / duration, spin: (after.spin - self.spin) / duration }
+    }
+
+    /// Rolling resistance, and the drag of the patch on the spin about the vertical.
+    pub fn resist(&mut self, floor: &Floor, duration: f64) {
+        let speed = self.velocity.length();
+        let loss = ROLLING_RESISTANCE * floor.press * duration;
+        let keep = if speed > loss { 1.0 - loss / speed } else { 0.0 };
+        self.velocity *= keep;
+        self.spin.x *= keep;
+        self.spin.y *= keep;
+        let drag = floor.friction * floor.press * PATCH_RADIUS_M / (1.5 * INERTIA * BALL_RADIUS_M * BALL_RADIUS_M);
+        self.spin.z -= self.spin.z.signum() * (drag * duration).min(self.spin.z.abs());
+    }
+
+    /// Turns the ball by its spin, and counts how long it has been still.
+    pub fn end_tick(&mut self, duration: f64) {
+        let half = self.spin * (0.5 * duration);
+        let turn = DQuat::from_xyzw(half.x, half.y, half.z, 0.0) * self.rotation;
+        self.rotation = (self.rotation + turn).normalize();
+        self.still_ticks = if self.velocity.length() < STILL_M_S { self.still_ticks.saturating_add(1) } else { 0 };
+    }
+
+    pub fn pose(&self) -> crate::BallPose {
+        crate::BallPose {
+            id: self.id,
+            center: self.center,
+            velocity: self.velocity,
+            spin: self.spin.to_array(),
+            rotation: self.rotation.to_array(),
+            held: self.is_held(),
+        }
+    }
+}

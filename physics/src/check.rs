@@ -1,0 +1,175 @@
+//! Whether a layout's numbers can be at all.
+
+use crate::{Error, Kind, Layout, Material, Part, PartId};
+use geometry::{Arc, Circle, Core, DVec2, Segment, Shape};
+
+/// More of anything than this is a slip of the pen, in SI units.
+const MOST: f64 = 1e6;
+
+pub(crate) fn layout(layout: &Layout) -> Result<(), Error> {
+    let fail = |index: usize, text: String| Error::Layout(PartId(index as u16), text);
+    if layout.parts.len() > usize::from(u16::MAX) {
+        return Err(fail(0, format!("a layout may have {} parts and this has more", u16::MAX)));
+    }
+    let whole = || {
+        point("the playfield's size", layout.size_m)?;
+        positive("the playfield's width", layout.size_m.x)?;
+        positive("the playfield's height", layout.size_m.y)?;
+        at_most("the playfield's size", layout.size_m.max_element(), 10.0)?;
+        finite("the slope", layout.slope_rad)?;
+        at_most("the slope", layout.slope_rad.abs(), 1.5)?;
+        not_negative("the playfield's friction", layout.playfield_friction)
+    };
+    whole().map_err(|text| fail(0, text))?;
+    let parts = layout.parts.iter().enumerate();
+    let mut shapes = 0;
+    for (index, part) in parts {
+        self::part(part).map_err(|text| fail(index, text))?;
+        shapes += if let Kind::Wall(wall) = &part.kind { wall.shapes.len() } else { 2 };
+        if shapes > usize::from(u16::MAX) {
+            return Err(fail(index, format!("a layout may have {} surfaces and this has more", u16::MAX)));
+        }
+    }
+    Ok(())
+}
+
+type Checked = Result<(), String>;
+
+fn finite(what: &str, number: f64) -> Checked {
+    if number.abs() <= MOST { Ok(()) } else { Err(format!("{what} must be a number of reasonable size, not {number}")) }
+}
+
+fn positive(what: &str, number: f64) -> Checked {
+    finite(what, number)?;
+    if number > 0.0 { Ok(()) } else { Err(format!("{what} must be more than 0, not {number}")) }
+}
+
+fn not_negative(what: &str, number: f64) -> Checked {
+    finite(what, number)?;
+    if number >= 0.0 { Ok(()) } else { Err(format!("{what} must be 0 or more, not {number}")) }
+}
+
+fn at_most(what: &str, number: f64, most: f64) -> Checked {
+    if number <= most { Ok(()) } else { Err(format!("{what} must be {most} or less, not {number}")) }
+}
+
+fn point(what: &str, point: DVec2) -> Checked {
+    finite(what, point.x)?;
+    finite(what, point.y)
+}
+
+fn unit(what: &str, vector: DVec2) -> Checked {
+    point(what, vector)?;
+    if (vector.length() - 1.0).abs() < 1e-6 { Ok(()) } else { Err(format!("{what} must be a vector of length 1")) }
+}
+
+fn material(material: &Material) -> Checked {
+    not_negative("the restitution", material.restitution)?;
+    at_most("the restitution", material.restitution, 1.0)?;
+    not_negative("the falloff", material.falloff_s_per_m)?;
+    not_negative("the friction", material.friction)
+}
+
+fn segment(segment: &Segment) -> Checked {
+    point("an end", segment.a)?;
+    point("an end", segment.b)?;
+    positive("the length", segment.length())
+}
+
+fn circle(circle: &Circle) -> Checked {
+    point("the centre", circle.center)?;
+    positive("the radius", circle.radius)
+}
+
+fn arc(arc: &Arc) -> Checked {
+    circle(&arc.circle())?;
+    finite("the arc's angle", arc.half_angle())?;
+    point("the arc's middle", arc.middle())
+}
+
+fn shape(shape: &Shape) -> Checked {
+    not_negative("the thickness", shape.radius)?;
+    match &shape.core {
+        Core::Point(center) => point("the centre", *center),
+        Core::Segment(ends) => {
+            point("an end", ends.a)?;
+            point("an end", ends.b)
+        }
+        Core::Arc(core) => arc(core),
+        Core::Taper(taper) => circle(&taper.a).and(circle(&taper.b)),
+    }
+}
+
+fn part(part: &Part) -> Checked {
+    match &part.kind {
+        Kind::Wall(wall) => {
+            wall.shapes.iter().try_for_each(shape)?;
+            material(&wall.material)
+        }
+        Kind::Flipper(f) => {
+            circle(&f.base)?;
+            positive("the length", f.length_m)?;
+            positive("the tip's radius", f.tip_radius_m)?;
+            finite("the angle at rest", f.rest_rad)?;
+            finite("the angle when up", f.up_rad)?;
+            positive("the stroke", (f.up_rad - f.rest_rad).abs())?;
+            at_most("the stroke", (f.up_rad - f.rest_rad).abs(), 3.2)?;
+            positive("the coil's torque", f.coil_torque_n_m)?;
+            positive("the hold torque", f.hold_torque_n_m)?;
+            positive("the spring's torque", f.spring_torque_n_m)?;
+            positive("the mass", f.mass_kg)?;
+            if f.hold_torque_n_m <= f.spring_torque_n_m {
+                return Err("the hold torque must be more than the spring's".into());
+            }
+            material(&f.material)
+        }
+        Kind::Bumper(b) => {
+            circle(&b.circle)?;
+            not_negative("the kick", b.kick_m_s)?;
+            not_negative("the threshold", b.threshold_m_s)?;
+            material(&b.material)
+        }
+        Kind::Slingshot(s) => {
+            segment(&s.segment)?;
+            not_negative("the rubber's radius", s.radius_m)?;
+            not_negative("the kick", s.kick_m_s)?;
+            not_negative("the threshold", s.threshold_m_s)?;
+            material(&s.material)
+        }
+        Kind::Target(t) => {
+            shape(&t.shape)?;
+            not_negative("the threshold", t.threshold_m_s)?;
+            material(&t.material)
+        }
+        Kind::DropTarget(t) => {
+            shape(&t.shape)?;
+            not_negative("the threshold", t.threshold_m_s)?;
+            material(&t.material)
+        }
+        Kind::Rollover(r) => shape(&r.zone),
+        Kind::Gate(g) => {
+            segment(&g.segment)?;
+            unit("the gate's way", g.way)?;
+            material(&g.material)
+        }
+        Kind::Spinner(s) => {
+            segment(&s.segment)?;
+            not_negative("the damping", s.damping_per_s)
+        }
+        Kind::Saucer(s) => {
+            circle(&s.circle)?;
+            not_negative("the capture speed", s.capture_m_s)?;
+            point("the ejection", s.eject_m_s)
+        }
+        Kind::Drain(d) => shape(&d.zone),
+        Kind::Plunger(p) => {
+            point("the feed", p.feed)?;
+            point("the tip", p.tip)?;
+            unit("the plunger's way", p.way)?;
+            positive("half the tip's width", p.half_width_m)?;
+            positive("the stroke", p.stroke_m)?;
+            positive("the time of a pull", p.pull_s)?;
+            positive("the full speed", p.full_speed_m_s)
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The state as bytes, and its fingerprints.
+
+use crate::state::State;
+use crate::{Hashes, Layout};
+use serde::Serialize;
+use xxhash_rust::xxh3::xxh3_64;
+
+/// Raised whenever the bytes mean something else.
+const VERSION: u8 = 1;
+/// Version, fingerprint of the layout, fingerprint of what follows.
+const HEAD: usize = 1 + 8 + 8;
+
+fn fingerprint(value: &impl Serialize) -> u64 {
+    // Nothing in the state can fail to be written to memory; an empty text would only make two states look alike.
+    xxh3_64(&postcard::to_stdvec(value).unwrap_or_default())
+}
+
+pub(crate) fn hashes(state: &State) -> Hashes {
+    Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&state.mechanisms) }
+}
+
+pub(crate) fn write(layout: &Layout, state: &State) -> Vec<u8> {
+    let body = postcard::to_stdvec(state).unwrap_or_default();
+    let mut bytes = vec![VERSION];
+    bytes.extend(fingerprint(layout).to_le_bytes());
+    bytes.extend(xxh3_64(&body).to_le_bytes());
+    bytes.extend(body);
+    bytes
+}
+
+pub(crate) fn read(layout: &Layout, bytes: &[u8]) -> Result<State, String> {
+    let (head, body) = bytes.split_at_checked(HEAD).ok_or("the saved machine is cut off")?;
+    if head[0] != VERSION {
+        return Err(format!("the saved machine has version {}, this one has {VERSION}", head[0]));
+    }
+    if head[1..9] != fingerprint(layout).to_le_bytes() {
+        return Err("the machine was saved on another layout".into());
+    }
+    if head[9..] != xxh3_64(body).to_le_bytes() {
+        return Err("the saved machine is damaged".into());
+    }
+    postcard::from_bytes(body).map_err(|error| format!("the saved machine cannot be read: {error}"))
+}

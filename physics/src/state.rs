@@ -1,0 +1,71 @@
+//! Everything that can change what happens next, as plain data.
+
+use crate::ball::Ball;
+use crate::cabinet::Cabinet;
+use crate::flipper::Rotor;
+use crate::plan::Plan;
+use crate::plunger::Rod;
+use serde::{Deserialize, Serialize};
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct State {
+    pub balls: Vec<Ball>,
+    pub mechanisms: Mechanisms,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Mechanisms {
+    pub next_ball: u32,
+    /// Balls that wait for a free plunger lane.
+    pub queue: u32,
+    pub flippers_live: bool,
+    pub kickers_live: bool,
+    pub rotors: Vec<Rotor>,
+    /// Ticks since each kicker fired.
+    pub kickers: Vec<u16>,
+    pub drops: Vec<Drop>,
+    /// Balls on each rollover.
+    pub rollovers: Vec<u16>,
+    pub rods: Vec<Rod>,
+    pub cabinet: Cabinet,
+}
+
+/// A drop target, apart from how it moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Drop {
+    /// It stands in the ball's way.
+    pub solid: bool,
+    /// It is to rise as soon as no ball is in its way.
+    pub wanted: bool,
+}
+
+/// A kicker that has not fired for this long is ready.
+pub(crate) const KICKER_READY_TICKS: u16 = 60;
+
+impl State {
+    pub fn new(plan: &Plan) -> State {
+        let mechanisms = Mechanisms {
+            next_ball: 0,
+            queue: 0,
+            flippers_live: false,
+            kickers_live: false,
+            rotors: plan.blades.iter().map(|blade| blade.at_rest()).collect(),
+            kickers: vec![KICKER_READY_TICKS; plan.kickers.len()],
+            drops: vec![Drop { solid: true, wanted: false }; plan.drops.len()],
+            rollovers: vec![0; plan.rollovers.len()],
+            rods: vec![Rod::default(); plan.plungers.len()],
+            cabinet: Cabinet::default(),
+        };
+        State { balls: Vec::new(), mechanisms }
+    }
+
+    /// Whether the state has as many of everything as the layout.
+    pub fn fits(&self, plan: &Plan) -> bool {
+        let own = &self.mechanisms;
+        own.rotors.len() == plan.blades.len()
+            && own.kickers.len() == plan.kickers.len()
+            && own.drops.len() == plan.drops.len()
+            && own.rollovers.len() == plan.rollovers.len()
+            && own.rods.len() == plan.plungers.len()
+    }
+}

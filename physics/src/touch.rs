@@ -1,0 +1,154 @@
+//! Where a ball touches something, and the impulses that pass there.
+//!
+//! Impulses are over the ball's mass (m/s), so a free ball takes 1 along the normal and, being a solid sphere, 7/2
+//! across it.
+
+use crate::BALL_MASS_KG;
+use crate::ball::Ball;
+use crate::flipper::{Blade, Rotor};
+use geometry::DVec2;
+
+/// Inverse mass of a solid sphere's rim across the normal, over that along it: `1 + m r^2 / I`.
+const ACROSS: f64 = 3.5;
+/// Coefficient of friction of two balls.
+pub(crate) const BALL_FRICTION: f64 = 0.1;
+
+/// What the ball touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Other {
+    /// Something that no ball moves, with its own velocity.
+    Fixed(DVec2),
+    Flipper(usize),
+    Ball(usize),
+}
+
+/// The bodies that impulses move.
+pub(crate) struct Bodies<'a> {
+    pub balls: &'a mut [Ball],
+    pub rotors: &'a mut [Rotor],
+    pub blades: &'a [Blade],
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touch {
+    pub ball: usize,
+    pub other: Other,
+    /// From the other to the ball.
+    pub normal: DVec2,
+    /// Where the ball was when it touched.
+    pub center: DVec2,
+    pub friction: f64,
+    /// From the flipper's pivot to the point of contact.
+    lever: DVec2,
+    /// The ball's mass over the flipper's moment of inertia; 0 where it is rigid, and for everything else.
+    give: f64,
+    pressed: f64,
+    rubbed: DVec2,
+}
+
+impl Touch {
+    pub fn new(ball: usize, other: Other, normal: DVec2, friction: f64, bodies: &Bodies) -> Touch {
+        let center = bodies.balls[ball].center;
+        let (mut lever, mut give) = (DVec2::ZERO, 0.0);
+        if let Other::Flipper(index) = other {
+            let blade = &bodies.blades[index];
+            lever = center - normal * crate::BALL_RADIUS_M - blade.pivot();
+            let turn = -lever.perp().dot(normal);
+            give = BALL_MASS_KG * blade.inverse_inertia(&bodies.rotors[index], turn);
+        }
+        Touch { ball, other, normal, center, friction, lever, give, pressed: 0.0, rubbed: DVec2::ZERO }
+    }
+
+    fn other_velocity(&self, bodies: &Bodies) -> DVec2 {
+        match self.other {
+            Other::Fixed(velocity) => velocity,
+            Other::Flipper(index) => bodies.rotors[index].velocity_at(self.lever),
+            Other::Ball(index) => bodies.balls[index].velocity,
+        }
+    }
+
+    /// Speed of approach along the normal.
+    pub fn approach(&self, bodies: &Bodies) -> f64 {
+        (self.other_velocity(bodies) - bodies.balls[self.ball].velocity).dot(self.normal)
+    }
+
+    /// How the ball's rim slides on the other: along `normal.perp()` and along the vertical.
+    fn slip(&self, bodies: &Bodies) -> DVec2 {
+        let own = bodies.balls[self.ball].rim_slip(self.normal);
+        match self.other {
+            Other::Ball(index) => {
+                let other = bodies.balls[index].rim_slip(-self.normal);
+                DVec2::new(own.x + other.x, own.y - other.y)
+            }
+            _ => DVec2::new(own.x - self.other_velocity(bodies).dot(self.normal.perp()), own.y),
+        }
+    }
+
+    fn press(&self, bodies: &mut Bodies, impulse: f64) {
+        bodies.balls[self.ball].velocity += self.normal * impulse;
+        match self.other {
+            Other::Fixed(_) => {}
+            Other::Flipper(index) => {
+                bodies.rotors[index].push(-impulse * self.give * self.lever.perp().dot(self.normal));
+            }
+            Other::Ball(index) => bodies.balls[index].velocity -= self.normal * impulse,
+        }
+    }
+
+    fn rub(&self, bodies: &mut Bodies, impulse: DVec2) {
+        bodies.balls[self.ball].push_rim(self.normal, impulse);
+        match self.other {
+            Other::Fixed(_) => {}
+            Other::Flipper(index) => {
+                let across = self.lever.perp().dot(self.normal.perp());
+                bodies.rotors[index].push(-impulse.x * self.give * across);
+            }
+            Other::Ball(index) => bodies.balls[index].push_rim(-self.normal, DVec2::new(impulse.x, -impulse.y)),
+        }
+    }
+
+    /// Inverse mass along the normal, along `normal.perp()` and along the vertical.
+    fn inverse_masses(&self) -> (f64, DVec2) {
+        let both = if matches!(self.other, Other::Ball(_)) { 2.0 } else { 1.0 };
+        let (along, across) = (self.lever.perp().dot(self.normal), self.lever.perp().dot(self.normal.perp()));
+        (both + self.give * along * along, DVec2::new(ACROSS * both + self.give * across * across, ACROSS * both))
+    }
+
+    /// Presses until the two part at `goal`. Returns by how much the impulse changed.
+    pub fn separate(&mut self, bodies: &mut Bodies, goal: f64) -> f64 {
+        let (mass, _) = self.inverse_masses();
+        let wanted = self.pressed + (goal + self.approach(bodies)) / mass;
+        let change = wanted.max(0.0) - self.pressed;
+        self.pressed += change;
+        self.press(bodies, change);
+        change
+    }
+
+    /// Rubs until the slip ends or the friction cone is reached.
+    pub fn grip(&mut self, bodies: &mut Bodies) {
+        let (_, masses) = self.inverse_masses();
+        let wanted = self.rubbed - self.slip(bodies) / masses;
+        let limited = wanted.clamp_length_max(self.friction * self.pressed);
+        let change = limited - self.rubbed;
+        self.rubbed = limited;
+        self.rub(bodies, change);
+    }
+
+    /// An impact: the two part at `restitution` times their approach, with friction. Returns the impulse over mass.
+    pub fn strike(&mut self, bodies: &mut Bodies, restitution: f64) -> DVec2 {
+        let goal = restitution * self.approach(bodies);
+        let rounds = if self.give > 0.0 { 6 } else { 1 };
+        for _ in 0..rounds {
+            self.separate(bodies, goal);
+            self.grip(bodies);
+        }
+        self.normal * self.pressed + self.normal.perp() * self.rubbed.x
+    }
+}
+
+impl Touch {
+    /// Forgets the impulses that have passed, so that the next ones only push.
+    pub fn release(&mut self) {
+        self.pressed = 0.0;
+    }
+}

@@ -1,0 +1,55 @@
+//! The machine as a whole: saving, cloning, the plunger, switches.
+
+use crate::fixture::*;
+use physics::*;
+use std::sync::Arc;
+
+#[test]
+fn the_plunger_shoots_in_proportion_to_its_pull() {
+    for pull in [200, 400, 600, 800, 1200] {
+        let layout = table();
+        let mut machine = machine(layout);
+        machine.tick(Controls::default(), &[Command::AddBall]);
+        (0..1500).for_each(|_| machine.tick(Controls::default(), &[]));
+        let held = Controls { plunger: true, ..Controls::default() };
+        (0..pull).for_each(|_| machine.tick(held, &[]));
+        let mut fastest: f64 = 0.0;
+        let mut launched = 0;
+        for _ in 0..100 {
+            machine.tick(Controls::default(), &[]);
+            fastest = fastest.max(-machine.pose().balls[0].velocity.y);
+            launched += machine.events().iter().filter(|e| e.kind == EventKind::Launched).count();
+        }
+        let wanted = 3.5 * (f64::from(pull) / 800.0).min(1.0);
+        println!("{pull} ms: {fastest} m/s, {launched} launches");
+        assert!((fastest / wanted - 1.0).abs() < 0.01, "{pull} ms: {fastest} m/s, not {wanted}");
+        assert_eq!(launched, 1);
+    }
+}
+
+#[test]
+fn a_restored_machine_goes_on_as_if_nothing_had_been() {
+    let layout = Arc::new(table());
+    let mut machine = Machine::new(layout.clone()).expect("fixture");
+    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true), Command::AddBall]);
+    machine.put_ball(v(0.25, 0.2), v(1.0, -2.0), [0.0; 3]);
+    machine.put_ball(v(0.30, 0.4), v(-1.0, -2.0), [0.0; 3]);
+    for tick in 0..3000u32 {
+        let controls = Controls {
+            left: tick % 170 < 60,
+            right: tick % 230 < 90,
+            plunger: tick % 900 > 300,
+            nudge_up: tick % 700 == 0,
+            ..Controls::default()
+        };
+        if tick % 50 == 0 {
+            let restored = Machine::restore(layout.clone(), &machine.save()).expect("just saved");
+            assert_eq!(restored.hashes(), machine.hashes());
+            machine = if tick % 100 == 0 { restored } else { machine.clone() };
+        }
+        let mut twin = machine.clone();
+        machine.tick(controls, &[]);
+        twin.tick(controls, &[]);
+        assert_eq!(twin.hashes(), machine.hashes());
+    }
+}

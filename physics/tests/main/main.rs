@@ -1,0 +1,7 @@
+//! What the machine must do, asserted from outside: only the crate's public interface is used.
+
+mod fixture;
+mod flippers;
+mod machine;
+mod rolling;
+mod shots;
