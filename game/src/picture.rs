@@ -2,8 +2,10 @@
 //!
 //! The same moment, size and table give the same bytes on any number of threads, with a window or without.
 
-mod interim;
+mod file;
 pub mod placement;
+
+pub use file::save_png;
 
 use crate::hud::{Canvas, Chrome, Hud, Rect, Times};
 use crate::simulation::Snapshot;
@@ -13,7 +15,12 @@ use placement::Placement;
 use rayon::ThreadPool;
 use std::sync::Arc;
 use std::time::Instant;
-use tracer::{Frame, View};
+use tracer::monte_carlo::Sampling;
+use tracer::{Frame, Radiance, Renderer, View, tone};
+
+/// The factor from the table's light to the film's; the same for every picture, so that a lamp that goes out makes the
+/// table darker.
+const EXPOSURE: f32 = 1.0;
 
 /// The moment between two ticks.
 #[derive(Clone, Copy)]
@@ -40,6 +47,9 @@ pub struct Picture {
     stage: Stage,
     hud: Hud,
     frame: Frame,
+    renderer: Renderer,
+    /// Shadows by chance instead of exact ones: the slow reference.
+    reference: Option<Sampling>,
     scenery: Option<Scenery>,
     times: Times,
 }
@@ -49,6 +59,7 @@ struct Scenery {
     placement: Placement,
     view: View,
     printed: Printed,
+    radiance: Radiance,
     playfield: Frame,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
     shift: (i32, i32),
@@ -61,7 +72,8 @@ impl Picture {
     /// If a font in the program is damaged.
     pub fn new(table: Arc<Table>, pool: ThreadPool) -> Result<Picture, Failure> {
         let (stage, hud, frame) = (Stage::new(&table), Hud::new()?, Frame::default());
-        Ok(Picture { pool, table, stage, hud, frame, scenery: None, times: Times::default() })
+        let (renderer, times) = (Renderer::new(), Times::default());
+        Ok(Picture { pool, table, stage, hud, frame, renderer, reference: None, scenery: None, times })
     }
 
     /// The table that is drawn.
@@ -74,6 +86,11 @@ impl Picture {
         self.stage = Stage::new(&table);
         self.table = table;
         self.scenery = None;
+    }
+
+    /// From now on, takes shadows from random points on the lamps: the slow reference.
+    pub fn use_reference(&mut self, sampling: Sampling) {
+        self.reference = Some(sampling);
     }
 
     /// What the last picture cost.
@@ -92,10 +109,16 @@ impl Picture {
         if let Some(scenery) = &mut self.scenery {
             let scene = self.stage.scene(&self.table, &moment, scenery.view, &scenery.printed);
             let staged = now();
-            self.pool.install(|| interim::render(&scene, &mut scenery.playfield));
+            let (renderer, radiance) = (&mut self.renderer, &mut scenery.radiance);
+            self.pool.install(|| match self.reference {
+                Some(sampling) => renderer.render_monte_carlo(&scene, sampling, radiance),
+                None => renderer.render(&scene, radiance),
+            });
             let lit = now();
+            self.pool.install(|| tone::map(radiance, EXPOSURE, &mut scenery.playfield));
             self.times.stage_ms = ms(start, staged);
             self.times.light_ms = ms(staged, lit);
+            self.times.tone_ms = ms(lit, now());
         }
         let toned = now();
         self.compose(&moment, chrome);
@@ -112,8 +135,8 @@ impl Picture {
         let view = View::fit(placement.table.width as usize, placement.table.height as usize, self.table.size_mm);
         let printed = Printed::new(&self.table, &view)?;
         self.hud.fit(placement, &mut self.frame);
-        let playfield = Frame::new(view.width, view.height);
-        self.scenery = Some(Scenery { placement, view, printed, playfield, shift: (0, 0) });
+        let (radiance, playfield) = (Radiance::new(view.width, view.height), Frame::new(view.width, view.height));
+        self.scenery = Some(Scenery { placement, view, printed, radiance, playfield, shift: (0, 0) });
         Ok(())
     }
 

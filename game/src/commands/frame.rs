@@ -1,17 +1,15 @@
 //! `caustic frame`: one picture as a PNG file.
 
 use super::parallel;
-use crate::cli::FrameArgs;
+use crate::cli::{FrameArgs, Integrator};
 use crate::hud::{Badge, Chrome};
-use crate::picture::{Moment, Picture};
+use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
 use crate::{Failure, Recording, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
-use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
-use tracer::Frame;
+use tracer::monte_carlo::Sampling;
 
 /// A table is shown this long after it was switched on, when its lamps are alight, s.
 const LIT_S: f64 = 2.0;
@@ -26,9 +24,12 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
     let mut picture = Picture::new(table, parallel::pool(args.threads)?)?;
+    if args.integrator == Integrator::MonteCarlo {
+        picture.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
+    }
     let chrome = Chrome { badge: args.replay.is_some().then_some(Badge::Replay), ..Chrome::default() };
     let frame = picture.draw(Moment::at(&moments), args.size.width, args.size.height, &chrome)?;
-    write_png(frame, &args.out)
+    save_png(frame, &args.out)
 }
 
 fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
@@ -51,22 +52,4 @@ fn of_recording(file: &Path, at_s: Option<f64>) -> Result<(Arc<Table>, Snapshot)
     let mut replay = Replay::new(recording)?;
     replay.seek(tick);
     Ok((replay.simulation().table().clone(), replay.simulation().snapshot()))
-}
-
-/// Writes a picture as a PNG file.
-///
-/// # Errors
-/// If the file cannot be written.
-pub fn write_png(frame: &Frame, path: &Path) -> Result<(), Failure> {
-    let wrong = |error: String| Failure::new(format!("cannot write {}: {error}", path.display()));
-    let file = File::create(path).map_err(|error| wrong(error.to_string()))?;
-    let mut file = BufWriter::new(file);
-    let mut encoder = png::Encoder::new(&mut file, frame.width as u32, frame.height as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header().map_err(|error| wrong(error.to_string()))?;
-    writer.write_image_data(&frame.to_rgb8()).map_err(|error| wrong(error.to_string()))?;
-    writer.finish().map_err(|error| wrong(error.to_string()))?;
-    file.flush().map_err(|error| wrong(error.to_string()))
 }
