@@ -7,13 +7,14 @@ use geometry::{Circle, DVec2, Taper, trig};
 use serde::{Deserialize, Serialize};
 
 /// Time constant with which the coil's force builds up: inductance over resistance, and the eddy currents of the iron.
-const COIL_RISE_S: f64 = 0.010;
+const COIL_RISE_S: f64 = 0.012;
 /// Time constant with which it dies away through the diode.
-const COIL_FALL_S: f64 = 0.004;
-/// The end-of-stroke switch leaves only the hold winding in this last part of the stroke.
+const COIL_FALL_S: f64 = 0.003;
+/// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the current takes the rise
+/// time to fall to it, so the flipper is pressed hard while it bounces on its stop.
 const END_OF_STROKE_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Natural frequency of the flipper on its rubber stop: it stays in it for a little over a millisecond.
-const STOP_RAD_S: f64 = 2500.0;
+const STOP_RAD_S: f64 = 1300.0;
 /// Damping ratio of the stop: it throws the flipper back with 0.3 of its speed.
 const STOP_DAMPING: f64 = 0.36;
 /// Slower than this and near its stop, the flipper has come to rest.
@@ -35,14 +36,19 @@ pub(crate) struct Blade {
     pub reach: f64,
 }
 
+/// Steps of the rotor's own in one step of the balls.
+const STOP_STEPS: u32 = 8;
+
 /// What a flipper is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Rotor {
     pub angle: f64,
     /// rad/s.
     pub speed: f64,
-    /// Force of the coil over its full force.
+    /// Torque of the coil, N m.
     coil: f64,
+    /// What the speed will have changed by at the end of the step, apart from what balls do to it.
+    rest_of_step: f64,
     /// It lies on a stop and is pressed on it: nothing that a ball can do turns it into the stop.
     pub seated: bool,
 }
@@ -62,7 +68,7 @@ impl Blade {
     }
 
     pub fn at_rest(&self) -> Rotor {
-        Rotor { angle: self.flipper.rest_rad, speed: 0.0, coil: 0.0, seated: true }
+        Rotor { angle: self.flipper.rest_rad, speed: 0.0, coil: 0.0, rest_of_step: 0.0, seated: true }
     }
 
     /// The outline at `angle`.
@@ -83,9 +89,7 @@ impl Blade {
 
     /// Torque of coil and spring, positive when it lifts.
     fn lift(&self, rotor: &Rotor) -> f64 {
-        let near_end = self.along(rotor.angle) > self.stroke - END_OF_STROKE_RAD;
-        let coil = if near_end { self.flipper.hold_torque_n_m } else { self.flipper.coil_torque_n_m };
-        coil * rotor.coil - self.flipper.spring_torque_n_m
+        rotor.coil - self.flipper.spring_torque_n_m
     }
 
     /// Torque of the stops, positive when it lifts. A stop pushes and never pulls.
@@ -110,7 +114,12 @@ impl Blade {
     /// Lets the coil's force follow its button for `duration`, and frees the flipper where that lifts it off its stop.
     /// True if the flipper may now move.
     pub fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
-        let (goal, time_constant) = if pressed { (1.0, COIL_RISE_S) } else { (0.0, COIL_FALL_S) };
+        let near_end = self.along(rotor.angle) > self.stroke - END_OF_STROKE_RAD;
+        let (goal, time_constant) = match (pressed, near_end) {
+            (false, _) => (0.0, COIL_FALL_S),
+            (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
+            (true, true) => (self.flipper.hold_torque_n_m, COIL_RISE_S),
+        };
         rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
@@ -121,16 +130,28 @@ impl Blade {
         (along <= 0.0 && lift <= 0.0) || (along >= self.stroke && lift >= 0.0)
     }
 
-    /// Torques act for `duration`.
+    /// Torques act for `duration`: until its end the flipper goes with its mean speed.
+    ///
+    /// The stop is stiff, so this goes in finer steps than the balls do.
     pub fn accelerate(&self, rotor: &mut Rotor, duration: f64) {
-        if !rotor.seated {
-            let torque = self.lift(rotor) + self.stop(rotor);
-            rotor.speed += self.sense * torque / self.inertia * duration;
+        if rotor.seated {
+            return;
         }
+        let fine = duration / f64::from(STOP_STEPS);
+        let mut free = *rotor;
+        for _ in 0..STOP_STEPS {
+            let torque = self.lift(&free) + self.stop(&free);
+            free.speed += self.sense * torque / self.inertia * fine;
+            free.angle += free.speed * fine;
+        }
+        let mean = (free.angle - rotor.angle) / duration;
+        rotor.rest_of_step = free.speed - mean;
+        rotor.speed = mean;
     }
 
     /// The flipper has turned: it may have come to rest on a stop.
     pub fn settle(&self, rotor: &mut Rotor) {
+        rotor.speed += std::mem::take(&mut rotor.rest_of_step);
         let along = self.along(rotor.angle);
         let depth = (-along).max(along - self.stroke);
         let slow = rotor.speed.abs() < REST_RAD_S && (0.0..REST_RAD).contains(&depth);

@@ -60,7 +60,7 @@ fn nothing_powered_makes_energy() {
     let mut chance = Chance(5);
     for _ in 0..20 {
         let mut layout = table();
-        layout.parts.retain(|part| !matches!(part.kind, Kind::Plunger(_)));
+        layout.parts.retain(|part| !matches!(part.kind, Kind::Plunger(_) | Kind::Saucer(_)));
         let mut machine = machine(layout);
         let velocity = v(chance.between(-3.0, 3.0), chance.between(-3.0, 3.0));
         machine.put_ball(v(chance.between(0.22, 0.29), chance.between(0.4, 0.7)), velocity, [0.0; 3]);
