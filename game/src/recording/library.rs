@@ -51,6 +51,19 @@ pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64)
     Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
 }
 
+/// Ends a recording in the player's folder; removes it if nobody ever pressed start, so that it takes no game's place.
+///
+/// # Errors
+/// If the file cannot be written or removed.
+pub fn finish(recorder: Recorder<File>, simulation: &Simulation) -> Result<(), Failure> {
+    let (path, started) = (recorder.path().to_path_buf(), recorder.started());
+    recorder.finish(simulation)?;
+    if started {
+        return Ok(());
+    }
+    fs::remove_file(&path).map_err(|error| Failure::new(format!("cannot remove {}: {error}", path.display())))
+}
+
 /// The recordings in `folder`, the oldest first: their names begin with their moment.
 pub fn recordings(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());

@@ -11,6 +11,7 @@ pub struct Recorder<W> {
     writer: Writer<W>,
     /// The file's name, for what goes wrong.
     path: PathBuf,
+    started: bool,
 }
 
 impl Recorder<File> {
@@ -33,7 +34,7 @@ impl<W: Write + Seek> Recorder<W> {
     pub fn new(out: W, path: &Path, simulation: &Simulation, seed: u64) -> Result<Recorder<W>, Failure> {
         let path = path.to_path_buf();
         match Writer::new(out, &Header::new(simulation.table(), seed)) {
-            Ok(writer) => Ok(Recorder { writer, path }),
+            Ok(writer) => Ok(Recorder { writer, path, started: false }),
             Err(error) => Err(unwritable(&path, &error)),
         }
     }
@@ -43,11 +44,17 @@ impl<W: Write + Seek> Recorder<W> {
         &self.path
     }
 
+    /// Whether anybody has pressed start since the recording began.
+    pub fn started(&self) -> bool {
+        self.started
+    }
+
     /// Records the tick that `simulation` has just played with `buttons`.
     ///
     /// # Errors
     /// If the file cannot be written; give up recording then, not the game.
     pub fn record(&mut self, simulation: &Simulation, buttons: Buttons) -> Result<(), Failure> {
+        self.started |= buttons.contains(Buttons::START);
         self.writer.record(buttons, || simulation.hashes()).map_err(|error| unwritable(&self.path, &error))
     }
 
