@@ -46,7 +46,7 @@ pub struct Show {
     pub glow: Glow,
     /// In which colour, sRGB; without it the lamp keeps its own.
     pub color: Option<[u8; 3]>,
-    /// The show's first tick.
+    /// The show's first tick; until then the lamp goes on as it was.
     pub since: u64,
     /// The tick at which it is over.
     pub until: u64,
@@ -98,8 +98,8 @@ impl Lamps {
     }
 
     /// What each lamp does now.
-    pub fn lights(&self) -> Vec<LampLight> {
-        self.lamps.iter().map(Lamp::light).collect()
+    pub fn lights(&self, now: u64) -> Vec<LampLight> {
+        self.lamps.iter().map(|lamp| lamp.light(now)).collect()
     }
 }
 
@@ -108,15 +108,20 @@ impl Lamp {
         if self.show.as_ref().is_some_and(|show| show.until <= now) {
             self.show = None;
         }
-        let target = match &self.show {
-            Some(show) => show.glow.level(now.saturating_sub(show.since)),
+        let target = match self.on_show(now) {
+            Some(show) => show.glow.level(now - show.since),
             None => self.glow.level(now),
         };
         self.level = filament(self.level, i32::from(target) * FINE);
     }
 
-    fn light(&self) -> LampLight {
-        let shown = self.show.as_ref().and_then(|show| show.color);
+    /// The show, once it has begun.
+    fn on_show(&self, now: u64) -> Option<&Show> {
+        self.show.as_ref().filter(|show| show.since <= now)
+    }
+
+    fn light(&self, now: u64) -> LampLight {
+        let shown = self.on_show(now).and_then(|show| show.color);
         LampLight { level: (self.level / FINE) as u16, color: shown.or(self.color).unwrap_or(self.own_color) }
     }
 }

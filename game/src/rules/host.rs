@@ -110,10 +110,10 @@ fn register_flow(engine: &mut Engine) {
                 Ok(())
             })
         })
-        .register_fn("tilt", |context: NativeCallContext| {
+        .register_fn("tilt", |context: NativeCallContext, on: bool| {
             reach(&context, |reach| {
-                reach.desk.score.tilted = reach.desk.score.playing;
-                power(reach, Some(false), Some(false))
+                reach.desk.score.tilted = on && reach.desk.score.playing;
+                if on { power(reach, Some(false), Some(false)) } else { Ok(()) }
             })
         })
         .register_fn("max_players", || MAX_PLAYERS as i64);
@@ -272,13 +272,13 @@ fn register_lamps(engine: &mut Engine) {
         .register_fn("flash", |context: NativeCallContext, name: &str, ms: i64, color: &str| {
             reach(&context, |reach| show(reach, name, glow("on", None, 0)?, ms, Some(srgb(color)?)))
         })
-        .register_fn("show", |context: NativeCallContext, name: &str, mode: &str, period: i64, shift: i64, ms: i64| {
-            reach(&context, |reach| show(reach, name, glow(mode, Some(period), shift)?, ms, None))
+        .register_fn("show", |context: NativeCallContext, name: &str, mode: &str, period: i64, delay: i64, ms: i64| {
+            reach(&context, |reach| show(reach, name, glow(mode, Some(period), delay)?, ms, None))
         })
         .register_fn(
             "show",
-            |context: NativeCallContext, name: &str, mode: &str, period: i64, shift: i64, ms: i64, color: &str| {
-                reach(&context, |reach| show(reach, name, glow(mode, Some(period), shift)?, ms, Some(srgb(color)?)))
+            |context: NativeCallContext, name: &str, mode: &str, period: i64, delay: i64, ms: i64, color: &str| {
+                reach(&context, |reach| show(reach, name, glow(mode, Some(period), delay)?, ms, Some(srgb(color)?)))
             },
         );
 }
@@ -297,8 +297,9 @@ fn paint(reach: &mut Reach, name: &str, color: Option<[u8; 3]>) -> Result<(), St
     Ok(())
 }
 
-fn show(reach: &mut Reach, name: &str, glow: Glow, ms: i64, color: Option<[u8; 3]>) -> Result<(), String> {
-    let since = reach.desk.now;
+fn show(reach: &mut Reach, name: &str, mut glow: Glow, ms: i64, color: Option<[u8; 3]>) -> Result<(), String> {
+    let delay = std::mem::take(&mut glow.shift_ms);
+    let since = reach.desk.now + u64::from(delay);
     let until = since + time_ms(ms)?;
     for lamp in reach.names.lamps(name)? {
         reach.lamps.show(lamp, (ms > 0).then_some(Show { glow, color, since, until }));

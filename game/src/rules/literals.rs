@@ -68,9 +68,13 @@ fn tokens(text: &str) -> Vec<(usize, Token<'_>)> {
         } else if rest.starts_with("/*") {
             comment(rest)
         } else if first == '"' {
-            let length = string(rest);
+            let length = quoted(rest, '"');
             tokens.push((line, Token::Text(rest[1..length].trim_end_matches('"'))));
             length
+        } else if first == '\'' || first == '`' {
+            // What stands in these is no literal name: a letter, or a text with values in it.
+            tokens.push((line, Token::Mark(first)));
+            quoted(rest, first)
         } else if first == '_' || first.is_ascii_alphanumeric() {
             let end = |letter: char| letter != '_' && !letter.is_ascii_alphanumeric();
             let length = rest.find(end).unwrap_or(rest.len());
@@ -112,15 +116,14 @@ fn comment(text: &str) -> usize {
     text.len()
 }
 
-/// The length of the double-quoted string that the text begins with, both quotes included.
-fn string(text: &str) -> usize {
+/// The length of the text in quotes that this begins with, both quotes included.
+fn quoted(text: &str, quote: char) -> usize {
     let mut escaped = false;
     for (place, letter) in text.char_indices().skip(1) {
-        match letter {
-            '\\' if !escaped => escaped = true,
-            '"' if !escaped => return place + 1,
-            _ => escaped = false,
+        if letter == quote && !escaped {
+            return place + 1;
         }
+        escaped = letter == '\\' && !escaped && quote != '`';
     }
     text.len()
 }

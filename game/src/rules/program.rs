@@ -54,7 +54,7 @@ impl Program {
         let file = table.dir.join("rules.rhai").display().to_string();
         let names = Arc::new(Names::new(table));
         let mut engine = engine();
-        let ast = compile(&mut engine, &table.rules).map_err(|error| Failure::new(sentence(&file, 1, error)))?;
+        let ast = compile(&mut engine, &table.rules).map_err(|error| Failure::new(sentence(&file, 1, *error)))?;
         let mut mistakes = wrong_calls(&ast, &table.rules);
         mistakes.extend(literals::unknown_names(&table.rules, &names));
         if !mistakes.is_empty() {
@@ -103,7 +103,7 @@ impl Program {
         *memory = Value::from_script(this).map_err(|what| {
             format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
         })?;
-        answer.map(|_| ()).map_err(|error| sentence(&self.file, line, error))
+        answer.map(|_| ()).map_err(|error| sentence(&self.file, line, *error))
     }
 }
 
@@ -170,8 +170,7 @@ fn line_of(function: &str, text: &str) -> usize {
 
 /// An error of the script as one sentence with file and line; the line of the function that was called, where rhai
 /// knows no better one.
-fn sentence(file: &str, called: usize, error: Box<EvalAltResult>) -> String {
-    let mut error = *error;
+fn sentence(file: &str, called: usize, mut error: EvalAltResult) -> String {
     let mut line = error.position().line().unwrap_or(called);
     while let EvalAltResult::ErrorInFunctionCall(_, _, inner, _) = error {
         error = *inner;

@@ -4,3 +4,4 @@ pub(crate) mod bench;
 mod errors;
 mod flow;
 mod memory;
+mod spectrum;
