@@ -5,9 +5,8 @@
 use super::class::Class;
 use super::outline::Outline;
 use super::place::Place;
-use super::source::Source;
+use super::source::{Mistake, Source};
 use super::style::{self, Paint};
-use crate::Failure;
 use geometry::{Bounds, DVec2};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
@@ -27,14 +26,14 @@ const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
 pub(super) const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// Reads the XML, and nothing that could grow without end.
-pub(super) fn parse(source: &Source) -> Result<Document<'_>, Failure> {
+pub(super) fn parse(source: &Source) -> Result<Document<'_>, Mistake> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(&source.text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => {
-            Failure::new(format!("{}: it has a DOCTYPE; take it out, entities are not read", source.path))
+            Mistake::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
         }
         roxmltree::Error::NodesLimitReached => {
-            Failure::new(format!("{}: it has more than {MOST_NODES} nodes; draw it more simply", source.path))
+            Mistake::of_file(&source.path, format!("it has more than {MOST_NODES} nodes; draw it more simply"))
         }
         error => source.mistake_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
     })
@@ -79,11 +78,15 @@ impl Thing {
 pub(super) struct Drawing {
     pub size_mm: DVec2,
     pub things: Vec<Thing>,
+    /// What each id is, even of things that could not be read.
+    pub ids: BTreeMap<String, Class>,
+    /// Every thing's class and where it is, even of those that could not be read.
+    pub drawn: Vec<(Class, usize)>,
 }
 
 impl Drawing {
     /// Finds the things; every mistake goes to `mistakes`.
-    pub fn read(source: &Source, document: &Document, mistakes: &mut Vec<Failure>) -> Drawing {
+    pub fn read(source: &Source, document: &Document, mistakes: &mut Vec<Mistake>) -> Drawing {
         let root = document.root_element();
         let size_mm = match size(root) {
             Ok(size) => size,
@@ -92,11 +95,19 @@ impl Drawing {
                 DVec2::new(514.0, 1067.0)
             }
         };
-        let mut reader =
-            Reader { source, mistakes, size_mm, things: Vec::new(), ids: BTreeMap::new(), too_many: false };
+        let mut reader = Reader {
+            source,
+            mistakes,
+            size_mm,
+            things: Vec::new(),
+            ids: BTreeMap::new(),
+            drawn: Vec::new(),
+            too_many: false,
+        };
         reader.children(root, Around { place: Ok(Place::TABLE), depth: 1, drawn: Ok(()) });
-        let things = reader.things;
-        Drawing { size_mm, things }
+        let Reader { things, ids, drawn, .. } = reader;
+        let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
+        Drawing { size_mm, things, ids, drawn }
     }
 }
 
@@ -130,10 +141,12 @@ struct Around {
 
 struct Reader<'a> {
     source: &'a Source,
-    mistakes: &'a mut Vec<Failure>,
+    mistakes: &'a mut Vec<Mistake>,
     size_mm: DVec2,
     things: Vec<Thing>,
-    ids: BTreeMap<String, usize>,
+    /// What each id is, and the line that took it.
+    ids: BTreeMap<String, (Class, usize)>,
+    drawn: Vec<(Class, usize)>,
     too_many: bool,
 }
 
@@ -200,10 +213,11 @@ impl Reader<'_> {
         if let Err(outside) = &around.drawn {
             return self.mistake(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
         }
-        if self.things.len() >= MOST_THINGS {
+        if self.drawn.len() >= MOST_THINGS {
             self.too_many = true;
             return self.mistake(node, format!("there are more than {MOST_THINGS} things"));
         }
+        self.drawn.push((class, node.range().start));
         let name = self.name(node, class);
         self.data(node, class, &name);
         match place.clone().and_then(|place| read_thing(node, class, &name, place)) {
@@ -225,7 +239,7 @@ impl Reader<'_> {
     }
 
     fn name(&mut self, node: Node, class: Class) -> String {
-        let unnamed = format!("{}#{}", class.word(), self.things.len());
+        let unnamed = format!("{}#{}", class.word(), self.drawn.len() - 1);
         let Some(id) = node.attribute("id").filter(|id| !id.is_empty()) else {
             if class.needs_id() {
                 self.mistake(node, format!("this {} has no id, so no rule can name it", class.word()));
@@ -233,7 +247,7 @@ impl Reader<'_> {
             return unnamed;
         };
         let line = self.source.line(node.range().start);
-        if let Some(first) = self.ids.insert(id.to_string(), line) {
+        if let Some((_, first)) = self.ids.insert(id.to_string(), (class, line)) {
             self.mistake(node, format!("the id `{id}` is already taken in line {first}"));
         }
         id.to_string()

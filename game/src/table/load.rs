@@ -4,11 +4,10 @@ use super::class::Class;
 use super::drawing::{self, Drawing, Thing};
 use super::numbers::{self, Numbers};
 use super::solids::{self, Groups};
-use super::source::Source;
+use super::source::{Mistake, Source};
 use super::{Lamp, Solid, Table, lamps, parts, split};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
-use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The files of a table.
@@ -21,7 +20,7 @@ pub(super) fn load(dir: &Path) -> Result<Table, Vec<Failure>> {
     let mut mistakes = Vec::new();
     let sources = [0, 1, 2].map(|file| {
         let source = Source::read(&dir.join(FILES[file]), LIMITS[file]);
-        source.map_err(|failure| mistakes.push(failure)).ok()
+        source.map_err(|mistake| mistakes.push(mistake)).ok()
     });
     read(dir, sources, mistakes)
 }
@@ -30,20 +29,20 @@ pub(super) fn load(dir: &Path) -> Result<Table, Vec<Failure>> {
 pub(super) fn read(
     dir: &Path,
     [svg, toml, rules]: [Option<Source>; 3],
-    mut mistakes: Vec<Failure>,
+    mut mistakes: Vec<Mistake>,
 ) -> Result<Table, Vec<Failure>> {
-    let document = svg.as_ref().and_then(|svg| drawing::parse(svg).map_err(|failure| mistakes.push(failure)).ok());
+    let document = svg.as_ref().and_then(|svg| drawing::parse(svg).map_err(|mistake| mistakes.push(mistake)).ok());
     let drawing =
         svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut mistakes));
-    let ids = drawing.as_ref().map(|drawing| {
-        let things = drawing.things.iter().map(|thing| (thing.name.clone(), thing.class));
-        things.collect::<BTreeMap<String, Class>>()
-    });
+    let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
-    let numbers = &numbers::read(&toml, ids.as_ref(), &mut mistakes);
-    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(mistakes) };
+    let numbers = &numbers::read(&toml, ids, &mut mistakes);
+    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(told(mistakes)) };
     let build = Build::new(svg, &drawing.things, numbers, &mut mistakes);
-    complete(svg, &drawing.things, &mut mistakes);
+    complete(svg, drawing, &mut mistakes);
+    if !mistakes.is_empty() {
+        return Err(told(mistakes));
+    }
     let (floor_svg, tops_svg) = split::split(&svg.text, document);
     let mut table = Table {
         name: folder_name(dir),
@@ -65,7 +64,14 @@ pub(super) fn read(
         hash: 0,
     };
     table.hash = super::hash::of(&table);
-    if mistakes.is_empty() { Ok(table) } else { Err(mistakes) }
+    Ok(table)
+}
+
+/// The mistakes as sentences, by file and line.
+fn told(mut mistakes: Vec<Mistake>) -> Vec<Failure> {
+    mistakes.sort();
+    mistakes.dedup();
+    mistakes.iter().map(|mistake| Failure::new(mistake.to_string())).collect()
 }
 
 fn folder_name(dir: &Path) -> String {
@@ -78,19 +84,19 @@ fn ambient(numbers: &Numbers) -> [f32; 3] {
 }
 
 /// What every table must have.
-fn complete(svg: &Source, things: &[Thing], mistakes: &mut Vec<Failure>) {
-    let count = |class| things.iter().filter(|thing| thing.class == class).count();
+fn complete(svg: &Source, drawing: &Drawing, mistakes: &mut Vec<Mistake>) {
+    let places = |class| drawing.drawn.iter().filter(move |thing| thing.0 == class).map(|thing| thing.1);
     for (class, why) in [
         (Class::Flipper, "a game needs at least one"),
         (Class::Drain, "a ball could never be lost"),
         (Class::Plunger, "no ball could come into play"),
     ] {
-        if count(class) == 0 {
+        if places(class).next().is_none() {
             mistakes.push(svg.mistake(0, format!("the drawing has no {}: {why}", class.word())));
         }
     }
-    for plunger in things.iter().filter(|thing| thing.class == Class::Plunger).skip(1) {
-        mistakes.push(svg.mistake(plunger.at, "there is already a plunger; a table has one"));
+    for at in places(Class::Plunger).skip(1) {
+        mistakes.push(svg.mistake(at, "there is already a plunger; a table has one"));
     }
 }
 
@@ -102,7 +108,7 @@ struct Build {
 }
 
 impl Build {
-    fn new(svg: &Source, things: &[Thing], numbers: &Numbers, mistakes: &mut Vec<Failure>) -> Build {
+    fn new(svg: &Source, things: &[Thing], numbers: &Numbers, mistakes: &mut Vec<Mistake>) -> Build {
         let mut build = Build { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = Groups::default();
         let grouped: Vec<(&Thing, u16)> = things.iter().map(|thing| (thing, groups.of(thing))).collect();

@@ -20,6 +20,9 @@ mod split;
 mod style;
 #[cfg(test)]
 mod tests;
+mod watch;
+
+pub use watch::Watch;
 
 use geometry::{DVec2, Shape};
 use physics::{Layout, PartId};

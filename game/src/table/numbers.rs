@@ -3,11 +3,10 @@
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
 use super::class::{Class, Key};
-use super::source::Source;
+use super::source::{Mistake, Source};
 use super::style;
-use crate::Failure;
 use physics::Material;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -78,13 +77,16 @@ impl Numbers {
 }
 
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
-pub(super) fn read(source: &Source, drawn: Option<&BTreeMap<String, Class>>, mistakes: &mut Vec<Failure>) -> Numbers {
+pub(super) fn read(source: &Source, drawn: Option<&BTreeMap<String, Class>>, mistakes: &mut Vec<Mistake>) -> Numbers {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
+    let mut broken = BTreeSet::new();
     for error in &errors {
         let at = error.span().map_or(0, |span| span.start);
-        mistakes.push(source.mistake(at, format!("this is not TOML: {}", error.message())));
+        if broken.insert(source.line(at)) {
+            mistakes.push(source.mistake(at, format!("this is not TOML: {}", error.message())));
+        }
     }
-    let mut reader = Reader { source, mistakes, numbers: Numbers::new(), drawn, complete: errors.is_empty() };
+    let mut reader = Reader { source, mistakes, numbers: Numbers::new(), drawn, broken };
     reader.root(root.get_ref());
     reader.numbers
 }
@@ -122,16 +124,18 @@ type Word<'i> = Spanned<std::borrow::Cow<'i, str>>;
 
 struct Reader<'a> {
     source: &'a Source,
-    mistakes: &'a mut Vec<Failure>,
+    mistakes: &'a mut Vec<Mistake>,
     numbers: Numbers,
     drawn: Option<&'a BTreeMap<String, Class>>,
-    /// The file was read whole, so that what is missing from it is missing.
-    complete: bool,
+    /// Lines that are not TOML: what they seem to say is no further mistake.
+    broken: BTreeSet<usize>,
 }
 
 impl Reader<'_> {
     fn mistake(&mut self, at: usize, what: impl std::fmt::Display) {
-        self.mistakes.push(self.source.mistake(at, what));
+        if !self.broken.contains(&self.source.line(at)) {
+            self.mistakes.push(self.source.mistake(at, what));
+        }
     }
 
     fn root(&mut self, root: &DeTable) {
@@ -226,7 +230,7 @@ impl Reader<'_> {
             }
         }
         for missing in ["restitution", "friction"].into_iter().filter(|&key| !table.contains_key(key)) {
-            if self.complete {
+            if self.broken.is_empty() {
                 self.mistake(at, format!("the material `{name}` has no `{missing}`"));
             }
         }

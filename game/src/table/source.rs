@@ -2,9 +2,34 @@
 //!
 //! Refuses to know what the text means.
 
-use crate::Failure;
+use std::fmt;
 use std::io::Read;
 use std::path::Path;
+
+/// What is wrong, and where. They sort by file and line.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Mistake {
+    path: String,
+    /// From 1; 0 for the file as a whole.
+    line: usize,
+    what: String,
+}
+
+impl Mistake {
+    /// A mistake of a file as a whole.
+    pub fn of_file(path: impl fmt::Display, what: impl fmt::Display) -> Mistake {
+        Mistake { path: path.to_string(), line: 0, what: what.to_string() }
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistake { path, line: 0, what } => write!(formatter, "{path}: {what}"),
+            Mistake { path, line, what } => write!(formatter, "{path}:{line}: {what}"),
+        }
+    }
+}
 
 /// A text file that has been read whole.
 #[derive(Debug)]
@@ -19,9 +44,8 @@ pub(super) struct Source {
 
 impl Source {
     /// Reads the file if it is UTF-8 text of at most `limit` bytes.
-    pub fn read(path: &Path, limit: u64) -> Result<Source, Failure> {
-        let shown = path.display();
-        let fail = |why: String| Failure::new(format!("{shown}: {why}"));
+    pub fn read(path: &Path, limit: u64) -> Result<Source, Mistake> {
+        let fail = |why: String| Mistake::of_file(path.display(), why);
         let file = std::fs::File::open(path).map_err(|error| match error.kind() {
             std::io::ErrorKind::NotFound => fail("there is no such file, and a table needs it".to_string()),
             _ => fail(format!("it cannot be opened: {error}")),
@@ -31,14 +55,14 @@ impl Source {
         if bytes.len() as u64 > limit {
             return Err(fail(format!("it is larger than {} kB, the most that a table may have", limit / 1024)));
         }
-        Source::from_bytes(shown.to_string(), bytes)
+        Source::from_bytes(path.display().to_string(), bytes)
     }
 
-    fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Failure> {
+    fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Mistake> {
         String::from_utf8(bytes).map(|text| Source::new(path.clone(), text)).map_err(|error| {
             let good = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes()[..good].iter().filter(|&&byte| byte == b'\n').count();
-            Failure::new(format!("{path}:{line}: this is not UTF-8 text; save the file as UTF-8"))
+            Mistake { path, line, what: "this is not UTF-8 text; save the file as UTF-8".to_string() }
         })
     }
 
@@ -55,13 +79,13 @@ impl Source {
     }
 
     /// A mistake in the line of the byte at `at`.
-    pub fn mistake(&self, at: usize, what: impl std::fmt::Display) -> Failure {
+    pub fn mistake(&self, at: usize, what: impl fmt::Display) -> Mistake {
         self.mistake_in_line(self.line(at), what)
     }
 
     /// A mistake in a line, from 1.
-    pub fn mistake_in_line(&self, line: usize, what: impl std::fmt::Display) -> Failure {
-        Failure::new(format!("{}:{line}: {what}", self.path))
+    pub fn mistake_in_line(&self, line: usize, what: impl fmt::Display) -> Mistake {
+        Mistake { path: self.path.clone(), line, what: what.to_string() }
     }
 }
 

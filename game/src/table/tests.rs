@@ -1,6 +1,8 @@
 //! A small table, and what becomes of it.
 
 mod errors;
+mod fuzz;
+mod picture;
 mod things;
 
 use super::source::Source;

@@ -1,1 +1,156 @@
+//! Each mistake is found, in its line, with what was expected.
 
+use super::{SVG, read, read_files};
+
+/// The one mistake of the small table with `drawn` in its line 5, without the file's name.
+fn drawn(drawn: &str) -> String {
+    one(read(drawn, ""), "table.svg:")
+}
+
+/// The one mistake of a small table with these numbers.
+fn numbers(numbers: &str) -> String {
+    let drawn = r#"<circle id="pop" class="bumper" cx="100" cy="100" r="25"/>"#;
+    one(read(drawn, numbers), "table.toml:")
+}
+
+fn one(read: Result<crate::Table, Vec<String>>, file: &str) -> String {
+    let mistakes = read.expect_err("a mistake");
+    let [mistake] = &mistakes[..] else { panic!("{}", mistakes.join("\n")) };
+    mistake.strip_prefix(file).unwrap_or_else(|| panic!("not in {file} {mistake}")).to_string()
+}
+
+#[track_caller]
+fn says(mistake: String, parts: &[&str]) {
+    for part in parts {
+        assert!(mistake.contains(part), "`{mistake}` does not say `{part}`");
+    }
+}
+
+#[test]
+fn mistakes_in_shapes_have_their_line() {
+    let wall = |rest: &str| drawn(&format!("<!-- -->\n<line id=\"w\" class=\"wall\" {rest}/>"));
+    says(wall(r#"x1="9" y1="9" x2="9" y2="9""#), &["6: w: it has no length"]);
+    says(wall(r#"x1="9" y1="9" x2="inf" y2="9""#), &["6: w: its x2 `inf` is not a plain number"]);
+    says(wall(r#"x1="9" y1="9" x2="nan" y2="9""#), &["6: w: its x2 `nan`"]);
+    says(wall(r#"x1="9" y1="9" x2="5cm" y2="9""#), &["6: w: its x2 `5cm`", "one unit is one millimetre"]);
+    says(wall(r#"x1="9" y1="9" x2="1e300" y2="9""#), &["6: w: ", "far outside the playfield"]);
+    says(wall(r#"x1="900" y1="9" x2="950" y2="9""#), &["6: w: it lies outside the playfield, near 900 9"]);
+    says(wall(r#"x2="90" stroke-width="-3""#), &["6: w: its line is -3 mm thick"]);
+    says(wall(r#"x2="90" transform="scale(1 2)""#), &["6: w: ", "stretch or skew"]);
+    says(wall(r#"x2="90" transform="spin(3)""#), &["6: w: the transform `spin(3)` cannot be read"]);
+    says(wall(r#"x2="90" stroke="reddish""#), &["6: w: its stroke `reddish` is not a colour"]);
+    says(drawn(r#"<path id="w" class="wall" d="M10 10 L20 x"/>"#), &["5: w: its path cannot be read"]);
+    says(drawn(r#"<path id="w" class="wall"/>"#), &["5: w: it has no `d`"]);
+    says(drawn(r#"<polyline id="w" class="wall" points="1 2 3"/>"#), &["5: w: its `points` must be two or more pairs"]);
+    says(drawn(r#"<rect id="w" class="wall" width="3"/>"#), &["5: w: its `width` and `height` must be more than 0"]);
+    says(drawn(r#"<circle id="w" class="post" r="0"/>"#), &["5: w: its radius `r` must be more than 0"]);
+    says(
+        drawn(r#"<ellipse id="w" class="post" rx="3" ry="4"/>"#),
+        &["5: w: a thing cannot be a `ellipse`", "polyline"],
+    );
+    says(drawn(r#"<text id="w" class="wall">x</text>"#), &["5: w: a thing cannot be a `text`"]);
+}
+
+#[test]
+fn mistakes_in_words_have_their_line() {
+    let gate = |rest: &str| drawn(&format!(r#"<line id="g" class="gate" x1="9" y1="9" x2="9" y2="40" {rest}/>"#));
+    says(gate(""), &["5: g: a gate needs data-way"]);
+    says(gate(r#"data-way="sideways""#), &["5: g: a gate needs data-way=\"up\""]);
+    says(gate(r#"data-way="up""#), &["5: g: its data-way runs along the gate"]);
+    says(gate(r#"data-way="left" data-side="left""#), &["5: g: a gate has no `data-side`; it may have data-way"]);
+    let flipper =
+        |rest: &str| drawn(&format!(r#"<line id="f" class="flipper" x1="9" y1="9" x2="80" y2="40" {rest}/>"#));
+    says(flipper(r#"data-up-deg="50""#), &["5: f: a flipper needs data-side=\"left\" or"]);
+    says(flipper(r#"data-side="up" data-up-deg="50""#), &["5: f: a flipper needs data-side"]);
+    says(flipper(r#"data-side="left""#), &["5: f: a flipper needs data-up-deg", "from 10 to 120"]);
+    says(flipper(r#"data-side="left" data-up-deg="-22""#), &["5: f: data-up-deg must be", "and it is `-22`"]);
+    says(drawn(r#"<circle id="s" class="saucer" cx="99" cy="99" r="9"/>"#), &["5: s: a saucer needs data-eject-deg"]);
+    says(drawn(r#"<circle class="bumper" cx="99" cy="99" r="9"/>"#), &["5: this bumper has no id"]);
+    says(drawn(r#"<line id="left" class="wall" x2="9"/>"#), &["5: the id `left` is already taken in line 2"]);
+    says(drawn(r#"<line id="w" class="wall rubber" x2="9"/>"#), &["5: it is both wall and rubber"]);
+    says(drawn(r#"<line id="w" class="bumper" x2="9"/>"#), &["5: w: a bumper is drawn as a circle"]);
+    says(drawn(r#"<circle id="w" class="slingshot" r="9"/>"#), &["5: w: a slingshot is drawn as one straight line"]);
+    says(drawn(r#"<path id="w" class="insert" d="M9 9h9v9"/>"#), &["5: w: an insert is drawn as closed outlines"]);
+    says(drawn(r#"<path class="plastic" d="M9 9h9v9"/>"#), &["5: ", "a plastic is drawn as a circle or as one closed"]);
+    says(drawn(r#"<circle id="w" class="lamp" r="9" fill="none"/>"#), &["5: w: the fill of a lamp is its light"]);
+    says(
+        drawn(r#"<circle id="w" class="lamp" r="9" data-inside="z"/>"#),
+        &["5: w: data-inside: no solid has the id `z`"],
+    );
+    says(drawn(r#"<defs><line id="w" class="wall" x2="9"/></defs>"#), &["5: a wall inside `defs` is not drawn"]);
+    says(drawn(r#"<image href="a.png"/>"#), &["5: `image` cannot be printed"]);
+    says(
+        drawn(r#"<line class="flippr" data-side="left" x2="9"/>"#),
+        &["5: it has `data-side` but its class is no thing"],
+    );
+    says(drawn(r#"<line id="p" class="plunger" x1="9" y1="9" x2="9" y2="40"/>"#), &["5: there is already a plunger"]);
+}
+
+#[test]
+fn mistakes_in_numbers_have_their_line() {
+    says(numbers("\nslope = 6"), &["2: `slope` is not known", "slope_deg"]);
+    says(numbers("slope_deg = 90"), &["1: `slope_deg` must be a number from 0.5 to 20"]);
+    says(numbers("slope_deg = nan"), &["1: `slope_deg` must be a number"]);
+    says(numbers("playfield_friction = \"low\""), &["1: `playfield_friction` must be a number from 0 to 1"]);
+    says(numbers("name = 3"), &["1: `name` must be text in quotes"]);
+    says(numbers("ambient = \"#12\""), &["1: ambient: `#12` is not a colour"]);
+    says(numbers("[class.bumpr]\n"), &["1: there is no class `bumpr`; there are wall, "]);
+    says(numbers("[part.pip]\n"), &["1: no thing in the drawing has the id `pip`"]);
+    says(
+        numbers("[part.pop]\nkick = 2"),
+        &["2: `kick` is not known here; there are material, finish, shadow, kick_m_s"],
+    );
+    says(numbers("[part.pop]\nkick_m_s = 200"), &["2: `kick_m_s` must be a number from 0 to 20"]);
+    says(numbers("[part.pop]\nmaterial = \"gum\""), &["2: there is no material `gum`; there are drop-target, "]);
+    says(numbers("[part.pop]\nfinish = \"gold\""), &["2: there is no finish `gold`"]);
+    says(numbers("[part.pop]\nshadow = 1"), &["2: `shadow` must be true or false"]);
+    says(numbers("[class.drain]\nshadow = true"), &["2: `shadow` is not known here; there are nothing"]);
+    says(numbers("[material.gum]\nfriction = 1"), &["1: the material `gum` has no `restitution`"]);
+    says(numbers("[material.gum]\nrestitution = 2\nfriction = 1"), &["2: `restitution` must be a number from 0 to 1"]);
+    says(numbers("[finish.gold]\nprofile = \"round\""), &["2: the profile is `round`", "bevel 0.8"]);
+    says(numbers("[finish.gold]\nshine = 1"), &["2: `shine` is not known here", "gloss"]);
+    says(numbers("part = 3"), &["1: `part` must be a table"]);
+    says(numbers("name = \"a\"\nname = \"b\""), &["2: this is not TOML: duplicate key"]);
+    says(numbers("slope_deg = = 6"), &["1: this is not TOML"]);
+}
+
+#[test]
+fn mistakes_of_the_whole_drawing_are_told() {
+    let svg = |svg: &str| one(read_files(svg, "", ""), "table.svg:");
+    says(svg("hello"), &["1: this is not well-formed XML"]);
+    says(svg("<svg>\n<g></svg>"), &["2: this is not well-formed XML"]);
+    says(svg("<!DOCTYPE svg [<!ENTITY a \"aaaa\">]><svg/>"), &["it has a DOCTYPE"]);
+    let empty = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 1000"/>"#;
+    let missing = read_files(empty, "", "").unwrap_err();
+    assert_eq!(missing.len(), 3, "{missing:?}");
+    for word in ["no flipper", "no drain", "no plunger"] {
+        assert!(missing.iter().any(|mistake| mistake.contains(word)), "{missing:?}");
+    }
+    let with = |from: &str, to: &str| svg(&SVG.replace("{}", "").replace(from, to));
+    says(with("viewBox=\"0 0 500 1000\"", ""), &["1: the drawing has no viewBox"]);
+    says(with("0 0 500 1000", "0 0 500 1e9"), &["1: the viewBox is `0 0 500 1e9`"]);
+    says(with("0 0 500 1000", "5 0 500 1000"), &["1: the viewBox is `5 0 500 1000`"]);
+    says(with("www.w3.org/2000/svg", "example.org"), &["1: the drawing must begin with <svg xmlns="]);
+}
+
+#[test]
+fn drawings_without_end_are_refused() {
+    let deep = format!("{}{}", "<g>".repeat(100_000), "</g>".repeat(100_000));
+    says(drawn(&deep), &["elements lie inside each other"]);
+    says(one(read(&"<g/>".repeat(250_000), ""), "table.svg: "), &["more than 200000 nodes"]);
+    let many = format!("M0 0{}", "h1h-1".repeat(20_000));
+    says(drawn(&format!(r#"<path id="w" class="wall" d="{many}"/>"#)), &["5: w: it has more than 20000 pieces"]);
+    let curve = r#"<path id="w" class="wall" d="M0 0 C 1e5 0 0 1e5 9 9"/>"#;
+    says(drawn(curve), &["5: w: "]);
+}
+
+#[test]
+fn all_mistakes_are_told_at_once_in_their_order() {
+    let mistakes = read(
+        "<circle class=\"bumper\" r=\"3\"/>\n<line id=\"w\" class=\"wall\"/>",
+        "[part.nobody]\n[class.wall]\nmaterial = \"air\"\n",
+    )
+    .unwrap_err();
+    let places: Vec<&str> = mistakes.iter().map(|mistake| mistake.split(": ").next().unwrap()).collect();
+    assert_eq!(places, ["table.svg:5", "table.svg:6", "table.toml:1", "table.toml:3"], "{mistakes:#?}");
+}

@@ -1,7 +1,7 @@
 //! Each class of thing becomes what it should, in metres.
 
 use super::table;
-use crate::table::Table;
+use crate::table::{LampKind, Table};
 use geometry::{Core, DVec2, Shape};
 use physics::Kind;
 
@@ -29,7 +29,7 @@ fn the_small_table_is_what_it_says() {
     assert_eq!(names, ["left", "drain#1", "plunger"]);
     let Kind::Flipper(flipper) = kind(&table, "left") else { panic!() };
     assert!(near(flipper.base.center, 0.15, 0.85) && flipper.base.radius == 0.0116);
-    assert!((flipper.rest_rad - (35.0_f64 / 60.0).atan()).abs() < 1e-12);
+    assert!((flipper.rest_rad - geometry::trig::angle(DVec2::new(60.0, 35.0))).abs() < 1e-12);
     assert!((flipper.rest_rad - flipper.up_rad - 50.0_f64.to_radians()).abs() < 1e-12);
     let Kind::Plunger(plunger) = kind(&table, "plunger") else { panic!() };
     assert!(near(plunger.way, 0.0, -1.0) && near(plunger.tip, 0.48, 0.9));
@@ -51,4 +51,198 @@ fn a_wall_is_as_thick_as_its_line_and_its_arcs_are_arcs() {
     assert!(near(first.a, 0.01, 0.1) && near(first.b, 0.01, 0.05) && near(last.b, 0.09, 0.05));
     assert!(near(arc.circle().center, 0.04, 0.05) && (arc.circle().radius - 0.03).abs() < 1e-12);
     assert!(near(arc.middle(), 0.0, -1.0) && (arc.half_angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+}
+
+#[test]
+fn every_kind_of_line_makes_a_wall() {
+    let table = table(
+        r#"<polyline id="open" class="guide" points="10,10 20,10 20 30" stroke-width="2" fill="none"/>
+        <polygon id="closed" class="rubber" points="100 100 140 100 140 140" stroke-width="4" fill="none"/>
+        <rect id="box" class="wall" x="200" y="200" width="40" height="20"/>
+        <rect id="round" class="wall" x="200" y="300" width="40" height="20" rx="5"/>
+        <circle id="post" class="post" cx="300" cy="300" r="4" fill="gray"/>
+        <circle id="ring" class="rubber" cx="350" cy="300" r="12" fill="none" stroke="black" stroke-width="3"/>"#,
+    );
+    assert_eq!(walls(&table, "open").len(), 2);
+    assert_eq!(walls(&table, "closed").len(), 3);
+    assert_eq!(walls(&table, "box").len(), 4);
+    let arcs = walls(&table, "round").iter().filter(|shape| matches!(shape.core, Core::Arc(_))).count();
+    assert_eq!((walls(&table, "round").len(), arcs), (8, 4));
+    assert_eq!(walls(&table, "post"), [Shape::disc(DVec2::new(300.0, 300.0), 4.0).scaled(0.001)]);
+    let [Shape { core: Core::Arc(ring), radius }] = walls(&table, "ring")[..] else { panic!() };
+    assert!((ring.half_angle() - std::f64::consts::PI).abs() < 1e-15 && (radius - 0.0015).abs() < 1e-15);
+}
+
+#[test]
+fn curves_stay_within_a_fiftieth_of_a_millimetre() {
+    // The cubic and the ellipse have known points; every flattened point must lie on the true curve, and no chord's
+    // middle may be farther from it than the tolerance.
+    let table = table(
+        r#"<path id="c" class="wall" d="M100 100 C100 200 300 200 300 100" stroke-width="2" fill="none"/>
+        <path id="e" class="wall" d="M100 400 A100 50 0 0 1 300 400" stroke-width="2" fill="none"/>"#,
+    );
+    let cubic = |t: f64| {
+        let s = 1.0 - t;
+        let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+        let points = [(0.1, 0.1), (0.1, 0.2), (0.3, 0.2), (0.3, 0.1)].map(DVec2::from);
+        weights.iter().zip(points).map(|(&weight, point)| point * weight).sum::<DVec2>()
+    };
+    let curve: Vec<DVec2> = (0..=20_000).map(|step| cubic(f64::from(step) / 20_000.0)).collect();
+    for shape in walls(&table, "c") {
+        let Core::Segment(chord) = shape.core else { panic!() };
+        let middle = (chord.a + chord.b) * 0.5;
+        let off = curve.iter().map(|point| point.distance(middle)).fold(f64::INFINITY, f64::min);
+        assert!(off < 0.000_02 + 1e-7, "{off} m");
+    }
+    for shape in walls(&table, "e") {
+        let Core::Segment(chord) = shape.core else { panic!() };
+        for point in [chord.a, (chord.a + chord.b) * 0.5] {
+            let unit = (point - DVec2::new(0.2, 0.4)) / DVec2::new(0.1, 0.05);
+            assert!((unit.length() - 1.0).abs() * 0.05 < 0.000_02, "{point}");
+            assert!(point.y < 0.400_001, "the arc goes over the top: {point}");
+        }
+    }
+}
+
+#[test]
+fn transforms_move_scale_and_mirror_things_and_their_thickness() {
+    let table = table(
+        r#"<g transform="translate(100 200) scale(2)"><g transform="rotate(90)" stroke-width="3">
+        <line id="turned" class="wall" x1="10" y1="0" x2="20" y2="0"/></g></g>
+        <g transform="matrix(-1 0 0 1 500 0)"><path id="mirrored" class="wall" d="M10 50 A30 30 0 0 1 70 50" fill="none"/></g>"#,
+    );
+    let [Shape { core: Core::Segment(line), radius }] = walls(&table, "turned")[..] else { panic!() };
+    assert!(near(line.a, 0.1, 0.22) && near(line.b, 0.1, 0.24) && (radius - 0.003).abs() < 1e-15);
+    let [Shape { core: Core::Arc(arc), .. }] = walls(&table, "mirrored")[..] else { panic!() };
+    assert!(near(arc.circle().center, 0.46, 0.05) && near(arc.middle(), 0.0, -1.0));
+}
+
+#[test]
+fn arcs_take_the_side_and_the_way_that_svg_says() {
+    let arc = |flags: &str| {
+        let drawn = format!(r#"<path id="a" class="wall" fill="none" d="M100 100 A50 50 0 {flags} 150 150"/>"#);
+        let shapes = walls(&table(&drawn), "a");
+        let Core::Arc(arc) = shapes[0].core else { panic!() };
+        (arc.circle().center * 1000.0, (arc.half_angle() * 2.0).to_degrees())
+    };
+    for (flags, x, y, turn) in [
+        ("0 0", 150.0, 100.0, 90.0),
+        ("0 1", 100.0, 150.0, 90.0),
+        ("1 0", 100.0, 150.0, 270.0),
+        ("1 1", 150.0, 100.0, 270.0),
+    ] {
+        let (center, degrees) = arc(flags);
+        assert!(
+            center.distance(DVec2::new(x, y)) < 1e-9 && (degrees - turn).abs() < 1e-9,
+            "{flags}: {center} {degrees}"
+        );
+    }
+}
+
+#[test]
+fn switches_and_kickers_become_what_they_are() {
+    let table = table(
+        r##"<circle id="pop" class="bumper" cx="100" cy="100" r="25" stroke="red" stroke-width="4"/>
+        <line id="sling" class="slingshot" x1="100" y1="700" x2="130" y2="760" stroke-width="6"/>
+        <line id="stand" class="target" x1="300" y1="300" x2="320" y2="300" stroke-width="4"/>
+        <line id="drop" class="drop-target" x1="300" y1="400" x2="320" y2="400" stroke-width="4"/>
+        <line id="lane" class="rollover" x1="50" y1="300" x2="50" y2="320" stroke-width="16"/>
+        <circle id="star" class="rollover" cx="80" cy="300" r="10"/>
+        <line id="gate" class="gate" x1="400" y1="100" x2="400" y2="140" stroke-width="2" data-way="left"/>
+        <line id="slanted" class="gate" x1="420" y1="100" x2="420" y2="140" stroke-width="2" data-way="-30"/>
+        <line id="spin" class="spinner" x1="30" y1="500" x2="60" y2="500" stroke-width="2"/>
+        <circle id="hole" class="saucer" cx="250" cy="500" r="14" data-eject-deg="90" data-eject-m-s="1.5"/>"##,
+    );
+    let Kind::Bumper(bumper) = kind(&table, "pop") else { panic!() };
+    assert!(near(bumper.circle.center, 0.1, 0.1) && (bumper.circle.radius - 0.025).abs() < 1e-15);
+    let Kind::Slingshot(sling) = kind(&table, "sling") else { panic!() };
+    assert!((sling.radius_m - 0.003).abs() < 1e-15 && sling.kick_m_s > 0.0);
+    let Kind::Target(target) = kind(&table, "stand") else { panic!() };
+    let Kind::DropTarget(drop) = kind(&table, "drop") else { panic!() };
+    assert!((target.shape.radius - 0.002).abs() < 1e-15 && (drop.shape.radius - 0.002).abs() < 1e-15);
+    let Kind::Rollover(lane) = kind(&table, "lane") else { panic!() };
+    assert!(
+        lane.zone.distance(DVec2::new(0.0575, 0.31)).0 < 0.0 && lane.zone.distance(DVec2::new(0.0585, 0.31)).0 > 0.0
+    );
+    let Kind::Rollover(star) = kind(&table, "star") else { panic!() };
+    assert_eq!(star.zone, Shape::disc(DVec2::new(80.0, 300.0), 10.0).scaled(0.001));
+    let Kind::Gate(gate) = kind(&table, "gate") else { panic!() };
+    assert!(near(gate.way, -1.0, 0.0));
+    let Kind::Gate(slanted) = kind(&table, "slanted") else { panic!() };
+    assert!(near(slanted.way, 0.75_f64.sqrt(), -0.5));
+    assert!(matches!(kind(&table, "spin"), Kind::Spinner(spinner) if spinner.damping_per_s > 0.0));
+    let Kind::Saucer(saucer) = kind(&table, "hole") else { panic!() };
+    assert!(near(saucer.eject_m_s, 0.0, 1.5) && (saucer.circle.radius - 0.014).abs() < 1e-15);
+}
+
+#[test]
+fn a_drain_may_be_a_rectangle() {
+    let svg = super::SVG.replace(
+        r#"<line class="drain" x1="100" y1="980" x2="400" y2="980" stroke-width="20"/>"#,
+        r#"<rect id="drain" class="drain" x="100" y="970" width="300" height="20"/>{}"#,
+    );
+    let table = super::read_files(&svg.replace("{}", ""), "", "").unwrap();
+    let Kind::Drain(drain) = kind(&table, "drain") else { panic!() };
+    let Shape { core: Core::Segment(line), radius } = drain.zone else { panic!() };
+    assert!(
+        (radius - 0.01).abs() < 1e-12 && near(line.a.min(line.b), 0.11, 0.98) && near(line.a.max(line.b), 0.39, 0.98)
+    );
+}
+
+#[test]
+fn numbers_come_from_the_part_then_its_class_then_real_machines() {
+    let numbers = "[class.bumper]\nkick_m_s = 1.1\nmaterial = \"felt\"\n[part.b]\nkick_m_s = 2\n\
+                   [material.felt]\nrestitution = 0.2\nfriction = 0.7\n";
+    let bumpers = r#"<circle id="a" class="bumper" cx="100" cy="100" r="25"/><circle id="b" class="bumper" cx="200" cy="100" r="25"/>"#;
+    let table = super::read(bumpers, numbers).unwrap();
+    let bumper = |name| match kind(&table, name) {
+        Kind::Bumper(bumper) => bumper.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!([bumper("a").kick_m_s, bumper("b").kick_m_s], [1.1, 2.0]);
+    assert_eq!([bumper("a").threshold_m_s, bumper("b").threshold_m_s], [0.05, 0.05]);
+    assert_eq!((bumper("b").material.restitution, bumper("b").material.friction), (0.2, 0.7));
+}
+
+#[test]
+fn lamps_shine_in_their_fill_and_know_what_they_stand_in() {
+    let drawn = r##"<circle id="pop" class="bumper" cx="100" cy="100" r="25"/>
+        <circle id="bulb" class="lamp" cx="100" cy="100" r="5" fill="#ff8000" data-inside="pop"/>
+        <path id="arrow" class="insert" style="fill:#00ff00" d="M200 200 h20 v20 h-20 z"/>"##;
+    let table = super::read(drawn, "[class.lamp]\npower = 2.5\n[part.bulb]\nreach_mm = 300").unwrap();
+    let [bulb, arrow] = &table.lamps[..] else { panic!() };
+    assert_eq!((bulb.name.as_str(), bulb.color, bulb.power), ("bulb", [255, 128, 0], 2.5));
+    let group = table.solids.iter().find(|solid| solid.part == table.part("pop")).map(|solid| solid.group);
+    let LampKind::Bulb { inside, reach_mm, radius_mm, .. } = bulb.kind else { panic!() };
+    assert_eq!((inside, reach_mm, radius_mm), (group, 300.0, 5.0));
+    let LampKind::Insert { outlines_mm } = &arrow.kind else { panic!() };
+    assert_eq!(outlines_mm[0], [(200.0, 200.0), (220.0, 200.0), (220.0, 220.0), (200.0, 220.0)].map(DVec2::from));
+    assert_eq!(table.lamp("arrow"), Some(1));
+}
+
+#[test]
+fn solids_stand_below_flippers_below_plastics_and_groups_hold_together() {
+    let table = table(
+        r#"<g data-group="island"><path id="roof" class="plastic" d="M100 100 h50 v50 z"/>
+        <line id="side" class="wall" x1="100" y1="100" x2="150" y2="100" stroke-width="2"/></g>
+        <line id="alone" class="wall" x1="300" y1="100" x2="350" y2="100" stroke-width="2"/>
+        <polygon id="block" class="wall" points="300 300 340 300 340 340 300 340" fill="brown" stroke-width="4"/>
+        <circle id="hole" class="saucer" cx="250" cy="500" r="14" data-eject-deg="90" data-eject-m-s="1.5"/>"#,
+    );
+    let names: Vec<&str> = table
+        .solids
+        .iter()
+        .map(|solid| solid.part.map_or("plastic", |id| table.layout.parts[usize::from(id.0)].name.as_str()))
+        .collect();
+    assert_eq!(names, ["side", "alone", "block", "left", "plastic"]);
+    let [side, alone, block, left, roof] = &table.solids[..] else { panic!() };
+    assert_eq!(side.group, roof.group);
+    assert!(side.group != alone.group && alone.group != block.group);
+    assert!(side.shadow && left.shadow && !roof.shadow && roof.finish.art && !side.finish.art);
+    assert_eq!(roof.plastic_mm.as_ref().map(Vec::len), Some(3));
+    assert!(matches!(left.shapes_mm[..], [Shape { core: Core::Taper(hull), .. }] if hull.a.radius == 11.6));
+    assert_eq!(block.shapes_mm.len(), 4);
+    let top = block.plastic_mm.as_ref().unwrap();
+    let low = top.iter().copied().reduce(DVec2::min).unwrap();
+    assert!(low.distance(DVec2::new(298.0, 298.0)) < 1e-9, "the top reaches as far as the wall is thick: {low}");
 }
