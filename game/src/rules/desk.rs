@@ -5,7 +5,7 @@ use super::score::Score;
 use super::switches::Switches;
 use super::timers::Timers;
 use crate::simulation::Display;
-use physics::{Command, Event, EventKind};
+use physics::{Command, Event, EventKind, PartId};
 use serde::{Deserialize, Serialize};
 
 /// Most orders that wait for the next tick.
@@ -83,26 +83,26 @@ impl Desk {
         self.message = Message { lines, since: self.now, until };
     }
 
-    /// Takes note of an event; the name of the script's function that should hear of it.
-    pub fn note(&mut self, event: &Event) -> Option<&'static str> {
+    /// Takes note of an event; the name of the script's function that should hear of it, and the part that it is told.
+    pub fn note(&mut self, event: &Event) -> Option<(&'static str, Option<PartId>)> {
         match event.kind {
             EventKind::Closed => {
                 self.switches.set(event.part?, true);
-                Some("on_switch")
+                Some(("on_switch", event.part))
             }
             EventKind::Opened => {
                 self.switches.set(event.part?, false);
-                Some("on_open")
+                Some(("on_open", event.part))
             }
-            EventKind::Launched => Some("on_launch"),
+            EventKind::Launched => Some(("on_launch", None)),
             EventKind::Fed => {
                 self.owed = self.owed.saturating_sub(1);
-                Some("on_feed")
+                Some(("on_feed", None))
             }
             EventKind::TiltBob => {
                 let counted = self.now >= self.bob_until;
                 self.bob_until = self.now + BOB_MS;
-                counted.then_some("on_bob")
+                counted.then_some(("on_bob", None))
             }
         }
     }

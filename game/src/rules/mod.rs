@@ -119,9 +119,9 @@ impl Rules {
             self.tell(call, Some(name), lamps, moment);
         }
         for event in moment.events {
-            if let Some(call) = self.state.desk.note(event) {
+            if let Some((call, part)) = self.state.desk.note(event) {
                 let program = self.program.clone();
-                self.tell(call, event.part.and_then(|part| program.names().part_name(part)), lamps, moment);
+                self.tell(call, part.and_then(|part| program.names().part_name(part)), lamps, moment);
             }
         }
         while let Some(name) = self.state.desk.timers.take_due(moment.now) {

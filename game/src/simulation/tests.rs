@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::Buttons;
 use crate::rules::tests::bench::table;
+use physics::EventKind;
 use std::sync::Arc;
 
 const RULES: &str = "
@@ -88,4 +89,58 @@ fn another_table_is_refused() {
     let mut other = table(RULES, &["lane"], &["red", "green"]);
     other.hash += 1;
     assert!(Simulation::restore(Arc::new(other), &game.save()).is_err_and(|error| error.to_string().contains("table")));
+}
+
+fn spectrum() -> Simulation {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/tables/spectrum");
+    let table = crate::Table::load_dir(&folder).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    Simulation::new(Arc::new(table), 1).unwrap_or_else(|mistake| panic!("{mistake}"))
+}
+
+/// Hands that start a game, shoot every ball and flip without looking.
+fn blind_hands(tick: u64) -> Buttons {
+    let plunger = Buttons::NONE.with(Buttons::PLUNGER, tick % 3000 < 1300);
+    plunger
+        .with(Buttons::START, (100..150).contains(&tick))
+        .with(Buttons::LEFT, tick % 430 < 120)
+        .with(Buttons::RIGHT, tick % 510 < 120)
+}
+
+#[test]
+fn a_game_of_spectrum_goes_from_start_to_game_over_without_a_complaint() {
+    let mut game = spectrum();
+    let mut switches = std::collections::BTreeSet::new();
+    let mut last_ball = 0;
+    while game.ticks() < 400_000 && (game.ticks() < 1000 || game.display().playing) {
+        game.tick(blind_hands(game.ticks()));
+        switches.extend(game.events().iter().filter_map(|event| event.part));
+        last_ball = last_ball.max(game.display().ball);
+    }
+    assert_eq!(game.complaints(), Vec::<String>::new());
+    let display = game.display();
+    assert!(!display.playing && last_ball == 3, "after {} ticks: ball {last_ball}", game.ticks());
+    assert!(display.scores[0] > 0);
+    assert!(switches.len() >= 6, "a ball meets more than {} switches", switches.len());
+    assert!(game.pose().balls.is_empty(), "no ball is left on the table");
+}
+
+#[test]
+fn a_game_of_spectrum_that_was_saved_in_play_goes_on_the_same() {
+    let mut original = spectrum();
+    let mut shots = 0;
+    while original.ticks() < 1000 || shots == 0 {
+        original.tick(blind_hands(original.ticks()));
+        shots += original.events().iter().filter(|event| event.kind == EventKind::Launched).count();
+    }
+    play(&mut original, 800);
+    assert!(original.display().playing && !original.pose().balls.is_empty());
+    let mut restored = original.restored(&original.save()).expect("what was saved");
+    let mut clone = original.clone();
+    for tick in 0..5000 {
+        assert_eq!(restored.hashes(), original.hashes(), "{tick} ticks later");
+        assert_eq!(clone.hashes(), original.hashes(), "{tick} ticks later");
+        for game in [&mut original, &mut restored, &mut clone] {
+            game.tick(blind_hands(game.ticks()));
+        }
+    }
 }

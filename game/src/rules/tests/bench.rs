@@ -106,7 +106,7 @@ impl Bench {
             if command == Command::AddBall {
                 self.fed += 1;
                 self.balls.push(ball(self.fed, DVec2::new(0.48, 0.9)));
-                events.push(Event { part: None, kind: EventKind::Fed });
+                events.push(Event { part: self.table.part("plunger"), kind: EventKind::Fed });
             }
         }
         let balls = self.balls.clone();
@@ -163,7 +163,7 @@ impl Bench {
         if let Some(ball) = self.balls.last_mut() {
             ball.center = DVec2::new(0.25, 0.5);
         }
-        self.tick(vec![Event { part: None, kind: EventKind::Launched }]);
+        self.tick(vec![Event { part: self.table.part("plunger"), kind: EventKind::Launched }]);
     }
 
     /// The oldest ball is lost.

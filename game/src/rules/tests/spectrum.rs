@@ -45,7 +45,10 @@ fn make(bench: &mut Bench, colour: &str) {
         "yellow" => repeat(bench, "standup-left", 3),
         "green" => repeat(bench, "bumper-low", 15),
         "blue" => repeat(bench, "saucer", 2),
-        "indigo" => repeat(bench, "orbit-right", 2),
+        "indigo" => {
+            bench.hit("left-sling");
+            repeat(bench, "orbit-right", 2);
+        }
         "violet" => repeat(bench, "standup-right", 3),
         other => panic!("{other} is not a colour"),
     }
@@ -286,6 +289,13 @@ fn a_ball_that_comes_round_the_top_has_not_shot_the_right_orbit() {
     let before = bench.score();
     bench.hit("orbit-right");
     assert_eq!(bench.score(), before);
+}
+
+#[test]
+fn a_plunge_that_falls_back_through_the_right_orbit_has_not_shot_it() {
+    let mut bench = game();
+    bench.hit("orbit-right");
+    assert_eq!(bench.score(), 0);
 }
 
 #[test]
