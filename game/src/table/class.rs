@@ -107,6 +107,11 @@ impl Class {
         matches!(self, Class::Wall | Class::Guide | Class::Rubber | Class::Post | Class::Peg)
     }
 
+    /// The ball can meet it.
+    pub fn is_part(self) -> bool {
+        !matches!(self, Class::Lamp | Class::Insert | Class::Plastic)
+    }
+
     /// Of no use without a name that rules can say.
     pub fn needs_id(self) -> bool {
         !self.stands() && !matches!(self, Class::Drain | Class::Plunger | Class::Gate | Class::Plastic)

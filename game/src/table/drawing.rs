@@ -17,6 +17,8 @@ const MOST_NODES: u32 = 200_000;
 const DEEPEST: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
 const MOST_THINGS: usize = 20_000;
+/// Pieces and corners of all things together.
+const MOST_PIECES: usize = 200_000;
 /// How far a thing may reach beyond the playfield, mm.
 const MARGIN_MM: f64 = 60.0;
 /// The playfield's sides, mm.
@@ -102,6 +104,7 @@ impl Drawing {
             things: Vec::new(),
             ids: BTreeMap::new(),
             drawn: Vec::new(),
+            pieces: 0,
             too_many: false,
         };
         reader.children(root, Around { place: Ok(Place::TABLE), depth: 1, drawn: Ok(()) });
@@ -147,6 +150,7 @@ struct Reader<'a> {
     /// What each id is, and the line that took it.
     ids: BTreeMap<String, (Class, usize)>,
     drawn: Vec<(Class, usize)>,
+    pieces: usize,
     too_many: bool,
 }
 
@@ -235,11 +239,21 @@ impl Reader<'_> {
             let DVec2 { x, y } = bounds.min;
             self.mistake(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", thing.name));
         }
+        self.pieces += thing.outline.pieces();
         self.things.push(thing);
+        if self.pieces > MOST_PIECES && !self.too_many {
+            self.too_many = true;
+            self.mistake(
+                node,
+                format!("all things together have more than {MOST_PIECES} pieces; draw them more simply"),
+            );
+        }
     }
 
     fn name(&mut self, node: Node, class: Class) -> String {
-        let unnamed = format!("{}#{}", class.word(), self.drawn.len() - 1);
+        // Counted among their like, so that one more plastic gives no wall another name.
+        let like = self.drawn.iter().filter(|(other, _)| other.is_part() == class.is_part()).count();
+        let unnamed = format!("{}#{}", class.word(), like - 1);
         let Some(id) = node.attribute("id").filter(|id| !id.is_empty()) else {
             if class.needs_id() {
                 self.mistake(node, format!("this {} has no id, so no rule can name it", class.word()));

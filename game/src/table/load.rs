@@ -15,6 +15,9 @@ pub(super) const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
 /// The largest of each, bytes.
 const LIMITS: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
 
+/// Mistakes that are worth reading at once.
+const MOST_TOLD: usize = 100;
+
 /// Reads the table in the folder `dir`.
 pub(super) fn load(dir: &Path) -> Result<Table, Vec<Failure>> {
     let mut mistakes = Vec::new();
@@ -71,7 +74,12 @@ pub(super) fn read(
 fn told(mut mistakes: Vec<Mistake>) -> Vec<Failure> {
     mistakes.sort();
     mistakes.dedup();
-    mistakes.iter().map(|mistake| Failure::new(mistake.to_string())).collect()
+    let mut told: Vec<Failure> =
+        mistakes.iter().take(MOST_TOLD).map(|mistake| Failure::new(mistake.to_string())).collect();
+    if mistakes.len() > MOST_TOLD {
+        told.push(Failure::new(format!("and {} more mistakes", mistakes.len() - MOST_TOLD)));
+    }
+    told
 }
 
 fn folder_name(dir: &Path) -> String {

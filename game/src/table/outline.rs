@@ -75,6 +75,14 @@ impl Outline {
         }
     }
 
+    /// How many pieces and corners it has.
+    pub fn pieces(&self) -> usize {
+        match self {
+            Outline::Circle(_) => 1,
+            Outline::Runs(runs) => runs.iter().map(|run| run.pieces.len() + run.polygon.len()).sum(),
+        }
+    }
+
     /// The smallest box around it.
     pub fn bounds(&self) -> Bounds {
         match self {

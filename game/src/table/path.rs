@@ -16,8 +16,8 @@ const VISIBLE_MM: f64 = 0.05;
 const SAME_POINT_MM: f64 = 1e-6;
 /// Coordinates beyond this are a mistake, mm.
 const FARTHEST_MM: f64 = 1e5;
-/// Pieces beyond this in one line are a mistake.
-const MOST_PIECES: usize = 20_000;
+/// Pieces and points of one thing beyond this are a mistake.
+const MOST_PIECES: usize = 10_000;
 
 /// A straight or circular piece of a line, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,11 +91,16 @@ impl Pen {
         &mut self.runs[last]
     }
 
-    fn push(&mut self, piece: Piece, to: DVec2) -> Result<(), String> {
-        self.pieces += 1;
+    fn count(&mut self, more: usize) -> Result<(), String> {
+        self.pieces += more;
         if self.pieces > MOST_PIECES {
             return Err(format!("it has more than {MOST_PIECES} pieces; draw it more simply"));
         }
+        Ok(())
+    }
+
+    fn push(&mut self, piece: Piece, to: DVec2) -> Result<(), String> {
+        self.count(1)?;
         let run = self.run();
         run.pieces.push(piece);
         run.polygon.push(to);
@@ -170,8 +175,10 @@ impl Pen {
         let (center, start, sweep) = through(from, to, radius, ellipse.large, clockwise);
         let circle = Circle { center, radius: center.distance(from) };
         let arc = Arc::new(circle, start, sweep);
-        for step in 1..arc_steps(circle.radius, sweep, VISIBLE_MM) {
-            let part = step as f64 / arc_steps(circle.radius, sweep, VISIBLE_MM) as f64;
+        let steps = arc_steps(circle.radius, sweep, VISIBLE_MM);
+        self.count(steps)?;
+        for step in 1..steps {
+            let part = step as f64 / steps as f64;
             let between = circle.center + trig::direction(start + sweep * part) * circle.radius;
             self.run().polygon.push(between);
         }

@@ -5,6 +5,7 @@
 
 use super::class::Class;
 use super::drawing::class_of;
+use super::place::Place;
 use super::style;
 use roxmltree::{Document, Node};
 use std::fmt::Write;
@@ -125,9 +126,17 @@ fn unlit(node: Node) -> Edit {
     let _ = write!(
         tag,
         " style=\"fill:#{red:02x}{green:02x}{blue:02x};fill-opacity:.9;fill-rule:evenodd;stroke:#000;\
-         stroke-opacity:.6;stroke-width:{ENGRAVED_MM}\"/>"
+         stroke-opacity:.6;stroke-width:{}\"/>",
+        ENGRAVED_MM / scale(node)
     );
     (node.range(), tag)
+}
+
+/// How much the transforms of an element and its ancestors enlarge it; things have only such that do it uniformly.
+fn scale(node: Node) -> f64 {
+    let transforms: Vec<&str> = node.ancestors().filter_map(|node| node.attribute("transform")).collect();
+    let place = transforms.iter().rev().try_fold(Place::TABLE, |place, transform| place.transformed(transform));
+    place.and_then(|place| place.scale()).unwrap_or(1.0)
 }
 
 /// How bright a window's colour is with no light behind it.

@@ -139,7 +139,12 @@ fn drawings_without_end_are_refused() {
     says(drawn(&deep), &["elements lie inside each other"]);
     says(one(read(&"<g/>".repeat(250_000), ""), "table.svg: "), &["more than 200000 nodes"]);
     let many = format!("M0 0{}", "h1h-1".repeat(20_000));
-    says(drawn(&format!(r#"<path id="w" class="wall" d="{many}"/>"#)), &["5: w: it has more than 20000 pieces"]);
+    says(drawn(&format!(r#"<path id="w" class="wall" d="{many}"/>"#)), &["5: w: it has more than 10000 pieces"]);
+    let coil: String = (0..9000).map(|_| "<circle/>").collect();
+    says(
+        drawn(&coil.replace("<circle/>", r#"<path class="wall" d="M9 9 q400 0 400 400 q-400 0 -400 -380"/>"#)),
+        &["more than 200000 pieces"],
+    );
     let curve = r#"<path id="w" class="wall" d="M0 0 C 1e5 0 0 1e5 9 9"/>"#;
     says(drawn(curve), &["5: w: "]);
 }

@@ -246,3 +246,16 @@ fn solids_stand_below_flippers_below_plastics_and_groups_hold_together() {
     let low = top.iter().copied().reduce(DVec2::min).unwrap();
     assert!(low.distance(DVec2::new(298.0, 298.0)) < 1e-9, "the top reaches as far as the wall is thick: {low}");
 }
+
+#[test]
+fn the_page_about_drawing_knows_every_word() {
+    let page = include_str!("../../../../assets/tables/README.md");
+    for class in crate::table::class::Class::ALL {
+        let mut words = vec![class.word().to_string()];
+        words.extend(class.data().iter().map(|data| format!("data-{data}")));
+        words.extend(class.keys().iter().map(|key| key.name.to_string()));
+        for word in words {
+            assert!(page.contains(&format!("`{word}")), "assets/tables/README.md does not say `{word}`");
+        }
+    }
+}
