@@ -1,3 +1,4 @@
 //! The whole system: one module a subject.
 
 mod recording;
+mod tidy;
