@@ -1,0 +1,65 @@
+//! `caustic bench`: how fast the light, a whole frame and the simulation are, on this machine, now.
+//!
+//! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
+
+mod clock;
+mod tick;
+
+use crate::Failure;
+use crate::cli::{Bench, BenchArgs};
+use serde::Serialize;
+
+/// One measured figure.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Which bench.
+    pub bench: &'static str,
+    /// What was measured in it.
+    pub variant: String,
+    /// Size in pixels, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<String>,
+    /// Threads.
+    pub threads: usize,
+    /// Median time of one frame, or of one tick.
+    pub ms: f64,
+    /// The same for a pixel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ns_per_pixel: Option<f64>,
+    /// The slowest of a hundred.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ms_99th: Option<f64>,
+    /// Seconds of play in a second.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times_real_time: Option<f64>,
+}
+
+/// Runs the bench that the command line asks for and prints its rows.
+///
+/// # Errors
+/// If a table or a demo cannot be read.
+pub fn run(args: &BenchArgs) -> Result<(), Failure> {
+    let mut rows = Vec::new();
+    if matches!(args.bench, Bench::Tick | Bench::All) {
+        rows.extend(tick::rows()?);
+    }
+    if args.json { print_json(&rows) } else { print_table(&rows) }
+    Ok(())
+}
+
+fn print_json(rows: &[Row]) {
+    println!("{}", serde_json::to_string_pretty(rows).expect("plain numbers and words are JSON"));
+}
+
+fn print_table(rows: &[Row]) {
+    println!("{:6} {:34} {:>10} {:>7} {:>10} {:>10}", "bench", "variant", "size", "threads", "ms", "");
+    for row in rows {
+        let size = row.size.as_deref().unwrap_or("");
+        let mut more = Vec::new();
+        more.extend(row.ns_per_pixel.map(|ns| format!("{ns:.3} ns a pixel")));
+        more.extend(row.ms_99th.map(|ms| format!("99th percentile {ms:.4} ms")));
+        more.extend(row.times_real_time.map(|times| format!("{times:.0} x real time")));
+        let more = more.join(", ");
+        println!("{:6} {:34} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
+    }
+}
