@@ -54,6 +54,21 @@ pub fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     Err(Failure::new(format!("there is no table called {name}: {there_are}")))
 }
 
+/// The recorded demos, in order.
+///
+/// # Errors
+/// If the folder of the demos cannot be found or read.
+pub fn demos() -> Result<Vec<PathBuf>, Failure> {
+    let folder = find("demos")
+        .ok_or_else(|| Failure::new("no assets/demos folder was found; start the game where its assets are"))?;
+    let entries = std::fs::read_dir(&folder)
+        .map_err(|error| Failure::new(format!("cannot read {}: {error}", folder.display())))?;
+    let mut demos: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    demos.retain(|path| path.extension().is_some_and(|extension| extension == "caustic"));
+    demos.sort();
+    Ok(demos)
+}
+
 /// The names of the tables there are, in order.
 pub fn table_names() -> Vec<String> {
     let folders = roots().into_iter().filter_map(|root| std::fs::read_dir(root.join("assets/tables")).ok());

@@ -1,5 +1,6 @@
 //! What each word of the command line does.
 
+pub mod bench;
 pub mod check;
 pub mod frame;
 pub mod parallel;
@@ -17,6 +18,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
         Command::Frame(args) => frame::run(&args),
         Command::Simulate(args) => simulate::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Verify(args) => verify::run(&args),
         command => Err(Failure::new(format!("not joined yet: {command:?}"))),

@@ -3,6 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
+mod table;
 mod tick;
 
 use crate::Failure;
@@ -40,10 +41,17 @@ pub struct Row {
 /// If a table or a demo cannot be read.
 pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     let mut rows = Vec::new();
+    if matches!(args.bench, Bench::Table | Bench::All) {
+        rows.extend(table::rows(args.size, args.threads)?);
+    }
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
     }
-    if args.json { print_json(&rows) } else { print_table(&rows) }
+    if args.json {
+        print_json(&rows)
+    } else {
+        print_table(&rows)
+    }
     Ok(())
 }
 
