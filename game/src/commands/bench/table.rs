@@ -51,7 +51,7 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
     let pool = parallel::pool(threads)?;
     let threads = pool.current_num_threads();
     let mut picture = Picture::new(table.clone(), pool)?;
-    let mut draw = |picture: &mut Picture, moment: &Snapshot| -> Result<f64, Failure> {
+    let draw = |picture: &mut Picture, moment: &Snapshot| -> Result<f64, Failure> {
         let mut drawn = Ok(());
         let ms = time_ms(|| {
             drawn = picture.draw(Moment::at(moment), size.width, size.height, &Chrome::default()).map(|_| ());
