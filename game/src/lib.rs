@@ -21,6 +21,7 @@ pub mod rules;
 pub mod simulation;
 pub mod stage;
 pub mod table;
+pub mod window;
 
 pub use buttons::Buttons;
 pub use failure::Failure;

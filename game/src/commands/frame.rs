@@ -2,7 +2,7 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
-use crate::hud::{Badge, Chrome};
+use crate::hud::Chrome;
 use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
 use crate::{Failure, Recording, Simulation, Snapshot, Table};
@@ -27,8 +27,7 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
     if args.integrator == Integrator::MonteCarlo {
         picture.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
     }
-    let chrome = Chrome { badge: args.replay.is_some().then_some(Badge::Replay), ..Chrome::default() };
-    let frame = picture.draw(Moment::at(&moments), args.size.width, args.size.height, &chrome)?;
+    let frame = picture.draw(Moment::at(&moments), args.size.width, args.size.height, &Chrome::default())?;
     save_png(frame, &args.out)
 }
 

@@ -2,8 +2,11 @@
 
 pub mod bench;
 pub mod check;
+pub mod dump;
 pub mod frame;
 pub mod parallel;
+pub mod play;
+pub mod replay;
 pub mod simulate;
 pub mod verify;
 
@@ -16,6 +19,9 @@ use crate::cli::{Cli, Command};
 /// One sentence that says what went wrong and what to do.
 pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command.unwrap_or(Command::Play(cli.play)) {
+        Command::Play(args) => play::run(args),
+        Command::Replay(args) => replay::run(&args),
+        Command::Dump(args) => dump::run(&args),
         Command::Frame(args) => frame::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Bench(args) => bench::run(&args),

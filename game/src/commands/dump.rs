@@ -1,0 +1,161 @@
+//! `caustic dump`: a recording's frames, as numbered PNG files or as y4m.
+
+use super::parallel;
+use crate::cli::DumpArgs;
+use crate::hud::Chrome;
+use crate::picture::{Moment, Picture, save_png};
+use crate::recording::Replay;
+use crate::{Failure, Recording};
+use physics::TICKS_PER_SECOND;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use tracer::Frame;
+
+/// Writes the frames that the arguments ask for.
+///
+/// # Errors
+/// If the recording cannot be played again or a frame cannot be written.
+pub fn run(args: &DumpArgs) -> Result<(), Failure> {
+    let recording = Recording::read(&args.file)?;
+    let ticks = frame_ticks(args, recording.ticks())?;
+    let mut out = Out::open(args)?;
+    let mut replay = Replay::new(recording)?;
+    let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
+    let bar = parallel::progress_bar(ticks.len() as u64, "frames");
+    for (number, tick) in ticks.into_iter().enumerate() {
+        replay.seek(tick);
+        let moment = replay.simulation().snapshot();
+        let (width, height) = out.size(args);
+        let frame = picture.draw(Moment::at(&moment), width, height, &Chrome::default())?;
+        if !out.write(number, frame)? {
+            break;
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    match replay.difference() {
+        Some(difference) => Err(Failure::new(format!(
+            "{} {difference}: these frames are not what was recorded; caustic verify says more",
+            args.file.display()
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// The tick of each frame: whole frames a second from the start, the last one not after the end.
+fn frame_ticks(args: &DumpArgs, length: u64) -> Result<Vec<u64>, Failure> {
+    let tick = |seconds: f64| (seconds * f64::from(TICKS_PER_SECOND)).round() as u64;
+    let (from, to) = (args.from.map_or(0, tick), args.to.map_or(length, tick).min(length));
+    if from > to {
+        let length_s = length as f64 / f64::from(TICKS_PER_SECOND);
+        return Err(Failure::new(format!(
+            "{} is {length_s:.1} s long and nothing is left between --from and --to; give others",
+            args.file.display()
+        )));
+    }
+    let at = |frame: u64| from + frame * u64::from(TICKS_PER_SECOND) / u64::from(args.fps);
+    Ok((0..).map(at).take_while(|tick| *tick <= to).collect())
+}
+
+/// Where frames go.
+enum Out {
+    Folder(PathBuf),
+    Film(BufWriter<io::Stdout>),
+}
+
+impl Out {
+    fn open(args: &DumpArgs) -> Result<Out, Failure> {
+        if args.out == Path::new("-") {
+            let mut film = BufWriter::new(io::stdout());
+            let (width, height) = even(args);
+            let header = format!("YUV4MPEG2 W{width} H{height} F{}:1 Ip A1:1 C420jpeg\n", args.fps);
+            film.write_all(header.as_bytes()).map_err(|error| unwritable(Path::new("standard output"), &error))?;
+            return Ok(Out::Film(film));
+        }
+        std::fs::create_dir_all(&args.out).map_err(|error| unwritable(&args.out, &error))?;
+        Ok(Out::Folder(args.out.clone()))
+    }
+
+    /// A film's sides are even: two pixels share a colour.
+    fn size(&self, args: &DumpArgs) -> (usize, usize) {
+        match self {
+            Out::Folder(_) => (args.size.width, args.size.height),
+            Out::Film(_) => even(args),
+        }
+    }
+
+    /// Writes a frame; `false` when nobody reads on.
+    fn write(&mut self, number: usize, frame: &Frame) -> Result<bool, Failure> {
+        match self {
+            Out::Folder(folder) => save_png(frame, &folder.join(format!("{number:06}.png"))).map(|()| true),
+            Out::Film(film) => match write_film_frame(film, frame) {
+                Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+                result => result.map(|()| true).map_err(|error| unwritable(Path::new("standard output"), &error)),
+            },
+        }
+    }
+}
+
+fn even(args: &DumpArgs) -> (usize, usize) {
+    (args.size.width & !1, args.size.height & !1)
+}
+
+fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    Failure::new(format!("cannot write to {}: {error}", path.display()))
+}
+
+/// One frame of y4m: full-range luma (ITU-R BT.601, as JFIF has it), then each colour difference at half the size.
+fn write_film_frame(film: &mut impl Write, frame: &Frame) -> io::Result<()> {
+    let (width, height) = (frame.width, frame.height);
+    let rgb = |x: usize, y: usize| {
+        let pixel = frame.pixels[y * width + x];
+        [(pixel >> 16) & 255, (pixel >> 8) & 255, pixel & 255].map(|channel| channel as i32)
+    };
+    let luma = |[r, g, b]: [i32; 3]| ((19_595 * r + 38_470 * g + 7_471 * b + 32_768) >> 16) as u8;
+    let mut planes = Vec::with_capacity(width * height * 3 / 2);
+    planes.extend((0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| luma(rgb(x, y))));
+    let block = |x: usize, y: usize| {
+        let four = [rgb(x, y), rgb(x + 1, y), rgb(x, y + 1), rgb(x + 1, y + 1)];
+        std::array::from_fn::<i32, 3, _>(|channel| four.iter().map(|pixel| pixel[channel]).sum::<i32>())
+    };
+    // The weights are for the sum of four pixels.
+    let weights = [[-11_059, -21_709, 32_768], [32_768, -27_439, -5_329]];
+    for [red, green, blue] in weights {
+        let blocks = (0..height / 2).flat_map(|y| (0..width / 2).map(move |x| (2 * x, 2 * y)));
+        planes.extend(blocks.map(|(x, y)| {
+            let [r, g, b] = block(x, y);
+            (((red * r + green * g + blue * b + (1 << 17)) >> 18) + 128).clamp(0, 255) as u8
+        }));
+    }
+    film.write_all(b"FRAME\n")?;
+    film.write_all(&planes)?;
+    film.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_film_frame_of_one_grey_has_that_luma_and_no_colour() {
+        let frame = Frame { width: 4, height: 2, pixels: vec![0x5a_5a5a; 8] };
+        let mut bytes = Vec::new();
+        write_film_frame(&mut bytes, &frame).expect("memory takes everything");
+        assert_eq!(&bytes[..6], b"FRAME\n");
+        assert_eq!(bytes[6..14], [0x5a; 8]);
+        assert_eq!(bytes[14..], [128; 4]);
+    }
+
+    #[test]
+    fn pure_colours_stand_where_bt601_puts_them() {
+        let plane = |pixel: u32| {
+            let mut bytes = Vec::new();
+            write_film_frame(&mut bytes, &Frame { width: 2, height: 2, pixels: vec![pixel; 4] }).expect("memory");
+            (bytes[6], bytes[10], bytes[11])
+        };
+        assert_eq!(plane(0xff_0000), (76, 85, 255));
+        assert_eq!(plane(0x00_ff00), (150, 44, 21));
+        assert_eq!(plane(0x00_00ff), (29, 255, 107));
+        assert_eq!(plane(0xff_ffff), (255, 128, 128));
+    }
+}

@@ -1,0 +1,97 @@
+//! The window: keys in, pictures out.
+//!
+//! The main thread owns the window. It takes each key as it comes, plays the ticks that are due by then, and only then
+//! lets the key count: an input is stamped to the millisecond in which it arrives, whatever the picture is doing. A
+//! second thread (the painter) makes pictures from snapshots that nobody changes, with a pool of threads that trace
+//! light, and the main thread presents them as they are finished. Nothing else in the project names winit or softbuffer.
+
+mod app;
+mod clock;
+mod game;
+mod icon;
+mod keys;
+mod last_ball;
+mod painter;
+mod reload;
+mod surface;
+mod touches;
+mod viewing;
+
+use crate::cli::Size;
+use crate::picture::Picture;
+use crate::recording::Replay;
+use crate::{Failure, Table};
+use app::{App, Session};
+use game::Game;
+use std::path::PathBuf;
+use std::sync::Arc;
+use viewing::Viewing;
+use winit::event_loop::EventLoop;
+
+/// What a window is opened with.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Look {
+    /// Its size in pixels; by default most of the monitor's height.
+    pub size: Option<Size>,
+    /// Whether it fills the screen.
+    pub fullscreen: bool,
+}
+
+/// Who plays what, and what is written down of it.
+#[derive(Clone, Debug)]
+pub struct Play {
+    /// The table.
+    pub table: Arc<Table>,
+    /// Seed of the game's random numbers.
+    pub seed: u64,
+    /// A file to record to, besides the player's own folder.
+    pub record: Option<PathBuf>,
+    /// The bot plays.
+    pub bot: bool,
+}
+
+/// What tells the main thread that another thread has something for it.
+#[derive(Clone, Copy, Debug)]
+struct Wake;
+
+/// Opens a window and plays in it until it is closed.
+///
+/// # Errors
+/// If there is no display, or the game cannot be started.
+pub fn play(play: &Play, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
+    let events = open_display()?;
+    let picture = Picture::new(play.table.clone(), pool)?;
+    let game = Game::new(play.table.clone(), play.seed, play.record.as_deref(), play.bot)?;
+    run(events, Session::Game(Box::new(game)), picture, look)
+}
+
+/// Opens a window and shows a recording in it until it is closed.
+///
+/// # Errors
+/// If there is no display.
+pub fn watch(replay: Replay, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
+    let events = open_display()?;
+    let viewing = Viewing::new(replay);
+    let picture = Picture::new(viewing.table().clone(), pool)?;
+    run(events, Session::Viewing(Box::new(viewing)), picture, look)
+}
+
+fn open_display() -> Result<EventLoop<Wake>, Failure> {
+    EventLoop::with_user_event().build().map_err(|error| {
+        Failure::new(format!(
+            "there is no display to open a window on ({}); caustic frame, caustic dump and caustic simulate work without one",
+            first_line(&error.to_string())
+        ))
+    })
+}
+
+fn run(events: EventLoop<Wake>, session: Session, picture: Picture, look: Look) -> Result<(), Failure> {
+    let mut app = App::new(session, picture, look, events.create_proxy());
+    let ended = events.run_app(&mut app);
+    app.finish()?;
+    ended.map_err(|error| Failure::new(format!("the window failed: {}", first_line(&error.to_string()))))
+}
+
+fn first_line(text: &str) -> &str {
+    text.lines().next().unwrap_or_default()
+}
