@@ -33,4 +33,7 @@ pub enum Command {
     SetFlippers(bool),
     /// Bumpers and slingshots kick, or are dead.
     SetKickers(bool),
+    /// Fire every coil once to free a ball that is stuck: bumpers and slingshots throw what lies at them, saucers throw
+    /// out what they hold, drop targets rise. No switch closes by this alone.
+    BallSearch,
 }

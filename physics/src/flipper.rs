@@ -180,6 +180,11 @@ impl Rotor {
         }
     }
 
+    /// Turns on for `duration`.
+    pub fn advance(&mut self, duration: f64) {
+        self.angle += self.speed * duration;
+    }
+
     /// Velocity of the flipper's material at `lever` from its pivot.
     pub fn velocity_at(&self, lever: DVec2) -> DVec2 {
         lever.perp() * self.speed

@@ -21,12 +21,14 @@ mod grid;
 mod layout;
 mod machine;
 mod plan;
+mod plates;
 mod plunger;
 mod pose;
 mod save;
 mod state;
 mod sweep;
 mod touch;
+mod works;
 mod zones;
 
 pub use controls::{Command, Controls};

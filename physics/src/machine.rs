@@ -1,17 +1,26 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
+use crate::flipper::Blade;
 use crate::plan::{Plan, Role};
-use crate::state::{KICKER_READY_TICKS, State};
+use crate::state::{Goal, KICKER_READY_TICKS, State};
 use crate::sweep::{Motion, Scratch, Sweep};
+use crate::works::{Plate, Works};
 use crate::{
-    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, Pose, TICK_S, check, save, zones,
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, Pose, TICK_S, check, plates, save,
+    zones,
 };
 use geometry::DVec2;
 use std::sync::Arc;
 
 /// Steps in a tick while a flipper moves: 8 kHz.
 const FINE_STEPS: u32 = 8;
+/// What a drop target needs to rise: no ball may come over it so soon.
+const RISE_S: f64 = 0.05;
+/// A kicker's arm or ring comes this far out of its rubber.
+const KICK_REACH_M: f64 = 3e-3;
+/// A drop target with more of it above the playfield stands in the ball's way: its top is above the ball's middle.
+const STANDING: f64 = 0.55;
 
 /// Everything on the playfield, tick after tick. A clone goes on exactly as the original does, and is cheap: the layout
 /// and all that follows from it is shared.
@@ -20,6 +29,7 @@ pub struct Machine {
     layout: Arc<Layout>,
     plan: Arc<Plan>,
     pub(crate) state: State,
+    works: Works,
     scratch: Scratch,
     starts: Vec<DVec2>,
     events: Vec<Event>,
@@ -53,10 +63,12 @@ impl Machine {
         check::layout(&layout)?;
         let plan = Plan::new(&layout);
         let state = State::new(&plan);
+        let works = Works::new(&plan);
         Ok(Machine {
             layout,
             plan: Arc::new(plan),
             state,
+            works,
             scratch: Scratch::default(),
             starts: Vec::new(),
             events: Vec::new(),
@@ -87,6 +99,7 @@ impl Machine {
         self.starts.clear();
         self.starts.extend(self.state.balls.iter().map(|ball| ball.center));
         self.move_all(&controls, acceleration);
+        self.move_works();
         zones::tick(&self.plan, &mut self.state, &self.starts, &mut self.events);
         self.report_launch();
         self.state.balls.iter_mut().for_each(|ball| ball.end_tick(TICK_S));
@@ -111,12 +124,37 @@ impl Machine {
             }
             Command::Raise(part) => {
                 if let Some(drop) = self.plan.drops.iter().position(|drop| drop.part == part.0) {
-                    self.state.mechanisms.drops[drop].wanted = !self.state.mechanisms.drops[drop].solid;
+                    let drop = &mut self.state.mechanisms.drops[drop];
+                    if drop.goal == Goal::Down {
+                        drop.goal = Goal::Rise;
+                        drop.solid = false;
+                        drop.falling = false;
+                    }
                 }
             }
+            Command::BallSearch => self.search(),
             Command::SetFlippers(live) => self.state.mechanisms.flippers_live = live,
             Command::SetKickers(live) => self.state.mechanisms.kickers_live = live,
         }
+    }
+
+    /// Fires every coil once, whatever its switch says.
+    fn search(&mut self) {
+        let plan = Arc::clone(&self.plan);
+        for obstacle in &plan.obstacles {
+            let Role::Kicker(index) = obstacle.role else { continue };
+            self.state.mechanisms.kickers[index] = 0;
+            for ball in self.state.balls.iter_mut().filter(|ball| !ball.is_held()) {
+                let (distance, normal) = obstacle.shape.distance(ball.center);
+                if distance < KICK_REACH_M {
+                    ball.velocity += normal * plan.kickers[index].speed_at(ball.center);
+                }
+            }
+        }
+        for saucer in 0..plan.saucers.len() {
+            zones::eject(&plan, &mut self.state, saucer, &mut self.events);
+        }
+        plan.drops.iter().for_each(|drop| self.obey(&Command::Raise(PartId(drop.part))));
     }
 
     /// Puts a waiting ball into the plunger lane, as soon as there is room.
@@ -137,14 +175,52 @@ impl Machine {
         let plan = Arc::clone(&self.plan);
         for obstacle in &plan.obstacles {
             let Role::Drop(index) = obstacle.role else { continue };
-            let clear = self.state.balls.iter().all(|ball| obstacle.shape.distance(ball.center).0 > 0.0);
+            let away = |ball: &Ball, time: f64| obstacle.shape.distance(ball.center).0 > ball.velocity.length() * time;
+            let clear = self.state.balls.iter().all(|ball| away(ball, 0.0));
+            let stays_clear = self.state.balls.iter().all(|ball| away(ball, RISE_S));
             let drop = &mut self.state.mechanisms.drops[index];
-            if drop.wanted && clear {
-                drop.wanted = false;
-                drop.solid = true;
-                self.events.push(Event { part: Some(PartId(obstacle.part)), kind: EventKind::Opened });
+            let high = self.works.height(index) > STANDING;
+            match drop.goal {
+                Goal::Rise if stays_clear => {
+                    drop.goal = Goal::Up;
+                    self.works.send(index, true);
+                }
+                // A ball has come over it while it rose: down again, until it has gone.
+                Goal::Up if high && !drop.solid && !clear => {
+                    drop.goal = Goal::Rise;
+                    self.works.send(index, false);
+                }
+                Goal::Up if high && !drop.solid => {
+                    drop.solid = true;
+                    self.events.push(Event { part: Some(PartId(obstacle.part)), kind: EventKind::Opened });
+                }
+                Goal::Down if drop.solid => {
+                    if drop.falling {
+                        drop.solid = high;
+                    } else {
+                        drop.falling = true;
+                        self.works.send(index, false);
+                    }
+                }
+                _ => {}
             }
         }
+    }
+
+    /// Balls push plates and flaps, and rapier moves everything that it owns.
+    fn move_works(&mut self) {
+        let plan = Arc::clone(&self.plan);
+        if !(plan.gates.is_empty() && plan.spinners.is_empty()) {
+            for (ball, &start) in self.state.balls.iter_mut().zip(&self.starts) {
+                if !ball.is_held() {
+                    plates::pass(&plan, &mut self.works, ball, start);
+                }
+            }
+        }
+        let events = &mut self.events;
+        self.works.tick(|spinner| {
+            events.push(Event { part: Some(PartId(plan.spinners[spinner].0)), kind: EventKind::Closed });
+        });
     }
 
     fn pull_plungers(&mut self, held: bool) {
@@ -159,30 +235,48 @@ impl Machine {
         let live = self.state.mechanisms.flippers_live;
         let pressed = |left: bool| live && if left { controls.left } else { controls.right };
         let fine = TICK_S / f64::from(FINE_STEPS);
-        let mut moving = false;
+        let (mut moving, mut near) = (false, false);
         for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            let duration = if rotor.seated { TICK_S } else { fine };
-            moving |= blade.energise(rotor, pressed(blade.flipper.left), duration);
+            let free = !rotor.seated || blade.energise(rotor, pressed(blade.flipper.left), TICK_S);
+            moving |= free;
+            near |= free && self.state.balls.iter().any(|ball| may_reach(blade, ball));
         }
-        let steps = if moving { FINE_STEPS } else { 1 };
-        let duration = TICK_S / f64::from(steps);
-        for step in 0..steps {
-            for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-                if !rotor.seated {
-                    if step > 0 {
-                        blade.energise(rotor, pressed(blade.flipper.left), duration);
-                    }
-                    blade.accelerate(rotor, duration);
-                }
+        if moving && !near {
+            for _ in 0..FINE_STEPS {
+                self.turn_flippers(&plan, fine, pressed);
+                self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(fine));
+                self.settle_flippers(&plan);
             }
-            self.step(&plan, pull, duration);
-            for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-                blade.settle(rotor);
+        }
+        let steps = if near { FINE_STEPS } else { 1 };
+        let duration = TICK_S / f64::from(steps);
+        for _ in 0..steps {
+            if near {
+                self.turn_flippers(&plan, duration, pressed);
+            }
+            self.step(&plan, pull, duration, near);
+            if near {
+                self.settle_flippers(&plan);
             }
         }
     }
 
-    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64) {
+    fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: impl Fn(bool) -> bool) {
+        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
+            if !rotor.seated {
+                blade.energise(rotor, pressed(blade.flipper.left), duration);
+                blade.accelerate(rotor, duration);
+            }
+        }
+    }
+
+    fn settle_flippers(&mut self, plan: &Plan) {
+        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
+            blade.settle(rotor);
+        }
+    }
+
+    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64, flippers_move: bool) {
         self.scratch.motions.clear();
         for ball in &self.state.balls {
             let sunk = match ball.hold {
@@ -192,7 +286,8 @@ impl Machine {
             self.scratch.motions.push(Motion::new(pull + sunk));
         }
         let (events, contacts) = (&mut self.events, &mut self.contacts);
-        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts }.step(duration);
+        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, flippers_move }
+            .step(duration);
     }
 
     fn report_launch(&mut self) {
@@ -220,15 +315,19 @@ impl Machine {
     pub fn pose(&self) -> Pose {
         let (plan, own) = (&self.plan, &self.state.mechanisms);
         let angles = plan.blades.iter().zip(&own.rotors).map(|(blade, rotor)| (PartId(blade.part), rotor.angle));
-        let drops = plan.drops.iter().zip(&own.drops).map(|(d, s)| (PartId(d.part), f64::from(u8::from(s.solid))));
+        let drops = plan.drops.iter().enumerate().map(|(index, d)| (PartId(d.part), self.works.height(index)));
+        let plates = |parts: Vec<u16>, plate: fn(usize) -> Plate| {
+            let angle = |(index, part)| (PartId(part), self.works.angle(plate(index)));
+            parts.into_iter().enumerate().map(angle).collect()
+        };
         let kickers = plan.kickers.iter().zip(&own.kickers).map(|(k, &ticks)| (PartId(k.part), kick_pose(ticks)));
         let pulled = plan.plungers.iter().zip(&own.rods).map(|((_, p), rod)| (rod.pulled / p.stroke_m).max(0.0));
         Pose {
             balls: self.state.balls.iter().map(Ball::pose).collect(),
             flippers_rad: angles.collect(),
             drop_targets: drops.collect(),
-            spinners_rad: plan.spinners.iter().map(|&(part, _)| (PartId(part), 0.0)).collect(),
-            gates_rad: plan.gates.iter().map(|&(part, _)| (PartId(part), 0.0)).collect(),
+            spinners_rad: plates(plan.spinners.iter().map(|&(part, _)| part).collect(), Plate::Spinner),
+            gates_rad: plates(plan.gates.iter().map(|&(part, _)| part).collect(), Plate::Gate),
             kickers: kickers.collect(),
             plunger: pulled.fold(0.0, f64::max),
             cabinet_m: own.cabinet.place,
@@ -294,12 +393,12 @@ impl Machine {
 
     /// Of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
-        save::hashes(&self.state)
+        save::hashes(&self.state, &self.works)
     }
 
     /// Everything that can change what happens next.
     pub fn save(&self) -> Vec<u8> {
-        save::write(&self.layout, &self.state)
+        save::write(&self.layout, &self.state, &self.works)
     }
 
     /// The machine that [`Machine::save`] wrote, on the same layout.
@@ -308,13 +407,15 @@ impl Machine {
     /// If the bytes are not what `save` writes for this layout.
     pub fn restore(layout: Arc<Layout>, bytes: &[u8]) -> Result<Machine, Error> {
         let mut machine = Machine::new(layout)?;
-        let state = save::read(&machine.layout, bytes).map_err(Error::Save)?;
-        if !state.fits(&machine.plan) {
-            return Err(Error::Save("the saved machine has other parts than this layout".into()));
-        }
-        machine.state = state;
+        (machine.state, machine.works) = save::read(&machine.layout, &machine.plan, bytes).map_err(Error::Save)?;
         Ok(machine)
     }
+}
+
+/// Whether a ball can come to where the flipper may be within the tick.
+fn may_reach(blade: &Blade, ball: &Ball) -> bool {
+    let reach = blade.reach + BALL_RADIUS_M + 2.0 * ball.velocity.length() * TICK_S + 2e-3;
+    !ball.is_held() && ball.center.distance_squared(blade.pivot()) < reach * reach
 }
 
 /// How far a kicker is out, `ticks` after it fired: out in 8 ms, back in 40.

@@ -1,6 +1,8 @@
 //! The state as bytes, and its fingerprints.
 
+use crate::plan::Plan;
 use crate::state::State;
+use crate::works::Works;
 use crate::{Hashes, Layout};
 use serde::Serialize;
 use xxhash_rust::xxh3::xxh3_64;
@@ -15,12 +17,12 @@ fn fingerprint(value: &impl Serialize) -> u64 {
     xxh3_64(&postcard::to_stdvec(value).unwrap_or_default())
 }
 
-pub(crate) fn hashes(state: &State) -> Hashes {
-    Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&state.mechanisms) }
+pub(crate) fn hashes(state: &State, works: &Works) -> Hashes {
+    Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&(&state.mechanisms, works.motion())) }
 }
 
-pub(crate) fn write(layout: &Layout, state: &State) -> Vec<u8> {
-    let body = postcard::to_stdvec(state).unwrap_or_default();
+pub(crate) fn write(layout: &Layout, state: &State, works: &Works) -> Vec<u8> {
+    let body = postcard::to_stdvec(&(state, works.save())).unwrap_or_default();
     let mut bytes = vec![VERSION];
     bytes.extend(fingerprint(layout).to_le_bytes());
     bytes.extend(xxh3_64(&body).to_le_bytes());
@@ -28,7 +30,7 @@ pub(crate) fn write(layout: &Layout, state: &State) -> Vec<u8> {
     bytes
 }
 
-pub(crate) fn read(layout: &Layout, bytes: &[u8]) -> Result<State, String> {
+pub(crate) fn read(layout: &Layout, plan: &Plan, bytes: &[u8]) -> Result<(State, Works), String> {
     let (head, body) = bytes.split_at_checked(HEAD).ok_or("the saved machine is cut off")?;
     if head[0] != VERSION {
         return Err(format!("the saved machine has version {}, this one has {VERSION}", head[0]));
@@ -39,5 +41,9 @@ pub(crate) fn read(layout: &Layout, bytes: &[u8]) -> Result<State, String> {
     if head[9..] != xxh3_64(body).to_le_bytes() {
         return Err("the saved machine is damaged".into());
     }
-    postcard::from_bytes(body).map_err(|error| format!("the saved machine cannot be read: {error}"))
+    let (state, works): (State, Vec<u8>) =
+        postcard::from_bytes(body).map_err(|error| format!("the saved machine cannot be read: {error}"))?;
+    let works = Works::restore(plan, &works).filter(|_| state.fits(plan));
+    let works = works.ok_or("the saved machine has other parts than this layout")?;
+    Ok((state, works))
 }

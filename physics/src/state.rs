@@ -30,13 +30,23 @@ pub(crate) struct Mechanisms {
     pub cabinet: Cabinet,
 }
 
-/// A drop target, apart from how it moves.
+/// A drop target, apart from where it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Drop {
     /// It stands in the ball's way.
     pub solid: bool,
-    /// It is to rise as soon as no ball is in its way.
-    pub wanted: bool,
+    /// It has left its ledge.
+    pub falling: bool,
+    pub goal: Goal,
+}
+
+/// What a drop target is to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Goal {
+    Up,
+    Down,
+    /// Rise as soon as no ball is in its way.
+    Rise,
 }
 
 /// A kicker that has not fired for this long is ready.
@@ -51,7 +61,7 @@ impl State {
             kickers_live: false,
             rotors: plan.blades.iter().map(|blade| blade.at_rest()).collect(),
             kickers: vec![KICKER_READY_TICKS; plan.kickers.len()],
-            drops: vec![Drop { solid: true, wanted: false }; plan.drops.len()],
+            drops: vec![Drop { solid: true, falling: false, goal: Goal::Up }; plan.drops.len()],
             rollovers: vec![0; plan.rollovers.len()],
             rods: vec![Rod::default(); plan.plungers.len()],
             cabinet: Cabinet::default(),

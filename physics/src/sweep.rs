@@ -7,7 +7,7 @@
 use crate::ball::Drive;
 use crate::flipper::Blade;
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
-use crate::state::State;
+use crate::state::{Goal, State};
 use crate::touch::{BALL_FRICTION, Bodies, Other, Touch};
 use crate::{BALL_RADIUS_M, Contact, Event, EventKind, Material, PartId};
 use geometry::{Core, DVec2, Ray};
@@ -79,6 +79,8 @@ pub(crate) struct Sweep<'a> {
     pub scratch: &'a mut Scratch,
     pub events: &'a mut Vec<Event>,
     pub contacts: &'a mut Vec<Contact>,
+    /// Flippers move in this step; else they have done so already, out of every ball's reach.
+    pub flippers_move: bool,
 }
 
 fn bodies<'a>(plan: &'a Plan, state: &'a mut State) -> Bodies<'a> {
@@ -268,8 +270,8 @@ impl Sweep<'_> {
             ball.velocity += drive.velocity * time;
             ball.spin += drive.spin * time;
         }
-        for rotor in &mut self.state.mechanisms.rotors {
-            rotor.angle += rotor.speed * time;
+        if self.flippers_move {
+            self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(time));
         }
         for rod in &mut self.state.mechanisms.rods {
             rod.advance(time);
@@ -455,10 +457,10 @@ impl Sweep<'_> {
             }
             Role::Target(index) => approach >= self.plan.targets[index].threshold,
             Role::Drop(index) => {
-                let falls = own.drops[index].solid && approach >= self.plan.drops[index].threshold;
+                let falls = own.drops[index].goal == Goal::Up && approach >= self.plan.drops[index].threshold;
                 if falls {
-                    own.drops[index].solid = false;
-                    own.drops[index].wanted = false;
+                    own.drops[index].goal = Goal::Down;
+                    own.drops[index].falling = false;
                 }
                 falls
             }

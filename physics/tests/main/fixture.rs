@@ -34,7 +34,7 @@ pub fn frame(material: Material) -> Part {
 
 pub fn plunger() -> Part {
     let kind = Kind::Plunger(Plunger {
-        feed: v(0.48, 0.95),
+        feed: v(0.48, 0.93),
         tip: v(0.48, 0.99),
         half_width_m: 0.008,
         way: v(0.0, -1.0),
@@ -151,10 +151,6 @@ pub fn table() -> Layout {
         part("drain", Kind::Drain(Drain { zone: capsule(line(0.03, 1.035, 0.44, 1.035), 0.005) })),
     ];
     layout
-}
-
-pub fn id(layout: &Layout, name: &str) -> PartId {
-    PartId(layout.parts.iter().position(|part| part.name == name).expect("the fixture has this part") as u16)
 }
 
 /// Small steps of a number that looks like chance: the same on every machine.

@@ -3,5 +3,6 @@
 mod fixture;
 mod flippers;
 mod machine;
+mod mechanisms;
 mod rolling;
 mod shots;

@@ -9,7 +9,7 @@ fn tick(machine: &mut Machine, ticks: usize) {
 }
 
 fn energy(machine: &Machine) -> f64 {
-    let gravity = 9.81 * 6.5_f64.to_radians().sin();
+    let gravity = 9.81 * libm::sin(6.5_f64.to_radians());
     let inertia = 0.4 * BALL_RADIUS_M * BALL_RADIUS_M;
     let of = |ball: &BallPose| {
         let spin: f64 = ball.spin.iter().map(|s| s * s).sum();

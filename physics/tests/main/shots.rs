@@ -1,6 +1,7 @@
 //! Shots from everywhere to everywhere: nothing gets through anything.
 
 use crate::fixture::*;
+use geometry::trig;
 use physics::*;
 
 #[test]
@@ -11,11 +12,11 @@ fn random_shots_neither_escape_nor_sink_in() {
     for shot in 0..1500 {
         let mut machine = Machine::new(layout.clone()).expect("fixture");
         machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true)]);
-        let speed = 0.05 * 300.0_f64.powf(chance.next());
+        let speed = 0.05 * libm::pow(300.0, chance.next());
         let angle = chance.between(0.0, std::f64::consts::TAU);
         machine.put_ball(
             v(chance.between(0.05, 0.43), chance.between(0.25, 0.85)),
-            v(angle.cos(), angle.sin()) * speed,
+            trig::direction(angle) * speed,
             [0.0; 3],
         );
         if machine.overlap_m() > 0.0 {
