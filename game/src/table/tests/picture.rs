@@ -165,3 +165,18 @@ fn a_watch_tells_what_was_saved_once_and_waits_until_it_is_whole() {
     assert!(at(2400).is_empty());
     assert_eq!(at(2700), ["table.toml"]);
 }
+
+#[test]
+fn a_repainted_table_plays_the_same_game() {
+    let repainted = LAMPS.replace("#ff8000", "#0080ff").replace("#ff0000", "#00ff00");
+    let play = |drawn: &str, numbers: &str| {
+        let mut table = read(drawn, numbers).unwrap();
+        table.rules = "fn on_start() { lamp(\"bulb\", 700); }".to_string();
+        let mut simulation = crate::Simulation::new(std::sync::Arc::new(table), 7).unwrap();
+        for _ in 0..200 {
+            simulation.tick(crate::Buttons::LEFT);
+        }
+        simulation.hash()
+    };
+    assert_eq!(play(LAMPS, ""), play(&repainted, "[class.lamp]\npower = 3"));
+}
