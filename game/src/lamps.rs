@@ -27,9 +27,7 @@ pub struct Lamps {
 /// One lamp's orders and its filament.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct Lamp {
-    /// Its colour in the drawing, sRGB.
-    own_color: [u8; 3],
-    /// The colour that the rules gave it, sRGB.
+    /// The colour that the rules gave it, sRGB. Its own one is paint, and no part of the game's state.
     color: Option<[u8; 3]>,
     /// What it does when no show is on.
     glow: Glow,
@@ -55,8 +53,8 @@ pub struct Show {
 impl Lamps {
     /// The lamps of a table, all dark.
     pub fn new(table: &Table) -> Lamps {
-        let dark = |own_color| Lamp { own_color, color: None, glow: Glow::OFF, show: None, level: 0 };
-        Lamps { lamps: table.lamps.iter().map(|lamp| dark(lamp.color)).collect() }
+        let dark = Lamp { color: None, glow: Glow::OFF, show: None, level: 0 };
+        Lamps { lamps: vec![dark; table.lamps.len()] }
     }
 
     /// How many lamps there are.
@@ -97,9 +95,9 @@ impl Lamps {
         }
     }
 
-    /// What each lamp does now.
-    pub fn lights(&self, now: u64) -> Vec<LampLight> {
-        self.lamps.iter().map(|lamp| lamp.light(now)).collect()
+    /// What each lamp of `table` does now.
+    pub fn lights(&self, table: &Table, now: u64) -> Vec<LampLight> {
+        self.lamps.iter().zip(&table.lamps).map(|(lamp, drawn)| lamp.light(drawn.color, now)).collect()
     }
 }
 
@@ -120,9 +118,9 @@ impl Lamp {
         self.show.as_ref().filter(|show| show.since <= now)
     }
 
-    fn light(&self, now: u64) -> LampLight {
+    fn light(&self, own_color: [u8; 3], now: u64) -> LampLight {
         let shown = self.on_show(now).and_then(|show| show.color);
-        LampLight { level: (self.level / FINE) as u16, color: shown.or(self.color).unwrap_or(self.own_color) }
+        LampLight { level: (self.level / FINE) as u16, color: shown.or(self.color).unwrap_or(own_color) }
     }
 }
 

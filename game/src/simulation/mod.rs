@@ -112,7 +112,12 @@ impl Simulation {
 
     /// What a picture needs to know of this moment.
     pub fn snapshot(&self) -> Snapshot {
-        Snapshot { tick: self.tick, pose: self.pose(), lamps: self.lamps.lights(self.tick), display: self.display() }
+        Snapshot {
+            tick: self.tick,
+            pose: self.pose(),
+            lamps: self.lamps.lights(&self.table, self.tick),
+            display: self.display(),
+        }
     }
 
     /// What the display shows (cheaper than [`Simulation::snapshot`]).

@@ -190,7 +190,7 @@ impl Bench {
 
     /// What a lamp does.
     pub fn light(&self, name: &str) -> LampLight {
-        self.lamps.lights(self.now)[self.table.lamp(name).unwrap_or_else(|| panic!("no lamp {name}"))]
+        self.lamps.lights(&self.table, self.now)[self.table.lamp(name).unwrap_or_else(|| panic!("no lamp {name}"))]
     }
 
     /// Whether the rules have given this order.
