@@ -121,7 +121,12 @@ impl Rules {
         for event in moment.events {
             if let Some((call, part)) = self.state.desk.note(event) {
                 let program = self.program.clone();
-                self.tell(call, part.and_then(|part| program.names().part_name(part)), lamps, moment);
+                match part.map(|part| program.names().part_name(part)) {
+                    None => self.tell(call, None, lamps, moment),
+                    Some(Some(name)) => self.tell(call, Some(name), lamps, moment),
+                    // What has no name is none of the script's business.
+                    Some(None) => {}
+                }
             }
         }
         while let Some(name) = self.state.desk.timers.take_due(moment.now) {

@@ -30,9 +30,9 @@ impl Names {
         }
     }
 
-    /// A part's name.
+    /// A part's name, if the drawing gives it one.
     pub fn part_name(&self, part: PartId) -> Option<&str> {
-        self.kinds.get(usize::from(part.0)).map(|(name, _)| name.as_str())
+        self.kinds.get(usize::from(part.0)).map(|(name, _)| name.as_str()).filter(|name| !name.is_empty())
     }
 
     /// What a part is.

@@ -66,3 +66,18 @@ fn a_script_that_grows_or_nests_without_end_is_cut_short() {
         assert_eq!(bench.rules.take_complaints().len(), 1, "{body}");
     }
 }
+
+#[test]
+fn the_deepest_script_that_is_taken_ends_with_a_sentence_on_a_small_stack() {
+    for (open, close) in [("1 + (", ")"), ("if true { ", " }"), ("[", "][0]"), ("-(", ")")] {
+        let nested = |depth: usize| {
+            let body = format!("{}this.again(){}", open.repeat(depth), close.repeat(depth));
+            let rules = format!("fn again() {{ {body} }}\nfn on_launch() {{ this.again(); }}");
+            Bench::new(table(&rules, &["plunger"], &[])).ok()
+        };
+        let mut bench = (1..100).rev().find_map(nested).expect("some depth is taken");
+        bench.launch();
+        let complaints = bench.rules.take_complaints();
+        assert!(complaints.len() == 1 && complaints[0].contains("overflow"), "{open}: {complaints:?}");
+    }
+}
