@@ -115,9 +115,9 @@ impl Candidates {
     pub fn set(&mut self, lamp: &Lamp, all: &Silhouettes) {
         self.clear();
         let mut open = false;
-        for (at, disc) in all.discs.iter().enumerate() {
+        for (at, disc) in all.discs[..all.coarse].iter().enumerate() {
             let follows = disc.link != Link::Start;
-            let alone = !follows && all.discs.get(at + 1).is_none_or(|next| next.link == Link::Start);
+            let alone = !follows && all.discs[..all.coarse].get(at + 1).is_none_or(|next| next.link == Link::Start);
             let before = if follows { at - 1 } else { at };
             let near = || {
                 let core = Segment { a: all.discs[before].center, b: disc.center };
@@ -171,7 +171,9 @@ impl Candidates {
     }
 
     /// Puts into `narrower` what may cast a shadow within `cone`.
-    pub fn narrow(&self, path: Path, cone: &Cone, narrower: &mut Candidates) {
+    ///
+    /// The pieces of arcs that are near the tile or the lamp are cut finer.
+    pub fn narrow(&self, path: Path, lamp: &Lamp, all: &Silhouettes, cone: &Cone, narrower: &mut Candidates) {
         narrower.clear();
         narrower.wider_code.resize(self.len(), 0);
         classify(path, &self.x, &self.y, &self.outer, &self.inner, cone, &mut narrower.wider_code);
@@ -183,7 +185,16 @@ impl Candidates {
                 narrower.copy(self, at - 1, Link::Start);
             }
             if counts {
-                narrower.copy(self, at, self.link[at]);
+                let between = follows && narrower.wider_code[at - 1] & narrower.wider_code[at] & BETWEEN != 0;
+                match self.link[at] {
+                    Link::Bulge(bulge) if !between => {
+                        let fine = all.bulges[bulge as usize].fine.clone();
+                        for at in fine.skip(1) {
+                            narrower.push(lamp, all, at, all.discs[at].link);
+                        }
+                    }
+                    link => narrower.copy(self, at, link),
+                }
             }
             open = counts && follows;
         }

@@ -48,10 +48,8 @@ pub(crate) fn visible_fraction_of(
                 intervals.extend(chord.covered(circle(&all.discs[candidates.index[at - 1] as usize]), here))
             }
             Link::Bulge(bulge) => {
-                let (first, last) = all.bulges[bulge as usize].fine;
-                for ends in all.fine[first..=last].windows(2) {
-                    let end = |center| Circle { center, ..here };
-                    intervals.extend(chord.covered(end(ends[0]), end(ends[1])));
+                for ends in all.discs[all.bulges[bulge as usize].fine.clone()].windows(2) {
+                    intervals.extend(chord.covered(circle(&ends[0]), circle(&ends[1])));
                 }
             }
         }

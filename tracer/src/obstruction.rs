@@ -6,7 +6,7 @@
 
 use crate::Group;
 use crate::candidates::{BEFORE_LAMP, BETWEEN, Candidates, MEETS_LEFT, MEETS_RIGHT};
-use crate::silhouette::{Bulge, Link, Silhouettes};
+use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
 use geometry::{Circle, DVec2, Taper};
 
 /// A part of a chain, in mm from the tile's middle.
@@ -167,21 +167,14 @@ impl Place<'_> {
             return pieces.push(self.piece(circle(before), circle(at), None, clipped));
         };
         let bulge = &self.all.bulges[bulge as usize];
-        let radius = circle(at).radius;
-        let core = bulge.outer.radius - radius;
-        let vertices = &self.all.fine[bulge.fine.0..=bulge.fine.1];
-        for ends in vertices.windows(2) {
-            let (a, b) = (ends[0], ends[1]);
-            let chord_middle = (a + b) * 0.5 - bulge.outer.center;
-            let middle = chord_middle.try_normalize().unwrap_or(bulge.middle);
-            let least = (a - bulge.outer.center).dot(middle) * (bulge.outer.radius / core);
-            let cap = Cap {
-                circle: self.circle(bulge.outer),
-                middle: [middle.x as f32, middle.y as f32],
-                least: least as f32,
-            };
-            let disc = |center| Circle { center, radius };
-            pieces.push(self.piece(disc(a), disc(b), Some(cap), clipped));
+        if bulge.fine.is_empty() {
+            return pieces.push(self.piece(circle(before), circle(at), Some(self.cap(bulge)), clipped));
+        }
+        for ends in self.all.discs[bulge.fine.clone()].windows(2) {
+            let Link::Bulge(part) = ends[1].link else { continue };
+            let cap = self.cap(&self.all.bulges[part as usize]);
+            let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
+            pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(cap), clipped));
         }
     }
 

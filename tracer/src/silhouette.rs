@@ -7,12 +7,13 @@
 
 use crate::{Group, Occluder};
 use geometry::{Arc, Circle, Core, DVec2, Shape};
+use std::ops::Range;
 
 /// The widest angle of one piece of an arc, radians.
 const PIECE_RAD: f64 = 0.35;
 
 /// How far the chord of one fine piece of an arc may be from the arc, mm.
-const FINE_SAGITTA_MM: f64 = 0.005;
+const FINE_SAGITTA_MM: f64 = 0.008;
 
 /// One disc of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,19 +50,22 @@ pub(crate) struct Bulge {
     pub cos_half: f64,
     /// How far the piece is from its chord, mm.
     pub sagitta_mm: f64,
-    /// Where the same piece lies in [`Silhouettes::fine`], cut so finely that chords will do: first and last vertex.
-    pub fine: (usize, usize),
+    /// The same piece as a chain of finer ones, so fine that their chords would do: which of [`Silhouettes::discs`].
+    /// Empty for a piece that is fine already.
+    pub fine: Range<usize>,
 }
 
 /// Every occluder of a scene, as chains.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Silhouettes {
-    /// The discs of all chains, one chain after another.
+    /// The discs of all chains, one chain after another; then those of the fine chains of arcs.
     pub discs: Vec<Disc>,
+    /// How many of the discs are not of fine chains.
+    pub coarse: usize,
     /// The bulges of the arcs.
     pub bulges: Vec<Bulge>,
-    /// Vertices of the arcs' core lines, mm.
-    pub fine: Vec<DVec2>,
+    /// Fine chains that wait to be put behind the others.
+    waiting: Vec<Disc>,
 }
 
 impl Silhouettes {
@@ -69,9 +73,13 @@ impl Silhouettes {
     pub fn set(&mut self, occluders: &[Occluder]) {
         self.discs.clear();
         self.bulges.clear();
-        self.fine.clear();
         for Occluder { shape, group } in occluders {
             self.push(shape, *group);
+        }
+        self.coarse = self.discs.len();
+        self.discs.append(&mut self.waiting);
+        for bulge in &mut self.bulges {
+            bulge.fine = bulge.fine.start + self.coarse..bulge.fine.end + self.coarse;
         }
     }
 
@@ -127,26 +135,46 @@ impl Silhouettes {
         }
         let angle = 2.0 * arc.half_angle();
         let pieces = ((angle / PIECE_RAD).ceil() as usize).max(1);
-        let half_piece = angle / (2 * pieces) as f64;
-        let cos_half = libm::cos(half_piece);
         let fine_step = 2.0 * libm::acos((1.0 - FINE_SAGITTA_MM / core_radius).max(0.0));
-        let fine = ((2.0 * half_piece / fine_step).ceil() as usize).max(1);
-        self.push_disc(Circle { center: arc.at(0.0), radius }, group, Link::Start);
+        let fine = ((angle / pieces as f64 / fine_step).ceil() as usize).max(1);
+        let parts = pieces * fine;
+        let disc = |part: usize, link| {
+            let center = arc.at(part as f64 / parts as f64);
+            Disc { center, radius, group, link }
+        };
+        self.discs.push(disc(0, Link::Start));
         for piece in 0..pieces {
-            let part = |step: usize| (piece * fine + step) as f64 / (pieces * fine) as f64;
-            let first = self.fine.len();
-            self.fine.extend((0..=fine).map(|step| arc.at(part(step))));
-            let middle = arc.at((piece as f64 + 0.5) / pieces as f64) - center;
-            let bulge = Bulge {
-                outer: Circle { center, radius: core_radius + radius },
-                middle: middle / core_radius,
-                cos_half,
-                sagitta_mm: core_radius * (1.0 - cos_half),
-                fine: (first, first + fine),
-            };
-            let end = self.fine[first + fine];
-            self.push_disc(Circle { center: end, radius }, group, Link::Bulge(self.bulges.len() as u32));
-            self.bulges.push(bulge);
+            let first = self.waiting.len();
+            self.waiting.push(disc(piece * fine, Link::Start));
+            for part in piece * fine..(piece + 1) * fine {
+                let link = self.push_bulge(arc, radius, part as f64 + 0.5, parts, 1, 0..0);
+                self.waiting.push(disc(part + 1, link));
+            }
+            let middle = (piece as f64 + 0.5) * fine as f64;
+            let link = self.push_bulge(arc, radius, middle, parts, fine, first..self.waiting.len());
+            self.discs.push(disc((piece + 1) * fine, link));
         }
+    }
+
+    /// The bulge of the piece of `arc` of `wide` parts of `parts` whose middle is at part `middle`.
+    fn push_bulge(
+        &mut self,
+        arc: &Arc,
+        radius: f64,
+        middle: f64,
+        parts: usize,
+        wide: usize,
+        fine: Range<usize>,
+    ) -> Link {
+        let Circle { center, radius: core_radius } = arc.circle();
+        let cos_half = libm::cos(arc.half_angle() * wide as f64 / parts as f64);
+        self.bulges.push(Bulge {
+            outer: Circle { center, radius: core_radius + radius },
+            middle: (arc.at(middle / parts as f64) - center) / core_radius,
+            cos_half,
+            sagitta_mm: core_radius * (1.0 - cos_half),
+            fine,
+        });
+        Link::Bulge(self.bulges.len() as u32 - 1)
     }
 }

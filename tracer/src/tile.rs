@@ -115,7 +115,7 @@ impl Workspace {
             let cone = Cone::new(lamp, middle, half * std::f64::consts::SQRT_2);
             if !cone.beyond(lamp.reach_mm) {
                 self.lit.push(at);
-                stage.lamps[at].1.narrow(stage.path, &cone, &mut self.near[at]);
+                stage.lamps[at].1.narrow(stage.path, lamp, stage.silhouettes, &cone, &mut self.near[at]);
             }
         }
     }
