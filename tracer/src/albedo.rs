@@ -20,29 +20,48 @@ impl Albedo {
 }
 
 clones! {
+    /// Reads the rows of a tile from opaque sRGB pixels.
+    pub(crate) fn read_opaque(
+        pixels: &[[u8; 4]], stride: usize, x: usize, y: usize, width: usize, height: usize, out: &mut Albedo,
+    ) = read_lanes::<true>;
+}
+
+clones! {
     /// Reads the rows of a tile from premultiplied sRGB pixels.
     pub(crate) fn read(
         pixels: &[[u8; 4]], stride: usize, x: usize, y: usize, width: usize, height: usize, out: &mut Albedo,
-    ) = read_lanes;
+    ) = read_lanes::<false>;
 }
 
 #[inline(always)]
-fn read_lanes(pixels: &[[u8; 4]], stride: usize, x: usize, y: usize, width: usize, height: usize, out: &mut Albedo) {
+#[allow(clippy::too_many_arguments)]
+fn read_lanes<const OPAQUE: bool>(
+    pixels: &[[u8; 4]],
+    stride: usize,
+    x: usize,
+    y: usize,
+    width: usize,
+    height: usize,
+    out: &mut Albedo,
+) {
     for row in 0..TILE.min(height) {
         let start = (y + row) * stride + x;
-        let mut source = [[0u8; 4]; LANES];
-        source[..width].copy_from_slice(&pixels[start..start + width]);
-        let alpha = &mut out.alpha[row];
-        let mut inverse: Lanes = [0.0; LANES];
-        for i in 0..LANES {
-            let a = f32::from(source[i][3]);
-            alpha[i] = a * (1.0 / 255.0);
-            inverse[i] = 1.0 / max(a, 1.0);
+        let mut packed = [0i32; LANES];
+        for (packed, pixel) in packed.iter_mut().zip(&pixels[start..start + width]) {
+            *packed = i32::from_le_bytes(*pixel);
+        }
+        let mut scale: Lanes = [1.0 / 255.0; LANES];
+        if !OPAQUE {
+            for i in 0..LANES {
+                let alpha = ((packed[i] >> 24) & 255) as f32;
+                out.alpha[row][i] = alpha * (1.0 / 255.0);
+                scale[i] = 1.0 / max(alpha, 1.0);
+            }
         }
         for channel in 0..3 {
             let color = &mut out.color[channel][row];
             for i in 0..LANES {
-                color[i] = linear(f32::from(source[i][channel]) * inverse[i]);
+                color[i] = linear(((packed[i] >> (8 * channel)) & 255) as f32 * scale[i]);
             }
         }
     }

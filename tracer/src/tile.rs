@@ -212,7 +212,7 @@ impl Workspace {
         let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
         let floor = scene.floor;
         if floor.fits(scene) {
-            albedo::read(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
+            albedo::read_opaque(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
             if self.forms.iter().any(|&at| scene.tops[at].finish.art) {
                 albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
             }

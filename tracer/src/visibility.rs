@@ -10,7 +10,7 @@
 
 use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
 use crate::obstruction::{Cap, Element, Obstruction, Piece};
-use crate::points::{Plane, TILE};
+use crate::points::Plane;
 
 /// A slope that stands for "straight across".
 const STEEP: f32 = 1e18;
@@ -26,19 +26,19 @@ pub(crate) struct Source {
     pub radius: f32,
 }
 
-/// Room for the ends of the intervals that a tile's points see.
+/// Room for the ends of the intervals that one block of points sees.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Intervals {
-    low: Vec<Plane>,
-    high: Vec<Plane>,
+    low: Vec<Lanes>,
+    high: Vec<Lanes>,
 }
 
 impl Intervals {
     /// Makes room for `count` intervals a point.
     pub fn reserve(&mut self, count: usize) {
         if self.low.len() < count {
-            self.low.resize(count, [[0.0; LANES]; TILE]);
-            self.high.resize(count, [[0.0; LANES]; TILE]);
+            self.low.resize(count, [0.0; LANES]);
+            self.high.resize(count, [0.0; LANES]);
         }
     }
 }
@@ -61,41 +61,79 @@ fn visible_fraction_lanes(
     room: &mut Intervals,
     fraction: &mut Plane,
 ) {
-    let count = between.intervals();
-    let (low, high) = (&mut room.low[..count], &mut room.high[..count]);
-    let mut first = 0;
-    for (chain, &end) in between.ends.iter().enumerate() {
-        let elements = &between.elements[first..end];
-        first = end;
-        for block in 0..blocks {
-            cover_chain(&x[block], &y[block], source, elements, &mut low[chain][block], &mut high[chain][block]);
-        }
-    }
-    for (at, piece) in between.pieces.iter().enumerate() {
-        let (low, high) = (&mut low[between.ends.len() + at], &mut high[between.ends.len() + at]);
-        for block in 0..blocks {
-            if piece.clipped {
-                cover_piece::<true>(&x[block], &y[block], source, piece, &mut low[block], &mut high[block]);
-            } else {
-                cover_piece::<false>(&x[block], &y[block], source, piece, &mut low[block], &mut high[block]);
-            }
-        }
-    }
     for block in 0..blocks {
-        let out = &mut fraction[block];
+        let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
         if source.radius == 0.0 {
-            hard_shadow(block, low, high, out);
-            continue;
+            hard_shadow(x, y, source, between, out);
+        } else {
+            soft_shadow(x, y, source, between, room, out);
         }
-        let (x, y) = (&x[block], &y[block]);
-        match count {
-            1 => uncovered::<1>(x, y, source, block, low, high, out),
-            2 => uncovered::<2>(x, y, source, block, low, high, out),
-            3 => uncovered::<3>(x, y, source, block, low, high, out),
-            4 => uncovered::<4>(x, y, source, block, low, high, out),
-            5 => uncovered::<5>(x, y, source, block, low, high, out),
-            6 => uncovered::<6>(x, y, source, block, low, high, out),
-            _ => uncovered_many(x, y, source, block, low, high, out),
+    }
+}
+
+/// The interval that the chain or piece of this number covers, for each of a block of points.
+#[inline(always)]
+fn interval(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, at: usize, low: &mut Lanes, high: &mut Lanes) {
+    let chains = between.ends.len();
+    if at < chains {
+        let first = if at == 0 { 0 } else { between.ends[at - 1] };
+        return cover_chain(x, y, source, &between.elements[first..between.ends[at]], low, high);
+    }
+    let piece = &between.pieces[at - chains];
+    if piece.clipped {
+        cover_piece::<true>(x, y, source, piece, low, high);
+    } else {
+        cover_piece::<false>(x, y, source, piece, low, high);
+    }
+}
+
+/// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
+#[inline(always)]
+fn soft_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, room: &mut Intervals, out: &mut Lanes) {
+    let mut limit = [0.0; LANES];
+    for i in 0..LANES {
+        limit[i] = source.radius / way(x[i], y[i], source).2.sqrt();
+    }
+    let mut count = 0;
+    for at in 0..between.intervals() {
+        let (begin, end) = (&mut room.low[count], &mut room.high[count]);
+        interval(x, y, source, between, at, begin, end);
+        let (mut met, mut missed) = (0u32, 0u32);
+        for i in 0..LANES {
+            begin[i] = clamp(begin[i], -limit[i], limit[i]);
+            end[i] = clamp(end[i], -limit[i], limit[i]);
+            met |= u32::from(end[i] > begin[i]);
+            missed |= u32::from(end[i] - begin[i] < 2.0 * limit[i]);
+        }
+        if missed == 0 {
+            *out = [0.0; LANES];
+            return;
+        }
+        count += met as usize;
+    }
+    let (lows, highs) = (&mut room.low[..count], &mut room.high[..count]);
+    match count {
+        0 => *out = [1.0; LANES],
+        1 => uncovered::<1>(&limit, lows, highs, out),
+        2 => uncovered::<2>(&limit, lows, highs, out),
+        3 => uncovered::<3>(&limit, lows, highs, out),
+        4 => uncovered::<4>(&limit, lows, highs, out),
+        5 => uncovered::<5>(&limit, lows, highs, out),
+        6 => uncovered::<6>(&limit, lows, highs, out),
+        _ => uncovered_many(&limit, lows, highs, out),
+    }
+}
+
+/// Visible or not: for a lamp without size.
+#[inline(always)]
+fn hard_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, out: &mut Lanes) {
+    *out = [1.0; LANES];
+    let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
+    for at in 0..between.intervals() {
+        interval(x, y, source, between, at, &mut low, &mut high);
+        for i in 0..LANES {
+            let covered = (low[i] <= 0.0) & (high[i] >= 0.0);
+            out[i] = if covered { 0.0 } else { out[i] };
         }
     }
 }
@@ -301,36 +339,14 @@ fn across_chord(
     (bottom / square, top / square)
 }
 
-/// Visible or not: for a lamp without size.
-#[inline(always)]
-fn hard_shadow(block: usize, low: &[Plane], high: &[Plane], out: &mut Lanes) {
-    *out = [1.0; LANES];
-    for (low, high) in low.iter().zip(high.iter()) {
-        for i in 0..LANES {
-            let covered = (low[block][i] <= 0.0) & (high[block][i] >= 0.0);
-            out[i] = if covered { 0.0 } else { out[i] };
-        }
-    }
-}
-
 /// One minus the union of `N` intervals, in registers.
 #[inline(always)]
-fn uncovered<const N: usize>(
-    x: &Lanes,
-    y: &Lanes,
-    source: Source,
-    block: usize,
-    low: &[Plane],
-    high: &[Plane],
-    out: &mut Lanes,
-) {
+fn uncovered<const N: usize>(limit: &Lanes, low: &[Lanes], high: &[Lanes], out: &mut Lanes) {
     for i in 0..LANES {
-        let (_, _, square) = way(x[i], y[i], source);
-        let limit = source.radius / square.sqrt();
         let (mut begin, mut end) = ([0.0; N], [0.0; N]);
         for k in 0..N {
-            begin[k] = clamp(low[k][block][i], -limit, limit);
-            end[k] = clamp(high[k][block][i], -limit, limit);
+            begin[k] = low[k][i];
+            end[k] = high[k][i];
         }
         for last in (1..N).rev() {
             for k in 0..last {
@@ -338,59 +354,42 @@ fn uncovered<const N: usize>(
                 (end[k], end[k + 1]) = (min(end[k], end[k + 1]), max(end[k], end[k + 1]));
             }
         }
-        let mut gaps = begin[0] + limit;
+        let mut gaps = begin[0] + limit[i];
         for k in 1..N {
             gaps += max(begin[k] - end[k - 1], 0.0);
         }
-        gaps += limit - end[N - 1];
-        out[i] = clamp(gaps / (2.0 * limit), 0.0, 1.0);
+        gaps += limit[i] - end[N - 1];
+        out[i] = clamp(gaps / (2.0 * limit[i]), 0.0, 1.0);
     }
 }
 
 /// One minus the union of any number of intervals, sorted in place.
 #[inline(always)]
-fn uncovered_many(
-    x: &Lanes,
-    y: &Lanes,
-    source: Source,
-    block: usize,
-    low: &mut [Plane],
-    high: &mut [Plane],
-    out: &mut Lanes,
-) {
-    let mut limit = [0.0; LANES];
+fn uncovered_many(limit: &Lanes, low: &mut [Lanes], high: &mut [Lanes], out: &mut Lanes) {
+    sort(low);
+    sort(high);
+    let mut gaps = *limit;
     for i in 0..LANES {
-        limit[i] = source.radius / way(x[i], y[i], source).2.sqrt();
-    }
-    for plane in low.iter_mut().chain(high.iter_mut()) {
-        for i in 0..LANES {
-            plane[block][i] = clamp(plane[block][i], -limit[i], limit[i]);
-        }
-    }
-    sort(block, low);
-    sort(block, high);
-    let mut gaps = limit;
-    for i in 0..LANES {
-        gaps[i] += low[0][block][i];
+        gaps[i] += low[0][i];
     }
     for (begin, end) in low[1..].iter().zip(high.iter()) {
         for i in 0..LANES {
-            gaps[i] += max(begin[block][i] - end[block][i], 0.0);
+            gaps[i] += max(begin[i] - end[i], 0.0);
         }
     }
-    let last = &high[high.len() - 1][block];
+    let last = &high[high.len() - 1];
     for i in 0..LANES {
         out[i] = clamp((gaps[i] + limit[i] - last[i]) / (2.0 * limit[i]), 0.0, 1.0);
     }
 }
 
-/// Sorts each lane of one block by itself.
+/// Sorts each lane by itself.
 #[inline(always)]
-fn sort(block: usize, planes: &mut [Plane]) {
-    for last in (1..planes.len()).rev() {
+fn sort(rows: &mut [Lanes]) {
+    for last in (1..rows.len()).rev() {
         for k in 0..last {
-            let (lower, upper) = planes.split_at_mut(k + 1);
-            let (a, b) = (&mut lower[k][block], &mut upper[0][block]);
+            let (lower, upper) = rows.split_at_mut(k + 1);
+            let (a, b) = (&mut lower[k], &mut upper[0]);
             for i in 0..LANES {
                 (a[i], b[i]) = (min(a[i], b[i]), max(a[i], b[i]));
             }
