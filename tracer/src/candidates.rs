@@ -3,7 +3,7 @@
 //! Lists of discs are narrowed in steps: all that a lamp reaches, what matters to a block of tiles, what matters to one
 //! tile. Every test is conservative: what it throws out casts no shadow there.
 
-use crate::lanes::{Path, clones};
+use crate::lanes::{Path, clones, max};
 use crate::silhouette::{Link, Silhouettes};
 use crate::{Group, Lamp};
 use geometry::{DVec2, Segment};
@@ -12,24 +12,25 @@ use geometry::{DVec2, Segment};
 const MARGIN_MM: f32 = 2e-3;
 
 /// The disc lies beyond one side of the space between tile and lamp.
-const BEYOND_LEFT: u8 = 1;
+const BEYOND_LEFT: u16 = 1;
 /// The disc lies beyond the other side.
-const BEYOND_RIGHT: u8 = 2;
+const BEYOND_RIGHT: u16 = 2;
 /// The disc lies behind the lamp for every point of the tile.
-const BEHIND_LAMP: u8 = 4;
+const BEHIND_LAMP: u16 = 4;
 /// The disc lies behind every point of the tile.
-const BEHIND_TILE: u8 = 8;
+const BEHIND_TILE: u16 = 8;
+/// For every point of the tile the disc lies before the lamp's chord.
+pub(crate) const BEFORE_LAMP: u16 = 256;
+/// The link up to this disc has the lamp and the tile, all of both, on one side.
+const ASIDE: u16 = 16;
 /// Both discs of a link have one of these in common: no shadow.
-const OUTSIDE: u8 = BEYOND_LEFT | BEYOND_RIGHT | BEHIND_LAMP | BEHIND_TILE;
+const OUTSIDE: u16 = BEYOND_LEFT | BEYOND_RIGHT | BEHIND_LAMP | BEHIND_TILE;
 /// The disc reaches the left side.
-pub(crate) const MEETS_LEFT: u8 = 16;
+pub(crate) const MEETS_LEFT: u16 = 32;
 /// The disc reaches the right side.
-pub(crate) const MEETS_RIGHT: u8 = 32;
+pub(crate) const MEETS_RIGHT: u16 = 64;
 /// For every point of the tile the disc lies between the point and the lamp's chord.
-pub(crate) const BETWEEN: u8 = 64;
-/// The disc lies before the lamp's chord for every point of the tile.
-pub(crate) const BEFORE_LAMP: u8 = 128;
-
+pub(crate) const BETWEEN: u16 = 128;
 /// Discs of chains, relative to a lamp's middle.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
@@ -46,9 +47,9 @@ pub(crate) struct Candidates {
     /// Which disc of the [`Silhouettes`] it is.
     pub index: Vec<u32>,
     /// What the last [`Candidates::classify`] found.
-    pub code: Vec<u8>,
+    pub code: Vec<u16>,
     /// What the wider list's discs were found to be when this list was narrowed from it.
-    wider_code: Vec<u8>,
+    wider_code: Vec<u16>,
 }
 
 /// Two discs: a lamp at the origin, and one around a part of the floor.
@@ -57,6 +58,7 @@ pub(crate) struct Cone {
     tile: [f32; 2],
     tile_radius: f32,
     tile_distance: f32,
+    lamp_radius: f32,
     left: [f32; 2],
     right: [f32; 2],
     offset: f32,
@@ -81,6 +83,7 @@ impl Cone {
             tile: narrow(tile),
             tile_radius: radius_mm as f32,
             tile_distance: distance as f32,
+            lamp_radius: lamp_radius as f32,
             left: narrow(left),
             right: narrow(right),
             offset: offset as f32,
@@ -160,13 +163,13 @@ impl Candidates {
         self.link_counts(&self.code, at)
     }
 
-    fn link_counts(&self, code: &[u8], at: usize) -> bool {
+    fn link_counts(&self, code: &[u16], at: usize) -> bool {
         match self.link[at] {
             Link::Start => {
                 let alone = self.link.get(at + 1).is_none_or(|&next| next == Link::Start);
                 alone && code[at] & OUTSIDE == 0
             }
-            _ => code[at - 1] & code[at] & OUTSIDE == 0,
+            _ => code[at - 1] & code[at] & OUTSIDE == 0 && code[at] & ASIDE == 0,
         }
     }
 
@@ -222,11 +225,11 @@ fn outer_radius(all: &Silhouettes, at: usize) -> f64 {
 
 clones! {
     /// Writes for each disc the bits that say how it lies to the cone.
-    fn classify(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u8]) = classify_lanes;
+    fn classify(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u16]) = classify_lanes;
 }
 
 #[inline(always)]
-fn classify_lanes(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u8]) {
+fn classify_lanes(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u16]) {
     let n = code.len();
     let (x, y, outer, inner) = (&x[..n], &y[..n], &outer[..n], &inner[..n]);
     let [tx, ty] = cone.tile;
@@ -248,7 +251,7 @@ fn classify_lanes(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Con
         let behind_tile = from_tile + from_tile_swing + square + thick < 0.0;
         let before_lamp = to_lamp - to_lamp_swing - thick > 0.0;
         let after_tile = from_tile - from_tile_swing - thick > 0.0;
-        let bit = |is: bool, bit: u8| if is { bit } else { 0 };
+        let bit = |is: bool, bit: u16| if is { bit } else { 0 };
         code[i] = bit(left - outer[i] > 0.0, BEYOND_LEFT)
             | bit(right - outer[i] > 0.0, BEYOND_RIGHT)
             | bit(behind_lamp, BEHIND_LAMP)
@@ -257,5 +260,17 @@ fn classify_lanes(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Con
             | bit(right + inner[i] >= 0.0, MEETS_RIGHT)
             | bit(before_lamp & after_tile, BETWEEN)
             | bit(before_lamp, BEFORE_LAMP);
+    }
+    for i in 1..n {
+        // The distances of the lamp's and of the tile's middle from the line through both discs.
+        let (ex, ey) = (x[i] - x[i - 1], y[i] - y[i - 1]);
+        let scale = 1.0 / max(ex * ex + ey * ey, 1e-12).sqrt();
+        let lamp = (ey * x[i] - ex * y[i]) * scale;
+        let tile = lamp - (ey * tx - ex * ty) * scale;
+        let thick = max(outer[i - 1], outer[i]);
+        let (lamp_room, tile_room) = (cone.lamp_radius + thick, cone.tile_radius + thick);
+        let above = (lamp > lamp_room) & (tile > tile_room);
+        let below = (lamp < -lamp_room) & (tile < -tile_room);
+        code[i] |= if above | below { ASIDE } else { 0 };
     }
 }

@@ -82,7 +82,7 @@ impl Obstruction {
         self.ends.clear();
         self.pieces.clear();
         let place = Place { all, middle_mm };
-        let mut chain = 0u8;
+        let mut chain = 0u16;
         for at in 0..near.len() {
             let counts = near.counts(at) && Some(near.group[at]) != without;
             let alone = near.link[at] == Link::Start;
@@ -129,7 +129,7 @@ impl Obstruction {
 }
 
 /// Whether a connected chain, all of it between tile and lamp, reaches from one side of their hull to the other.
-fn dark(chain: u8) -> bool {
+fn dark(chain: u16) -> bool {
     chain & MEETS_LEFT != 0 && chain & MEETS_RIGHT != 0
 }
 

@@ -80,10 +80,11 @@ fn interval(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, at: usi
         return cover_chain(x, y, source, &between.elements[first..between.ends[at]], low, high);
     }
     let piece = &between.pieces[at - chains];
-    if piece.clipped {
-        cover_piece::<true>(x, y, source, piece, low, high);
-    } else {
-        cover_piece::<false>(x, y, source, piece, low, high);
+    match (piece.clipped, piece.cap.is_some()) {
+        (false, false) => cover_piece::<false, false>(x, y, source, piece, low, high),
+        (false, true) => cover_piece::<false, true>(x, y, source, piece, low, high),
+        (true, false) => cover_piece::<true, false>(x, y, source, piece, low, high),
+        (true, true) => cover_piece::<true, true>(x, y, source, piece, low, high),
     }
 }
 
@@ -191,8 +192,10 @@ struct Tangents {
     lower: [f32; 2],
     /// The other one.
     upper: [f32; 2],
-    /// What takes a tangent's direction to the point where it touches.
-    touch: f32,
+    /// How far away the tangents touch, and the square of the middle's distance: their quotient takes a tangent's
+    /// direction to the point where it touches.
+    tangent: f32,
+    square: f32,
     /// Whether the point is inside the disc.
     inside: bool,
 }
@@ -213,7 +216,8 @@ fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tan
         center: [ahead, aside],
         lower: [ahead * tangent + aside * radius, aside * tangent - ahead * radius],
         upper: [ahead * tangent - aside * radius, aside * tangent + ahead * radius],
-        touch: tangent / max(square, 1e-12),
+        tangent,
+        square,
         inside: tangent_square < 0.0,
     }
 }
@@ -226,16 +230,17 @@ fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
     if forward { quotient } else { behind }
 }
 
-/// Whether the tangent touches the circle within the cap.
+/// Whether the tangent touches the circle within the cap; `least` is the cap's, times the square of the way's length.
 #[inline(always)]
-fn on_cap(seen: &Tangents, tangent: [f32; 2], middle: [f32; 2], least: f32) -> bool {
-    let (nx, ny) = (tangent[0] * seen.touch - seen.center[0], tangent[1] * seen.touch - seen.center[1]);
-    (nx * middle[0] + ny * middle[1] >= least) & !seen.inside
+fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) -> bool {
+    let nx = direction[0] * seen.tangent - seen.center[0] * seen.square;
+    let ny = direction[1] * seen.tangent - seen.center[1] * seen.square;
+    (nx * middle[0] + ny * middle[1] >= least * seen.square) & !seen.inside
 }
 
 /// The interval of any hull of two discs, wherever it lies.
 #[inline(always)]
-fn cover_piece<const CLIPPED: bool>(
+fn cover_piece<const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
     y: &Lanes,
     source: Source,
@@ -244,7 +249,6 @@ fn cover_piece<const CLIPPED: bool>(
     high: &mut Lanes,
 ) {
     let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0 });
-    let has_cap = piece.cap.is_some();
     let hull = !piece.single;
     for i in 0..LANES {
         let (ux, uy, square) = way(x[i], y[i], source);
@@ -253,24 +257,20 @@ fn cover_piece<const CLIPPED: bool>(
         // Directions are compared by the turn from one to the other, not by slope: a hull may go round behind the point.
         let b_lowest = cross(b.lower, a.lower) > 0.0;
         let b_highest = cross(a.upper, b.upper) > 0.0;
-        let mut lower = pick(b_lowest, b.lower, a.lower);
-        let mut upper = pick(b_highest, b.upper, a.upper);
-        let mut lower_touch = if b_lowest { b.touch } else { a.touch };
-        let mut upper_touch = if b_highest { b.touch } else { a.touch };
-        if has_cap {
+        let mut lower = Touch::pick(b_lowest, &b, b.lower, &Touch::of(&a, a.lower));
+        let mut upper = Touch::pick(b_highest, &b, b.upper, &Touch::of(&a, a.upper));
+        if CAPPED {
             let ends = tangents(x[i], y[i], cap.circle, ux, uy);
             let middle = in_frame(cap.middle, ux, uy);
             let least = cap.least * square;
-            let lowest = on_cap(&ends, ends.lower, middle, least) & (cross(ends.lower, lower) > 0.0);
-            let highest = on_cap(&ends, ends.upper, middle, least) & (cross(upper, ends.upper) > 0.0);
-            lower = pick(lowest, ends.lower, lower);
-            upper = pick(highest, ends.upper, upper);
-            lower_touch = if lowest { ends.touch } else { lower_touch };
-            upper_touch = if highest { ends.touch } else { upper_touch };
+            let lowest = on_cap(&ends, ends.lower, middle, least) & (cross(ends.lower, lower.direction) > 0.0);
+            let highest = on_cap(&ends, ends.upper, middle, least) & (cross(upper.direction, ends.upper) > 0.0);
+            lower = Touch::pick(lowest, &ends, ends.lower, &lower);
+            upper = Touch::pick(highest, &ends, ends.upper, &upper);
         }
         // Less than half a turn that begins and ends behind the point is all behind it.
-        let behind = (lower[0] <= 0.0) & (upper[0] <= 0.0);
-        let (mut lowest, mut highest) = (slope(lower, -STEEP), slope(upper, STEEP));
+        let behind = (lower.direction[0] <= 0.0) & (upper.direction[0] <= 0.0);
+        let (mut lowest, mut highest) = (slope(lower.direction, -STEEP), slope(upper.direction, STEEP));
         // Seen from outside, a hull spans less than half a turn: from the tangent at the disc on one side to the
         // tangent at the disc on the other.
         let b_above_a = cross(a.center, b.center) >= 0.0;
@@ -278,24 +278,46 @@ fn cover_piece<const CLIPPED: bool>(
         let inside = a.inside | b.inside | (hull & (span < 0.0));
         if CLIPPED {
             let (bottom, top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
-            lowest = if lower[0] * lower_touch > square { bottom } else { lowest };
-            highest = if upper[0] * upper_touch > square { top } else { highest };
+            lowest = if lower.is_beyond(square) { bottom } else { lowest };
+            highest = if upper.is_beyond(square) { top } else { highest };
         }
         let empty = behind | (lowest > highest);
-        low[i] = if inside {
-            -STEEP
-        } else if empty {
-            STEEP
-        } else {
-            lowest
-        };
+        low[i] = if inside { -STEEP } else { if empty { STEEP } else { lowest } };
         high[i] = if inside | empty { STEEP } else { highest };
     }
 }
 
-#[inline(always)]
-fn pick(first: bool, a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
-    [if first { a[0] } else { b[0] }, if first { a[1] } else { b[1] }]
+/// Where a tangent touches: its direction, and what takes that to the point.
+#[derive(Clone, Copy)]
+struct Touch {
+    direction: [f32; 2],
+    tangent: f32,
+    square: f32,
+}
+
+impl Touch {
+    #[inline(always)]
+    fn of(seen: &Tangents, direction: [f32; 2]) -> Touch {
+        Touch { direction, tangent: seen.tangent, square: seen.square }
+    }
+
+    #[inline(always)]
+    fn pick(first: bool, seen: &Tangents, direction: [f32; 2], other: &Touch) -> Touch {
+        Touch {
+            direction: [
+                if first { direction[0] } else { other.direction[0] },
+                if first { direction[1] } else { other.direction[1] },
+            ],
+            tangent: if first { seen.tangent } else { other.tangent },
+            square: if first { seen.square } else { other.square },
+        }
+    }
+
+    /// Whether the point lies beyond the lamp's chord; `way` is the square of the way to the lamp.
+    #[inline(always)]
+    fn is_beyond(&self, way: f32) -> bool {
+        self.direction[0] * self.tangent > way * self.square
+    }
 }
 
 #[inline(always)]
