@@ -70,7 +70,7 @@ impl Search {
         }
         if self.rounds < ROUNDS {
             self.rounds += 1;
-            fire(desk, names);
+            desk.order(Command::BallSearch);
         } else {
             self.rest(moment.now);
             self.give_up(&balls);
@@ -125,15 +125,4 @@ fn waits_at(ball: &BallPose, kind: &Kind) -> bool {
         0.0
     };
     ball.center.distance(*tip + lane * along) < half_width_m + 2.0 * BALL_RADIUS_M
-}
-
-/// Fires every coil that may free a ball.
-fn fire(desk: &mut Desk, names: &Names) {
-    for (part, kind) in names.parts() {
-        match kind {
-            Kind::Saucer(_) => desk.order(Command::Eject(part)),
-            Kind::DropTarget(_) => desk.order(Command::Raise(part)),
-            _ => true,
-        };
-    }
 }

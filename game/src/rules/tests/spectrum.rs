@@ -41,15 +41,15 @@ fn make(bench: &mut Bench, colour: &str) {
                 bench.close(target);
             }
         }
-        "orange" => repeat(bench, "spinner", 24),
-        "yellow" => repeat(bench, "standup-left", 3),
+        "orange" => repeat(bench, "spinner", 12),
+        "yellow" => repeat(bench, "standup-left", 2),
         "green" => repeat(bench, "bumper-low", 15),
         "blue" => repeat(bench, "saucer", 2),
         "indigo" => {
             bench.hit("left-sling");
             repeat(bench, "orbit-right", 2);
         }
-        "violet" => repeat(bench, "standup-right", 3),
+        "violet" => repeat(bench, "standup-right", 2),
         other => panic!("{other} is not a colour"),
     }
     sound(bench);
