@@ -31,7 +31,7 @@ pub(super) struct Future<'a> {
 /// What it costs to lose a ball.
 const LOSS: f64 = 60.0;
 /// What it is worth to have a ball under control.
-const CONTROL: f64 = 9.0;
+const CONTROL: f64 = 15.0;
 /// What it costs when a ball comes down between the flippers.
 const GAP: f64 = 25.0;
 
@@ -76,6 +76,16 @@ impl<'a> Future<'a> {
     /// Counts the balls that nothing can save any more, at the end of a look ahead.
     pub fn mark_lost(&mut self) {
         self.lost += self.balls().iter().filter(|ball| self.playfield.lost(ball.center)).count();
+    }
+
+    /// Whether it is clear what becomes of every ball: gone, in reach of a flipper, or on its way up.
+    pub fn settled(&self) -> bool {
+        let clear = |ball: &physics::BallPose| {
+            self.playfield.lost(ball.center)
+                || self.playfield.in_reach(ball.center).is_some()
+                || self.playfield.arrives_in(ball).is_none()
+        };
+        self.lost > 0 || self.balls().iter().all(clear)
     }
 
     /// How good it is to be here.

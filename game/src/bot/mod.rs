@@ -34,9 +34,17 @@ const REACTION_TICKS: u64 = 115;
 /// A ball that can be at the flippers within so many ticks calls for a decision.
 const ALERT_TICKS: u64 = 280;
 /// Ticks between two decisions about the same ball.
-const SECOND_THOUGHT_TICKS: u64 = 110;
+const SECOND_THOUGHT_TICKS: u64 = 170;
+/// Ticks until another thought is given to a ball that seems lost.
+const RESIGNED_TICKS: u64 = 300;
+/// A plan that is worth less loses a ball.
+const LOST_VALUE: f64 = -30.0;
 /// Ticks between two looks at the display.
 const DISPLAY_TICKS: u64 = 100;
+/// Ticks before the first game.
+const WARM_UP_TICKS: u64 = 1500;
+/// Ticks between two games.
+const BREATHER_TICKS: u64 = 6000;
 /// Ticks between two pushes of the cabinet.
 const NUDGE_PAUSE_TICKS: u64 = 2500;
 /// Times that the tilt bob may touch in a ball before the bot pushes no more.
@@ -127,7 +135,8 @@ impl Bot {
         if balls.iter().any(|ball| playfield.waits(ball)) {
             return self.plunge(tick, playfield);
         }
-        let mut free = balls.iter().filter(|ball| !ball.held && !playfield.in_lane(ball));
+        let playable = |ball: &&BallPose| !ball.held && !playfield.in_lane(ball) && !playfield.lost(ball.center);
+        let mut free = balls.iter().filter(playable);
         let lying = free.clone().find(|ball| self.lies_on_raised(playfield, ball));
         match lying {
             Some(_) => self.aim(simulation, playfield, worth),
@@ -170,7 +179,7 @@ impl Bot {
         let mut start = Future::now(simulation.machine(), self.hands.held(), tick, playfield, worth);
         start.play(reaction, |_| false);
         let mut plan = plan::best(&start, may_hold);
-        if plan.value < -30.0
+        if plan.value < LOST_VALUE
             && self.may_nudge(tick)
             && let Some(save) = plan::best_nudge(&start)
         {
@@ -178,7 +187,7 @@ impl Bot {
             self.nudged_at = Some(tick);
         }
         self.hands.intend(&plan.moves, tick, &mut self.chance);
-        self.think_at = tick + SECOND_THOUGHT_TICKS;
+        self.think_at = tick + if plan.value < LOST_VALUE { RESIGNED_TICKS } else { SECOND_THOUGHT_TICKS };
     }
 
     fn may_nudge(&self, tick: u64) -> bool {
@@ -209,7 +218,8 @@ impl Bot {
 
     fn press_start(&mut self, tick: u64) {
         self.think_at = tick + 50;
-        if tick < self.idle_since + 1500 {
+        let pause = if self.idle_since == 0 { WARM_UP_TICKS } else { BREATHER_TICKS };
+        if tick < self.idle_since + pause {
             return;
         }
         let moves = [

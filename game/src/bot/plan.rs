@@ -4,17 +4,24 @@ use super::hands::Move;
 use super::lookahead::Future;
 use crate::Buttons;
 use physics::BallPose;
+use std::cmp::Ordering;
 
 /// Ticks that a flipper is held up in a stroke.
 const STROKE_TICKS: u64 = 130;
 /// Ticks between two moments at which a stroke is tried.
 const TRY_TICKS: u64 = 9;
-/// Most moments that are tried in one decision.
-const TRIES: usize = 14;
+/// Moments that are tried for each flipper at first.
+const TRIES: usize = 10;
+/// Moments whose neighbours are tried, too.
+const SECOND_LOOKS: usize = 2;
+/// Most moments that are remembered in one decision.
+const MOMENTS: usize = 90;
 /// How long the ball's way to the flippers and over them is followed.
 const APPROACH_TICKS: u64 = 650;
+/// How much longer a ball is followed that comes near no flipper on its way down.
+const FATE_TICKS: u64 = 900;
 /// How long a stroke's result is followed.
-const RESULT_TICKS: u64 = 650;
+const RESULT_TICKS: u64 = 520;
 /// How long it is followed to see whether a ball comes to rest on a raised flipper.
 const TRAP_TICKS: u64 = 900;
 /// Ticks that are followed after something was hit, to see where the ball goes.
@@ -57,7 +64,7 @@ fn release<'a>(start: &Future<'a>) -> (Plan, Vec<(Buttons, Future<'a>)>) {
     let mut future = start.clone();
     future.set(BOTH, false);
     let mut branches = Vec::new();
-    while future.tick < start.tick + APPROACH_TICKS && future.lost == 0 && branches.len() < TRIES {
+    while future.tick < start.tick + APPROACH_TICKS && future.lost == 0 && branches.len() < MOMENTS {
         let balls = future.balls();
         for side in sides_in_reach(&future, &balls) {
             branches.push((side, future.clone()));
@@ -66,6 +73,9 @@ fn release<'a>(start: &Future<'a>) -> (Plan, Vec<(Buttons, Future<'a>)>) {
             break;
         }
         future.play(TRY_TICKS, |_| false);
+    }
+    if branches.is_empty() {
+        future.play(FATE_TICKS, |future| future.settled());
     }
     future.mark_lost();
     let moves = vec![Move { tick: start.tick, buttons: BOTH, down: false }];
@@ -87,20 +97,38 @@ fn leaves(future: &Future, ball: &BallPose) -> bool {
     ball.velocity.y < -0.3 && future.playfield().in_reach(ball.center).is_none()
 }
 
-/// A stroke at each of these moments. A hand is not exact, so a moment is as good as it and its neighbours are.
+/// The most promising strokes at these moments.
 fn strokes(start: &Future, branches: &[(Buttons, Future)]) -> Vec<Plan> {
     let mut plans = Vec::new();
-    for wanted in [Buttons::LEFT, Buttons::RIGHT] {
-        let moments: Vec<&Future> =
-            branches.iter().filter(|(side, _)| *side == wanted).map(|(_, future)| future).collect();
-        let values: Vec<f64> = moments.iter().map(|future| stroke_value(future, wanted)).collect();
-        for (index, future) in moments.iter().enumerate() {
-            let near = |at: Option<usize>| at.and_then(|at| values.get(at)).copied().unwrap_or(values[index] - 5.0);
-            let value = 0.5 * values[index] + 0.25 * (near(index.checked_sub(1)) + near(Some(index + 1)));
-            plans.push(Plan { moves: stroke(start.tick, future.tick, wanted), value });
+    for side in [Buttons::LEFT, Buttons::RIGHT] {
+        let moments: Vec<&Future> = branches.iter().filter(|(of, _)| *of == side).map(|(_, future)| future).collect();
+        let step = moments.len().div_ceil(TRIES).max(1);
+        let mut values: Vec<Option<f64>> = vec![None; moments.len()];
+        for index in (0..moments.len()).step_by(step) {
+            values[index] = Some(stroke_value(moments[index], side));
+        }
+        let mut tried: Vec<usize> = (0..moments.len()).step_by(step).collect();
+        tried.sort_by(|a, b| values[*b].partial_cmp(&values[*a]).unwrap_or(Ordering::Equal));
+        for index in tried.into_iter().take(SECOND_LOOKS) {
+            let value = steady_value(&moments, &mut values, index, side);
+            plans.push(Plan { moves: stroke(start.tick, moments[index].tick, side), value });
         }
     }
     plans
+}
+
+/// What a stroke at this moment is worth to a hand that is not exact: its neighbours count, too.
+fn steady_value(moments: &[&Future], values: &mut [Option<f64>], index: usize, side: Buttons) -> f64 {
+    let mut value = |at: Option<usize>| {
+        let at = at.filter(|at| *at < moments.len())?;
+        Some(*values[at].get_or_insert_with(|| stroke_value(moments[at], side)))
+    };
+    let own = value(Some(index)).unwrap_or(0.0);
+    // Beyond the first or the last moment a stroke misses the ball.
+    let beyond = own - 5.0;
+    let early = value(index.checked_sub(1)).unwrap_or(beyond);
+    let late = value(Some(index + 1)).unwrap_or(beyond);
+    0.5 * own + 0.25 * (early + late)
 }
 
 /// What comes of a stroke that begins here.
@@ -153,7 +181,7 @@ fn nudge(start: &Future, push: Buttons, wait: u64) -> Plan {
     future.set(push, true);
     future.play(PUSH_TICKS, |_| false);
     future.set(push, false);
-    future.play(TRAP_TICKS, |future| future.lost > 0);
+    future.play(TRAP_TICKS + FATE_TICKS, |future| future.settled());
     future.mark_lost();
     let value = if future.lost > 0 { -1.0 } else { 1.0 + future.value() };
     let moves =

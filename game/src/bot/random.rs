@@ -48,9 +48,9 @@ impl Random {
         pulled && simulation.pose().balls.iter().any(|ball| playfield.waits(ball) || playfield.in_lane(ball))
     }
 
-    /// Presses start for a moment every three seconds while no game is on.
+    /// Presses start for a moment every nine seconds while no game is on.
     fn starts(&mut self, simulation: &Simulation) -> bool {
-        let moment = simulation.ticks() % 3000;
+        let moment = simulation.ticks() % 9000;
         if moment == 2000 {
             self.starting = !simulation.display().playing;
         }
