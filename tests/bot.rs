@@ -1,0 +1,65 @@
+//! The bot plays better than chance, and the same way every time.
+
+use game::bot::trial::{self, Player, Trial};
+use game::bot::{Bot, Random};
+use game::recording::Replay;
+use game::{Recording, Table};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+fn spectrum() -> Arc<Table> {
+    Arc::new(Table::load("spectrum").unwrap())
+}
+
+/// Games of these seeds, at most so many ticks long.
+fn games(seeds: std::ops::Range<u64>, longest: u64, player: impl Fn(u64) -> Player + Sync) -> Vec<Trial> {
+    let table = spectrum();
+    seeds.into_par_iter().map(|seed| trial::play(&table, seed, player(seed), longest).unwrap()).collect()
+}
+
+fn score(trials: &[Trial]) -> i64 {
+    trials.iter().map(|trial| trial.score).sum()
+}
+
+#[test]
+fn the_bot_outscores_a_player_who_flips_at_random() {
+    let minute = 60_000;
+    let bot = games(1..4, minute, |seed| Player::Bot(Bot::new(seed)));
+    let random = games(1..4, minute, |seed| Player::Random(Random::new(seed)));
+    let (bot, random) = (score(&bot), score(&random));
+    assert!(bot > random, "bot {bot}, random {random}");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_game_on_any_number_of_threads() {
+    let play = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| games(5..8, 15_000, |seed| Player::Bot(Bot::new(seed))))
+    };
+    let bytes = |trials: Vec<Trial>| trials.into_iter().map(|trial| trial.recording).collect::<Vec<_>>();
+    let (one, three) = (bytes(play(1)), bytes(play(3)));
+    assert!(one == three, "the recordings differ");
+    assert!(one[0] != one[1], "every seed has its own game");
+}
+
+#[test]
+fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
+    let trial = games(11..12, 20_000, |seed| Player::Bot(Bot::new(seed))).remove(0);
+    let recording = Recording::parse(&trial.recording).unwrap();
+    let mut replay = Replay::new(recording.clone()).unwrap();
+    let mut restored = Replay::new(recording).unwrap();
+    while replay.step() && restored.step() {
+        if replay.tick().is_multiple_of(777) {
+            restored.save_and_restore().unwrap();
+        }
+    }
+    assert_eq!((replay.difference(), restored.difference()), (None, None));
+    assert_eq!((replay.tick(), replay.simulation().hash()), (trial.ticks, restored.simulation().hash()));
+    // Any moment is found from any other.
+    for tick in [12_345, 3, 19_000, 12_345] {
+        replay.seek(tick);
+        let mut fresh = Replay::new(replay.recording().clone()).unwrap();
+        fresh.seek(tick);
+        assert_eq!((replay.tick(), replay.simulation().hash()), (tick, fresh.simulation().hash()));
+    }
+}
