@@ -55,6 +55,12 @@ pub struct Message {
     pub until: Option<u64>,
 }
 
+impl Message {
+    fn is_gone(&self, now: u64) -> bool {
+        self.until.is_some_and(|until| until <= now)
+    }
+}
+
 impl Desk {
     /// The desk of a machine that has just been switched on.
     pub fn new(seed: u64) -> Desk {
@@ -77,10 +83,13 @@ impl Desk {
         ordered
     }
 
-    /// Shows a message from now on, for `duration_ms` or (0) until another comes.
+    /// Shows a message from now on, for `duration_ms` or (0) until another comes. A message with the headline of the one
+    /// that is still shown is the same message with other words: it does not come anew.
     pub fn say(&mut self, lines: Vec<String>, duration_ms: u64) {
         let until = (duration_ms > 0).then(|| self.now.saturating_add(duration_ms));
-        self.message = Message { lines, since: self.now, until };
+        let same = !self.message.is_gone(self.now) && self.message.lines.first() == lines.first();
+        let since = if same { self.message.since } else { self.now };
+        self.message = Message { lines, since, until };
     }
 
     /// Takes note of an event; the name of the script's function that should hear of it, and the part that it is told.
@@ -109,7 +118,7 @@ impl Desk {
 
     /// What the display shows now.
     pub fn display(&self) -> Display {
-        let gone = self.message.until.is_some_and(|until| until <= self.now);
+        let gone = self.message.is_gone(self.now);
         Display {
             scores: self.score.scores.clone(),
             player: self.score.player,

@@ -112,3 +112,24 @@ fn a_script_that_forgets_the_ball_is_helped() {
     bench.wait(16_000);
     assert_eq!(bench.balls.len(), 1);
 }
+
+#[test]
+fn a_message_that_counts_does_not_come_anew() {
+    let rules = "fn on_switch(name) { this.count = 1 + if this.count == () { 0 } else { this.count };
+        message(name.to_upper(), `${this.count}`, 500); }";
+    let mut bench = Bench::new(table(rules, &["lane", "other"], &[])).expect("the rules are sound");
+    bench.close("lane");
+    let since = bench.display().message_tick;
+    bench.wait(100);
+    bench.close("lane");
+    assert_eq!((bench.display().message_tick, bench.display().message[1].as_str()), (since, "2"));
+    bench.wait(499);
+    assert_eq!(bench.display().message.len(), 2, "its time begins again");
+    bench.wait(1);
+    assert!(bench.display().message.is_empty());
+    bench.close("lane");
+    assert!(bench.display().message_tick > since, "it had gone");
+    let since = bench.display().message_tick;
+    bench.close("other");
+    assert!(bench.display().message_tick > since, "another headline");
+}
