@@ -12,6 +12,7 @@ mod numbers;
 mod outline;
 mod parts;
 mod path;
+mod pen;
 mod place;
 mod rim;
 mod solids;

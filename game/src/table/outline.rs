@@ -1,6 +1,7 @@
 //! What one element draws, on the table, in millimetres.
 
-use super::path::{self, Ellipse, Pen, Piece, Run};
+use super::path;
+use super::pen::{self, Ellipse, Pen, Piece, Run};
 use super::place::Place;
 use super::style;
 use geometry::{Bounds, Circle, DVec2, Segment};
@@ -67,7 +68,7 @@ impl Outline {
     /// The closed polygons that this is, if all of it is closed.
     pub fn polygons(&self) -> Option<Vec<Vec<DVec2>>> {
         match self {
-            Outline::Circle(circle) => Some(vec![path::circle_polygon(*circle)]),
+            Outline::Circle(circle) => Some(vec![pen::circle_polygon(*circle)]),
             Outline::Runs(runs) => {
                 let closed = runs.iter().all(|run| run.closed && run.polygon.len() > 2);
                 closed.then(|| runs.iter().map(|run| run.polygon.clone()).collect())

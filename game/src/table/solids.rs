@@ -4,7 +4,7 @@ use super::class::Class;
 use super::drawing::Thing;
 use super::numbers::{FinishWords, Numbers};
 use super::outline::Outline;
-use super::path::Run;
+use super::pen::Run;
 use super::{Solid, parts, rim};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Part, PartId};
