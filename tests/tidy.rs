@@ -26,13 +26,13 @@ fn sources(folder: &str) -> Vec<(String, String)> {
     found
 }
 
-/// The lines of code under `folder` that name `word` (comments left out), as `path:line`.
+/// The lines of code under `folder` that name `word` (comments and the file name `rules.rhai` left out), as `path:line`.
 fn naming(folder: &str, word: &str) -> Vec<String> {
     sources(folder)
         .iter()
         .flat_map(|(path, text)| {
             let named = text.lines().enumerate().filter(|(_, line)| {
-                let code = line.split("//").next().unwrap_or("");
+                let code = line.split("//").next().unwrap_or("").replace("rules.rhai", "");
                 code.split(|c: char| !c.is_alphanumeric() && c != '_').any(|name| name == word)
             });
             named.map(move |(number, _)| format!("{path}:{}", number + 1)).collect::<Vec<_>>()
