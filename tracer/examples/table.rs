@@ -2,6 +2,7 @@
 //!
 //!     cargo run --release -p tracer --example table -- OUT.png [WIDTHxHEIGHT] [THREADS] [baseline|avx2|avx512]
 
+use geometry::DVec2;
 use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
@@ -17,34 +18,50 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = Path::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(Path::best);
     let view = View::fit(width.parse()?, height.parse()?, testing::SIZE_MM);
     let props = testing::props(&view);
-    let scene = testing::table(view, &props);
+    let mut scene = testing::table(view, &props);
     let mut renderer = Renderer::on(path);
     let (mut radiance, mut frame) = (Radiance::default(), Frame::default());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    let (mut light_ms, mut tone_ms) = (Vec::new(), Vec::new());
-    pool.install(|| {
-        for _ in 0..60 {
-            let start = now();
-            renderer.render(&scene, &mut radiance);
-            let middle = now();
-            tone::map_on(path, &radiance, 1.0, &mut frame);
-            light_ms.push((middle - start).as_secs_f64() * 1e3);
-            tone_ms.push(middle.elapsed().as_secs_f64() * 1e3);
-        }
-    });
     println!("{} lamps, {} occluders, {} tops", scene.lamps.len(), scene.occluders.len(), scene.tops.len());
-    let (least_light, light) = spread(light_ms);
-    let (least_tone, tone) = spread(tone_ms);
-    println!(
-        "{} threads={threads}: light {light:.2} ms (least {least_light:.2}), tone {tone:.2} ms (least {least_tone:.2})",
-        path.name()
-    );
+    for what in ["relit", "moving", "still"] {
+        let (mut light_ms, mut tone_ms) = (Vec::new(), Vec::new());
+        let cpu_before = cpu_ms();
+        pool.install(|| {
+            for _ in 0..60 {
+                match what {
+                    "relit" => renderer.forget(),
+                    "moving" => testing::roll(&mut scene, DVec2::new(0.4, -1.1)),
+                    _ => {}
+                }
+                let start = now();
+                renderer.render(&scene, &mut radiance);
+                let middle = now();
+                tone::map_on(path, &radiance, 1.0, &mut frame);
+                light_ms.push((middle - start).as_secs_f64() * 1e3);
+                tone_ms.push(middle.elapsed().as_secs_f64() * 1e3);
+            }
+        });
+        let ((least_light, light), (least_tone, tone)) = (spread(light_ms), spread(tone_ms));
+        let cpu = (cpu_ms() - cpu_before) / 60.0;
+        println!(
+            "{what} {} threads={threads}: light {light:.2} ms (least {least_light:.2}), \
+             tone {tone:.2} ms (least {least_tone:.2}), both {cpu:.2} ms of processor",
+            path.name()
+        );
+    }
     save(&frame, out)
 }
 
 #[expect(clippy::disallowed_methods, reason = "an example that measures")]
 fn now() -> Instant {
     Instant::now()
+}
+
+/// Processor time of all threads so far, where Linux tells: on a busy machine it says more than the clock.
+fn cpu_ms() -> f64 {
+    let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
+    let spent = tasks.filter_map(|task| std::fs::read_to_string(task.path().join("schedstat")).ok());
+    spent.filter_map(|text| text.split(' ').next()?.parse::<f64>().ok()).sum::<f64>() * 1e-6
 }
 
 /// The least and the median.

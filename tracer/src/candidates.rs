@@ -158,6 +158,15 @@ impl Candidates {
         classify(path, &self.x, &self.y, &self.outer, &self.inner, cone, &mut self.code);
     }
 
+    /// Classifies, and says whether anything may cast a shadow.
+    pub fn classified_any(&mut self, path: Path, cone: &Cone) -> bool {
+        if self.len() == 0 {
+            return false;
+        }
+        self.classify(path, cone);
+        (0..self.len()).any(|at| self.counts(at))
+    }
+
     /// Whether the link from the disc before `at` (the disc alone, where a chain of one starts) may cast a shadow.
     pub fn counts(&self, at: usize) -> bool {
         self.link_counts(&self.code, at)
@@ -175,8 +184,9 @@ impl Candidates {
 
     /// Puts into `narrower` what may cast a shadow within `cone`.
     ///
-    /// The pieces of arcs that are near the tile or the lamp are cut finer.
-    pub fn narrow(&self, path: Path, lamp: &Lamp, all: &Silhouettes, cone: &Cone, narrower: &mut Candidates) {
+    /// With the lamp and the silhouettes that the list was made from, the pieces of arcs that are near the tile or the
+    /// lamp are cut finer.
+    pub fn narrow(&self, path: Path, cone: &Cone, narrower: &mut Candidates, finer: Option<(&Lamp, &Silhouettes)>) {
         narrower.clear();
         narrower.wider_code.resize(self.len(), 0);
         classify(path, &self.x, &self.y, &self.outer, &self.inner, cone, &mut narrower.wider_code);
@@ -189,14 +199,14 @@ impl Candidates {
             }
             if counts {
                 let between = follows && narrower.wider_code[at - 1] & narrower.wider_code[at] & BETWEEN != 0;
-                match self.link[at] {
-                    Link::Bulge(bulge) if !between => {
+                match (self.link[at], finer) {
+                    (Link::Bulge(bulge), Some((lamp, all))) if !between => {
                         let fine = all.bulges[bulge as usize].fine.clone();
                         for at in fine.skip(1) {
                             narrower.push(lamp, all, at, all.discs[at].link);
                         }
                     }
-                    link => narrower.copy(self, at, link),
+                    (link, _) => narrower.copy(self, at, link),
                 }
             }
             open = counts && follows;

@@ -1,7 +1,7 @@
 //! What a lamp's light does at points of a tile: how much arrives, and how a tilted surface answers.
 
 use crate::Lamp;
-use crate::lanes::{LANES, clones, max};
+use crate::lanes::{LANES, Lanes, clones, max};
 use crate::points::{Plane, Points, TILE};
 use geometry::DVec2;
 
@@ -50,13 +50,13 @@ pub(crate) struct Normals {
 
 clones! {
     /// Adds the beam's light on a flat floor, seen as far as `fraction` says.
-    pub(crate) fn light_floor(points: &Points, beam: Beam, fraction: &Plane, light: &mut Light) = light_floor_lanes;
+    pub(crate) fn light_floor(points: &Points, beam: Beam, fraction: &[Lanes], light: &mut Light) = light_floor_lanes;
 }
 
 clones! {
     /// Adds the beam's light on a leaning surface: diffuse and mirrored.
     pub(crate) fn light_top(
-        points: &Points, normals: &Normals, beam: Beam, fraction: &Plane, diffuse: &mut Light, mirrored: &mut Light,
+        points: &Points, normals: &Normals, beam: Beam, fraction: &[Lanes], diffuse: &mut Light, mirrored: &mut Light,
     ) = light_top_lanes;
 }
 
@@ -68,7 +68,7 @@ fn falloff(square: f32, beam: &Beam) -> f32 {
 }
 
 #[inline(always)]
-fn light_floor_lanes(points: &Points, beam: Beam, fraction: &Plane, light: &mut Light) {
+fn light_floor_lanes(points: &Points, beam: Beam, fraction: &[Lanes], light: &mut Light) {
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let mut arriving = [0.0; LANES];
@@ -93,7 +93,7 @@ fn light_top_lanes(
     points: &Points,
     normals: &Normals,
     beam: Beam,
-    fraction: &Plane,
+    fraction: &[Lanes],
     diffuse: &mut Light,
     mirrored: &mut Light,
 ) {

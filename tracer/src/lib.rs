@@ -18,6 +18,7 @@ mod frame;
 mod glare;
 mod irradiance;
 mod lanes;
+mod memory;
 pub mod monte_carlo;
 mod obstruction;
 mod points;

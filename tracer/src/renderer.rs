@@ -5,11 +5,12 @@ use crate::ball::{Glint, Patch, Table};
 use crate::candidates::Candidates;
 use crate::coverage::Form;
 use crate::lanes::Path;
+use crate::memory::{Past, TileMemory};
 use crate::monte_carlo::Sampling;
 use crate::points::{Points, TILE};
 use crate::silhouette::Silhouettes;
-use crate::tile::{Stage, Workspace};
-use crate::{Lamp, Radiance, Scene, Top, exact};
+use crate::tile::{Lit, Stage, Workspace};
+use crate::{Radiance, Scene, Top, exact};
 use rayon::prelude::*;
 use std::cell::RefCell;
 
@@ -20,7 +21,9 @@ const BLOCK: usize = 2 * TILE;
 pub struct Renderer {
     path: Path,
     silhouettes: Silhouettes,
-    lamps: Vec<(Lamp, Candidates)>,
+    moved: Silhouettes,
+    past: Past,
+    lamps: Vec<Lit>,
     tops: Vec<Top>,
     forms: Vec<Option<Form>>,
     whole_tile: (f64, Points),
@@ -49,6 +52,8 @@ impl Renderer {
         Renderer {
             path,
             silhouettes: Silhouettes::default(),
+            moved: Silhouettes::default(),
+            past: Past::default(),
             lamps: Vec::new(),
             tops: Vec::new(),
             forms: Vec::new(),
@@ -68,6 +73,11 @@ impl Renderer {
         self.render_with(scene, Some(sampling), radiance);
     }
 
+    /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
+    pub fn forget(&mut self) {
+        self.past = Past::default();
+    }
+
     fn render_with(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
         if scene.view.width == 0 || scene.view.height == 0 {
@@ -79,11 +89,15 @@ impl Renderer {
             scene,
             silhouettes: &self.silhouettes,
             lamps: &self.lamps,
+            moved_tops: &self.past.moved_tops,
             forms: &self.forms,
             whole_tile: &self.whole_tile.1,
             sampling,
         };
-        render_tiles(&stage, radiance);
+        render_tiles(&stage, &mut self.past.bands, radiance);
+        if sampling.is_none() {
+            self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
+        }
         self.render_balls(scene, radiance);
         let (width, height, stride) = (radiance.width(), radiance.height(), radiance.stride());
         radiance.glare.gather(self.path, &radiance.planes, stride, width, height);
@@ -91,15 +105,23 @@ impl Renderer {
 
     fn prepare(&mut self, scene: &Scene) {
         self.silhouettes.set(&scene.occluders);
-        let shining = scene.lamps.iter().filter(|lamp| lamp.shines());
+        let bands = scene.view.height.div_ceil(BLOCK);
+        let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
+        self.past.turn_page(&scene.view, &scene.occluders, bands, tiles);
         let mut count = 0;
-        for lamp in shining {
+        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
             if self.lamps.len() == count {
-                self.lamps.push((*lamp, Candidates::default()));
+                let none = Candidates::default;
+                self.lamps.push(Lit { lamp: *lamp, candidates: none(), moved: none(), lost: true, number: 0 });
             }
-            let (kept, candidates) = &mut self.lamps[count];
-            *kept = *lamp;
-            candidates.set(lamp, &self.silhouettes);
+            let lit = &mut self.lamps[count];
+            lit.lamp = *lamp;
+            lit.candidates.set(lamp, &self.silhouettes);
+            lit.number = self.past.number(lamp);
+            let known = &self.past.known[lit.number];
+            lit.lost = known.lost;
+            self.moved.set(&known.moved);
+            lit.moved.set(lamp, &self.moved);
             count += 1;
         }
         self.lamps.truncate(count);
@@ -111,15 +133,23 @@ impl Renderer {
 
     /// Most tops are where they were in the last frame.
     fn prepare_tops(&mut self, tops: &[Top]) {
+        let moved = &mut self.past.moved_tops;
+        moved.clear();
+        moved.extend(self.forms.iter().skip(tops.len()).flatten().map(|form| form.bounds));
         self.tops.truncate(tops.len());
         self.forms.truncate(tops.len());
         for (at, top) in tops.iter().enumerate() {
             if self.tops.len() == at {
                 self.tops.push(top.clone());
                 self.forms.push(Form::new(top));
-            } else if self.tops[at] != *top {
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
+            } else if stands(&self.tops[at], top) {
+                self.tops[at].finish = top.finish;
+            } else {
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
                 self.tops[at].clone_from(top);
                 self.forms[at] = Form::new(top);
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
             }
         }
     }
@@ -129,7 +159,7 @@ impl Renderer {
         for (ball, patch) in scene.balls.iter().zip(&mut self.patches) {
             self.glints.clear();
             let mut arriving = [0.0; 3];
-            for (lamp, candidates) in &self.lamps {
+            for Lit { lamp, candidates, .. } in &self.lamps {
                 let falloff = lamp.falloff(ball.center_mm) as f32;
                 if falloff <= 0.0 {
                     continue;
@@ -158,15 +188,21 @@ impl Renderer {
     }
 }
 
-fn render_tiles(stage: &Stage, radiance: &mut Radiance) {
+/// Whether a top covers what it covered, and leans as it leant; its colours may be others.
+fn stands(old: &Top, new: &Top) -> bool {
+    let (a, b) = (&old.finish, &new.finish);
+    old.outline == new.outline && old.group == new.group && (a.profile, a.opacity) == (b.profile, b.opacity)
+}
+
+fn render_tiles(stage: &Stage, memory: &mut [Vec<TileMemory>], radiance: &mut Radiance) {
     let stride = radiance.stride();
     let height = radiance.height();
     let [red, green, blue] = &mut radiance.planes;
     let band = stride * BLOCK;
-    let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-    bands.enumerate().for_each(|(at, ((red, green), blue))| {
+    let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band)).zip(memory);
+    bands.enumerate().for_each(|(at, (((red, green), blue), memory))| {
         WORKSPACE.with_borrow_mut(|workspace| {
-            render_band(stage, workspace, at * BLOCK, height, stride, [red, green, blue]);
+            render_band(stage, workspace, at * BLOCK, height, stride, [red, green, blue], memory);
         });
     });
 }
@@ -178,13 +214,15 @@ fn render_band(
     height: usize,
     stride: usize,
     mut planes: [&mut [f32]; 3],
+    memory: &mut [TileMemory],
 ) {
     let bottom = (top + BLOCK).min(height);
     for left in (0..stage.scene.view.width).step_by(BLOCK) {
         workspace.enter_block(stage, left, top, BLOCK);
         for y in (top..bottom).step_by(TILE) {
             for x in (left..stride.min(left + BLOCK)).step_by(TILE) {
-                workspace.render(stage, x, y);
+                let tile = (y - top) / TILE * (stride / TILE) + x / TILE;
+                workspace.render(stage, x, y, &mut memory[tile]);
                 for (plane, tile) in planes.iter_mut().zip(&workspace.out) {
                     for (row, line) in tile.iter().enumerate().take(bottom - y) {
                         plane[(y - top + row) * stride + x..][..TILE].copy_from_slice(line);

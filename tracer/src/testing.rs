@@ -64,6 +64,16 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
     }
 }
 
+/// Moves every ball, and the shadow that belongs to it.
+pub fn roll(scene: &mut Scene, by_mm: DVec2) {
+    for ball in &mut scene.balls {
+        ball.center_mm += by_mm;
+        for occluder in scene.occluders.iter_mut().filter(|occluder| occluder.group == ball.group) {
+            occluder.shape = Shape::disc(ball.center_mm, ball.radius_mm);
+        }
+    }
+}
+
 /// Floor art and inserts for `view`.
 pub fn props(view: &View) -> Props {
     let mut floor = Floor { width: view.width, height: view.height, floor: Vec::new(), tops: Vec::new() };

@@ -7,7 +7,8 @@ use crate::albedo::{self, Albedo};
 use crate::candidates::{Candidates, Cone};
 use crate::coverage::{Edge, Form};
 use crate::irradiance::{Beam, DARKNESS, Light, Normals, light_floor, light_top};
-use crate::lanes::{LANES, Path, clamp, max};
+use crate::lanes::{LANES, Lanes, Path, clamp, max};
+use crate::memory::{Sight, TileMemory};
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
@@ -24,8 +25,10 @@ pub(crate) struct Stage<'a> {
     pub path: Path,
     pub scene: &'a Scene<'a>,
     pub silhouettes: &'a Silhouettes,
-    /// The lamps that shine, and what may stand in their way.
-    pub lamps: &'a [(Lamp, Candidates)],
+    /// The lamps that shine.
+    pub lamps: &'a [Lit],
+    /// Where tops have moved since the last picture.
+    pub moved_tops: &'a [Bounds],
     /// The tops' outlines; `None` where there is nothing to see.
     pub forms: &'a [Option<Form>],
     /// Every pixel of a tile.
@@ -34,9 +37,26 @@ pub(crate) struct Stage<'a> {
     pub sampling: Option<Sampling>,
 }
 
+/// A lamp that shines.
+pub(crate) struct Lit {
+    /// The lamp.
+    pub lamp: Lamp,
+    /// What may stand in its way.
+    pub candidates: Candidates,
+    /// What has moved there since it was looked at last.
+    pub moved: Candidates,
+    /// Whether nothing is remembered of it.
+    pub lost: bool,
+    /// Its number in the tiles' memory.
+    pub number: usize,
+}
+
 /// What a thread needs to render tiles; kept, so that nothing is allocated once it is warm.
 pub(crate) struct Workspace {
+    block: (DVec2, f64),
     near: Vec<Candidates>,
+    is_near: Vec<bool>,
+    moved: Vec<Candidates>,
     lit: Vec<usize>,
     forms: Vec<usize>,
     between: Obstruction,
@@ -82,7 +102,10 @@ impl Workspace {
     pub fn new() -> Workspace {
         let zero = [[0.0; LANES]; TILE];
         Workspace {
+            block: (DVec2::ZERO, 0.0),
             near: Vec::new(),
+            is_near: Vec::new(),
+            moved: Vec::new(),
             lit: Vec::new(),
             forms: Vec::new(),
             between: Obstruction::default(),
@@ -109,24 +132,32 @@ impl Workspace {
         self.forms.clear();
         let overlaps = |form: &Option<Form>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
         self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
+        self.block = (middle, half * std::f64::consts::SQRT_2);
         self.lit.clear();
         self.near.resize_with(stage.lamps.len(), Candidates::default);
-        for (at, (lamp, _)) in stage.lamps.iter().enumerate() {
+        self.moved.resize_with(stage.lamps.len(), Candidates::default);
+        self.is_near.clear();
+        self.is_near.resize(stage.lamps.len(), false);
+        for (at, Lit { lamp, moved, .. }) in stage.lamps.iter().enumerate() {
             let cone = Cone::new(lamp, middle, half * std::f64::consts::SQRT_2);
-            if !cone.beyond(lamp.reach_mm) {
-                self.lit.push(at);
-                stage.lamps[at].1.narrow(stage.path, lamp, stage.silhouettes, &cone, &mut self.near[at]);
+            if cone.beyond(lamp.reach_mm) {
+                continue;
+            }
+            self.lit.push(at);
+            self.moved[at].clear();
+            if moved.len() > 0 {
+                moved.narrow(stage.path, &cone, &mut self.moved[at], None);
             }
         }
     }
 
     /// Renders the tile whose upper left pixel is (`x`, `y`) into `out`.
-    pub fn render(&mut self, stage: &Stage, x: usize, y: usize) {
+    pub fn render(&mut self, stage: &Stage, x: usize, y: usize, memory: &mut TileMemory) {
         let view = &stage.scene.view;
         let half = DVec2::splat(TILE as f64 * 0.5);
         let middle = view.origin_mm + (DVec2::new(x as f64, y as f64) + half) * view.mm_per_px;
         let layers = self.find_surfaces(stage, middle);
-        self.light_surfaces(stage, middle, layers, (x, y));
+        self.light_surfaces(stage, middle, layers, (x, y), memory);
         self.compose_floor(stage, x, y, middle);
         for layer in (0..layers).rev() {
             self.compose_top(stage, layer);
@@ -169,40 +200,96 @@ impl Workspace {
         layers
     }
 
-    fn light_surfaces(&mut self, stage: &Stage, middle: DVec2, layers: usize, corner: (usize, usize)) {
+    fn light_surfaces(
+        &mut self,
+        stage: &Stage,
+        middle: DVec2,
+        layers: usize,
+        corner: (usize, usize),
+        memory: &mut TileMemory,
+    ) {
         self.floor_light = DARKNESS;
         for layer in &mut self.tops[..layers] {
             layer.diffuse = DARKNESS;
             layer.mirrored = DARKNESS;
         }
+        let half = (TILE as f64 * 0.5 + 1.0) * stage.scene.view.mm_per_px;
+        let bounds = Bounds::of(middle, middle).grown(half);
+        if stage.moved_tops.iter().any(|moved| moved.overlaps(&bounds)) {
+            memory.forget();
+        }
         let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * stage.scene.view.mm_per_px;
-        for &at in &self.lit {
-            let lamp = &stage.lamps[at].0;
+        for index in 0..self.lit.len() {
+            let at = self.lit[index];
+            let Lit { lamp, lost, number, .. } = &stage.lamps[at];
             let cone = Cone::new(lamp, middle, radius);
             if cone.beyond(lamp.reach_mm) {
                 continue;
             }
-            let near = &mut self.near[at];
-            near.classify(stage.path, &cone);
-            let mut gaze = Gaze {
-                stage,
-                near,
-                lamp,
-                middle,
-                corner,
-                between: &mut self.between,
-                room: &mut self.room,
-                fraction: &mut self.fraction,
-            };
-            let beam = Beam::new(lamp, middle);
-            if self.floor.count > 0 && gaze.sees(&self.floor, None) {
-                light_floor(stage.path, &self.floor, beam, gaze.fraction, &mut self.floor_light);
+            let sight = memory.sight(*number);
+            let moved = &mut self.moved[at];
+            sight.holds &= !lost && !moved.classified_any(stage.path, &cone) && stage.sampling.is_none();
+            if !sight.holds {
+                self.look(stage, at, &cone, middle, layers, corner, sight);
             }
-            for layer in &mut self.tops[..layers] {
-                if gaze.sees(&layer.points, Some(stage.scene.tops[layer.form].group)) {
-                    let TopLayer { points, normals, diffuse, mirrored, .. } = layer;
-                    light_top(stage.path, points, normals, beam, gaze.fraction, diffuse, mirrored);
+            let beam = Beam::new(lamp, middle);
+            let fractions = |layer: usize, points: &Points, ones: &'static [Lanes; TILE]| match sight.layers[layer] {
+                (Verdict::Dark, _) => None,
+                (Verdict::Lit, _) => Some(&ones[..points.blocks()]),
+                (Verdict::Mixed, from) => Some(&sight.fractions[from..from + points.blocks()]),
+            };
+            if let Some(fraction) = fractions(0, &self.floor, &ALL) {
+                light_floor(stage.path, &self.floor, beam, fraction, &mut self.floor_light);
+            }
+            for (at, layer) in self.tops[..layers].iter_mut().enumerate() {
+                let TopLayer { points, normals, diffuse, mirrored, .. } = layer;
+                if let Some(fraction) = fractions(at + 1, points, &ALL) {
+                    light_top(stage.path, points, normals, beam, fraction, diffuse, mirrored);
                 }
+            }
+        }
+    }
+
+    /// Finds how much of a lamp each point of each layer sees.
+    #[allow(clippy::too_many_arguments)]
+    fn look(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        cone: &Cone,
+        middle: DVec2,
+        layers: usize,
+        corner: (usize, usize),
+        sight: &mut Sight,
+    ) {
+        let Lit { lamp, candidates, .. } = &stage.lamps[at];
+        let near = &mut self.near[at];
+        if !self.is_near[at] {
+            let around = Cone::new(lamp, self.block.0, self.block.1);
+            candidates.narrow(stage.path, &around, near, Some((lamp, stage.silhouettes)));
+            self.is_near[at] = true;
+        }
+        near.classify(stage.path, cone);
+        sight.holds = true;
+        sight.layers.clear();
+        sight.fractions.clear();
+        let mut gaze = Gaze {
+            stage,
+            near,
+            lamp,
+            middle,
+            corner,
+            between: &mut self.between,
+            room: &mut self.room,
+            fraction: &mut self.fraction,
+        };
+        let floor = (&self.floor, None);
+        let tops = self.tops[..layers].iter().map(|top| (&top.points, Some(stage.scene.tops[top.form].group)));
+        for (points, without) in std::iter::once(floor).chain(tops) {
+            let verdict = if points.count == 0 { Verdict::Dark } else { gaze.sees(points, without) };
+            sight.layers.push((verdict, sight.fractions.len()));
+            if verdict == Verdict::Mixed {
+                sight.fractions.extend_from_slice(&gaze.fraction[..points.blocks()]);
             }
         }
     }
@@ -379,37 +466,26 @@ struct Gaze<'a, 'b> {
 }
 
 impl Gaze<'_, '_> {
-    /// Finds how much of the lamp each point sees, past everything but one group; `false` is nothing at all.
-    fn sees(&mut self, points: &Points, without: Option<Group>) -> bool {
+    /// Finds how much of the lamp each point sees, past everything but one group.
+    fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
         if let Some(sampling) = &self.stage.sampling {
             let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
             let occluders = &self.stage.scene.occluders;
             sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
-            return true;
+            return Verdict::Mixed;
         }
-        match self.between.gather(self.near, self.stage.silhouettes, self.middle, without) {
-            Verdict::Dark => return false,
-            Verdict::Lit => self.fraction[..points.blocks()].fill([1.0; LANES]),
-            Verdict::Mixed => {
-                let from_tile = self.lamp.center_mm - self.middle;
-                let source = Source {
-                    x: from_tile.x as f32,
-                    y: from_tile.y as f32,
-                    radius: self.lamp.radius_mm.max(0.0) as f32,
-                };
-                self.room.reserve(self.between.intervals());
-                visible_fraction(
-                    self.stage.path,
-                    points.blocks(),
-                    &points.x,
-                    &points.y,
-                    source,
-                    self.between,
-                    self.room,
-                    self.fraction,
-                );
-            }
+        let verdict = self.between.gather(self.near, self.stage.silhouettes, self.middle, without);
+        if verdict == Verdict::Mixed {
+            let from_tile = self.lamp.center_mm - self.middle;
+            let source =
+                Source { x: from_tile.x as f32, y: from_tile.y as f32, radius: self.lamp.radius_mm.max(0.0) as f32 };
+            self.room.reserve(self.between.intervals());
+            let Gaze { stage, between, room, fraction, .. } = self;
+            visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);
         }
-        true
+        verdict
     }
 }
+
+/// All of a lamp, for every point.
+static ALL: Plane = [[1.0; LANES]; TILE];
