@@ -7,14 +7,14 @@ use crate::albedo::{self, Albedo};
 use crate::candidates::{Candidates, Cone};
 use crate::coverage::{Edge, Form};
 use crate::irradiance::{Beam, DARKNESS, Light, Normals, light_floor, light_top};
-use crate::lanes::{LANES, Lanes, Path, clamp, max};
+use crate::lanes::{LANES, Lanes, Path, clamp, clones, max};
 use crate::memory::{Sight, TileMemory};
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
 use crate::silhouette::Silhouettes;
 use crate::visibility::{Intervals, Source, visible_fraction};
-use crate::{Finish, Group, Lamp, Scene, monte_carlo};
+use crate::{Finish, Group, Lamp, Rgb, Scene, monte_carlo};
 use geometry::{Bounds, DVec2};
 
 /// Below this much of a pixel, nobody sees it.
@@ -62,6 +62,8 @@ pub(crate) struct Workspace {
     between: Obstruction,
     room: Intervals,
     fraction: Plane,
+    /// Whether the floor's points are every pixel of the tile.
+    whole: bool,
     floor: Points,
     floor_light: Light,
     tops: Vec<TopLayer>,
@@ -81,6 +83,8 @@ struct TopLayer {
     normals: Normals,
     diffuse: Light,
     mirrored: Light,
+    /// The art printed on it.
+    print: Light,
 }
 
 impl TopLayer {
@@ -93,6 +97,7 @@ impl TopLayer {
             normals: Normals { x: zero, y: zero, z: zero },
             diffuse: DARKNESS,
             mirrored: DARKNESS,
+            print: DARKNESS,
         }
     }
 }
@@ -111,6 +116,7 @@ impl Workspace {
             between: Obstruction::default(),
             room: Intervals::default(),
             fraction: zero,
+            whole: true,
             floor: Points::none(),
             floor_light: DARKNESS,
             tops: Vec::new(),
@@ -185,10 +191,10 @@ impl Workspace {
             layer.pack(&self.edge, form.bevel_mm(), opacity, mm_per_px as f32, &mut self.remaining);
             layers += usize::from(layer.points.count > 0);
         }
-        let hidden = self.remaining.iter().flatten().filter(|&&rest| rest < UNSEEN).count();
-        if hidden < AREA / 8 {
-            self.floor.clone_from(stage.whole_tile);
-        } else {
+        let hides = |rest: &f32| u32::from(*rest < UNSEEN);
+        let hidden = || self.remaining.iter().map(|row| row.iter().map(hides).sum::<u32>()).sum::<u32>();
+        self.whole = layers == 0 || hidden() < AREA as u32 / 8;
+        if !self.whole {
             self.floor.count = 0;
             for pixel in 0..AREA {
                 if self.remaining[pixel / LANES][pixel % LANES] >= UNSEEN {
@@ -238,8 +244,9 @@ impl Workspace {
                 (Verdict::Lit, _) => Some(&ones[..points.blocks()]),
                 (Verdict::Mixed, from) => Some(&sight.fractions[from..from + points.blocks()]),
             };
-            if let Some(fraction) = fractions(0, &self.floor, &ALL) {
-                light_floor(stage.path, &self.floor, beam, fraction, &mut self.floor_light);
+            let floor = if self.whole { stage.whole_tile } else { &self.floor };
+            if let Some(fraction) = fractions(0, floor, &ALL) {
+                light_floor(stage.path, floor, beam, fraction, &mut self.floor_light);
             }
             for (at, layer) in self.tops[..layers].iter_mut().enumerate() {
                 let TopLayer { points, normals, diffuse, mirrored, .. } = layer;
@@ -283,7 +290,7 @@ impl Workspace {
             room: &mut self.room,
             fraction: &mut self.fraction,
         };
-        let floor = (&self.floor, None);
+        let floor = (if self.whole { stage.whole_tile } else { &self.floor }, None);
         let tops = self.tops[..layers].iter().map(|top| (&top.points, Some(stage.scene.tops[top.form].group)));
         for (points, without) in std::iter::once(floor).chain(tops) {
             let verdict = if points.count == 0 { Verdict::Dark } else { gaze.sees(points, without) };
@@ -307,24 +314,17 @@ impl Workspace {
             self.art.color = [[[0.5; LANES]; TILE]; 3];
             self.printed.alpha = [[0.0; LANES]; TILE];
         }
-        for channel in 0..3 {
-            let out = &mut self.out[channel];
-            let light = &self.floor_light[channel];
-            if self.floor.count == AREA {
-                out.clone_from(light);
-            } else {
+        if !self.whole {
+            for (out, light) in self.out.iter_mut().zip(&self.floor_light) {
                 *out = [[0.0; LANES]; TILE];
                 for point in 0..self.floor.count {
                     let pixel = usize::from(self.floor.pixel[point]);
                     out[pixel / LANES][pixel % LANES] = light[point / LANES][point % LANES];
                 }
             }
-            for row in 0..TILE {
-                for i in 0..LANES {
-                    out[row][i] = self.art.color[channel][row][i] * (out[row][i] + scene.ambient[channel]);
-                }
-            }
+            self.floor_light.clone_from(&self.out);
         }
+        reflect(stage.path, &self.art.color, &self.floor_light, scene.ambient, &mut self.out);
         self.add_contact_shadows(stage, middle);
         self.add_glows(scene, x, y);
     }
@@ -379,52 +379,91 @@ impl Workspace {
     }
 
     fn compose_top(&mut self, stage: &Stage, layer: usize) {
-        let layer = &self.tops[layer];
+        let layer = &mut self.tops[layer];
         let finish = &stage.scene.tops[layer.form].finish;
-        for point in 0..layer.points.count {
+        if finish.art {
+            layer.take_print(&self.printed);
+        }
+        let TopLayer { points, normals, diffuse, mirrored, print, .. } = layer;
+        let print = finish.art.then_some(&*print);
+        shine(stage.path, points.blocks(), finish, stage.scene.ambient, &normals.z, print, mirrored, diffuse);
+        for point in 0..points.count {
             let (block, lane) = (point / LANES, point % LANES);
-            let pixel = usize::from(layer.points.pixel[point]);
+            let pixel = usize::from(points.pixel[point]);
             let (row, i) = (pixel / LANES, pixel % LANES);
             let coverage = layer.coverage[block][lane];
-            let up = layer.normals.z[block][lane];
-            let printed = if finish.art { self.printed.alpha[row][i] } else { 0.0 };
             for channel in 0..3 {
-                let art = 1.0 + (self.printed.color[channel][row][i] - 1.0) * printed;
-                let light = Reflected {
-                    albedo: finish.albedo[channel] * art,
-                    art,
-                    up,
-                    diffuse: layer.diffuse[channel][block][lane],
-                    mirrored: layer.mirrored[channel][block][lane],
-                };
                 let out = &mut self.out[channel][row][i];
-                let radiance = light.radiance(finish, channel, stage.scene.ambient[channel]);
-                *out += (radiance - *out) * coverage;
+                *out += (layer.diffuse[channel][block][lane] - *out) * coverage;
             }
         }
     }
 }
 
-/// What one channel of a top's point is made of.
-struct Reflected {
-    albedo: f32,
-    art: f32,
-    up: f32,
-    diffuse: f32,
-    mirrored: f32,
+clones! {
+    /// What the floor sends on of the light that arrives and of the light from everywhere.
+    fn reflect(albedo: &Light, light: &Light, ambient: Rgb, out: &mut Light) = reflect_lanes;
 }
 
-impl Reflected {
-    fn radiance(&self, finish: &Finish, channel: usize, ambient: f32) -> f32 {
-        let gloss = clamp(finish.gloss, 0.0, 1.0);
-        // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
-        let tint = 0.3 + (self.albedo - 0.3) * gloss;
-        let scattered = self.albedo * (1.0 - 0.4 * gloss) * (self.diffuse + ambient * (0.5 + 0.5 * self.up));
-        scattered + 2.5 * gloss * tint * self.mirrored + finish.emission[channel] * self.art
+#[inline(always)]
+fn reflect_lanes(albedo: &Light, light: &Light, ambient: Rgb, out: &mut Light) {
+    for channel in 0..3 {
+        for row in 0..TILE {
+            for i in 0..LANES {
+                out[channel][row][i] = albedo[channel][row][i] * (light[channel][row][i] + ambient[channel]);
+            }
+        }
+    }
+}
+
+clones! {
+    /// What a top sends on, in place of the diffuse light that arrives.
+    fn shine(
+        blocks: usize, finish: &Finish, ambient: Rgb, up: &Plane, print: Option<&Light>, mirrored: &Light,
+        diffuse: &mut Light,
+    ) = shine_lanes;
+}
+
+#[inline(always)]
+fn shine_lanes(
+    blocks: usize,
+    finish: &Finish,
+    ambient: Rgb,
+    up: &Plane,
+    print: Option<&Light>,
+    mirrored: &Light,
+    diffuse: &mut Light,
+) {
+    let gloss = clamp(finish.gloss, 0.0, 1.0);
+    for channel in 0..3 {
+        let (albedo, emission, ambient) = (finish.albedo[channel], finish.emission[channel], ambient[channel]);
+        for block in 0..blocks {
+            let art = print.map_or([1.0; LANES], |print| print[channel][block]);
+            let (up, mirrored, light) = (&up[block], &mirrored[channel][block], &mut diffuse[channel][block]);
+            for i in 0..LANES {
+                let albedo = albedo * art[i];
+                // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
+                let tint = 0.3 + (albedo - 0.3) * gloss;
+                let scattered = albedo * (1.0 - 0.4 * gloss) * (light[i] + ambient * (0.5 + 0.5 * up[i]));
+                light[i] = scattered + 2.5 * gloss * tint * mirrored[i] + emission * art[i];
+            }
+        }
     }
 }
 
 impl TopLayer {
+    /// Packs the art at the layer's points: white where nothing is printed.
+    fn take_print(&mut self, printed: &Albedo) {
+        for point in 0..self.points.count {
+            let pixel = usize::from(self.points.pixel[point]);
+            let (row, i) = (pixel / LANES, pixel % LANES);
+            let alpha = printed.alpha[row][i];
+            for (print, color) in self.print.iter_mut().zip(&printed.color) {
+                print[point / LANES][point % LANES] = 1.0 + (color[row][i] - 1.0) * alpha;
+            }
+        }
+    }
+
     /// Packs the pixels that the outline covers and nothing above hides.
     fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
         self.points.count = 0;
