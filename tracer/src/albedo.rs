@@ -71,6 +71,6 @@ fn read_lanes<const OPAQUE: bool>(
 #[inline(always)]
 pub(crate) fn linear(encoded: f32) -> f32 {
     let t = (encoded + 0.055) * (1.0 / 1.055);
-    let curved = ((((1.2434443 * t - 4.2045953) * t + 5.6990622) * t - 4.1126176) * t + 2.1558409) * t + 0.2188655;
+    let curved = ((((1.243444 * t - 4.204595) * t + 5.699062) * t - 4.112618) * t + 2.155841) * t + 0.218865;
     if encoded <= 0.040_45 { encoded * (1.0 / 12.92) } else { curved * t * t }
 }

@@ -72,7 +72,7 @@ impl Patch {
         (self.x, self.y) = (from.x as usize, from.y as usize);
         self.width = (to.x as usize).saturating_sub(self.x);
         let height = (to.y as usize).saturating_sub(self.y);
-        if self.width == 0 || height == 0 || !(ball.radius_mm > 0.0) {
+        if self.width == 0 || height == 0 || ball.radius_mm.is_nan() || ball.radius_mm <= 0.0 {
             self.width = 0;
             return;
         }

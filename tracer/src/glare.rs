@@ -109,7 +109,7 @@ fn quarter_row(rows: [&[f32]; 4], width: usize, target: &mut [f32]) {
         target[cell + 1] = sum * (1.0 / 16.0);
     }
     let mut end = cells + 1;
-    if width % STEP != 0 {
+    if !width.is_multiple_of(STEP) {
         let columns = cells * STEP..width;
         let count = (columns.len() * 4) as f32;
         target[end] = rows.iter().map(|row| row[columns.clone()].iter().sum::<f32>()).sum::<f32>() / count;
@@ -190,5 +190,5 @@ fn ascend(plane: &mut [f32], width: usize, height: usize, stride: usize, source:
 /// The cell that holds a cell of the finer level, and the next nearest, both counted with the border.
 fn neighbours(at: usize) -> (usize, usize) {
     let near = at / 2 + 1;
-    (near, if at % 2 == 0 { near - 1 } else { near + 1 })
+    (near, if at.is_multiple_of(2) { near - 1 } else { near + 1 })
 }

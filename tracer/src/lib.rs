@@ -8,9 +8,12 @@
 //! Lengths are millimetres; x to the right, y down. This crate refuses to know what a window, a file, a clock, a rule
 //! or a rolling ball is.
 
+#![allow(clippy::needless_range_loop, reason = "lanes and channels run in step through several arrays")]
+
 mod albedo;
 mod ball;
 mod candidates;
+mod compose;
 mod coverage;
 mod dither;
 pub mod exact;

@@ -150,7 +150,7 @@ fn film([r, g, b]: [f32; 3]) -> [f32; 3] {
 #[inline(always)]
 pub(crate) fn srgb(linear: f32) -> f32 {
     let s = max(linear, 0.0).sqrt();
-    let curved = ((((-0.761_408_33 * s + 2.801_746_5) * s - 4.212_598_6) * s + 3.406_116_5) * s - 1.746_204_6) * s;
-    let curved = (curved + 1.553_333_9) * s - 0.041_132_22;
+    let curved = ((((-0.761_408 * s + 2.801_746) * s - 4.212_598) * s + 3.406_116) * s - 1.746_204) * s;
+    let curved = (curved + 1.553_333) * s - 0.041_132;
     if linear <= 0.003_130_8 { 12.92 * linear } else { curved }
 }

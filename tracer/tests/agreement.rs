@@ -23,7 +23,7 @@ fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
             radius_mm: random.between(2.0, 9.0),
             height_mm: random.between(20.0, 40.0),
             reach_mm: random.between(90.0, 260.0),
-            color: [1.0, 1.0, 1.0],
+            color: [0.1; 3],
             inside: None,
         })
         .collect();
@@ -76,7 +76,7 @@ impl Difference {
     fn add(&mut self, difference: f64, place: DVec2) {
         self.square += difference * difference;
         self.count += 1;
-        if !(difference.abs() <= self.most) {
+        if difference.is_nan() || difference.abs() > self.most {
             (self.most, self.place) = (difference.abs(), place);
         }
     }
@@ -86,37 +86,94 @@ impl Difference {
     }
 }
 
+/// The gate for light that is about 1 where a lamp is near.
+fn assert_small(difference: &Difference, what: &str) {
+    let Difference { most, place, .. } = *difference;
+    assert!(difference.rmse() <= 1e-3, "{what}: root mean square {}", difference.rmse());
+    assert!(most <= 0.02, "{what}: {most} at {place}");
+}
+
 #[test]
-fn the_lanes_agree_with_double_precision() {
+fn the_lanes_agree_with_monte_carlo() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 0..10 {
         let scene = jumble(seed, &floor);
         renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
-        for at in (0..SIDE * SIDE).step_by(7) {
+        for at in (seed as usize..SIDE * SIDE).step_by(211) {
+            let (x, y) = (at % SIDE, at / SIDE);
+            let point = scene.view.table_from_pixel(x, y);
+            let sampling = Sampling { samples: 1024, seed, stratified: true };
+            let expected = monte_carlo::irradiance(&scene, point, None, sampling)[0];
+            difference.add(f64::from(radiance.pixel(x, y)[0] - expected), point);
+        }
+        assert_small(&difference, &format!("scene {seed}"));
+    }
+}
+
+#[test]
+fn the_lanes_agree_with_double_precision() {
+    let floor = white();
+    let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
+    for seed in 10..20 {
+        let scene = jumble(seed, &floor);
+        renderer.render(&scene, &mut radiance);
+        let mut difference = Difference::default();
+        for at in (0..SIDE * SIDE).step_by(13) {
             let (x, y) = (at % SIDE, at / SIDE);
             let point = scene.view.table_from_pixel(x, y);
             let expected = exact::irradiance(&scene, point, None)[0];
             difference.add(f64::from(radiance.pixel(x, y)[0] - expected), point);
         }
-        println!("{seed} {} {} {}", difference.rmse(), difference.most, difference.place);
-        //assert!(difference.rmse() <= 1e-3 && difference.most <= 0.02, "seed {seed}: {} {}", difference.most, difference.place);
+        assert_small(&difference, &format!("scene {seed}"));
     }
 }
 
+/// The hard case: a sketch of this method was wrong by a quarter of a lamp where a point touches an occluder. The view
+/// is so narrow here that most of its pixels are within a millimetre of an outline, many of them within 0.1 mm.
 #[test]
-fn double_precision_agrees_with_monte_carlo() {
+fn points_that_touch_an_occluder_are_right_too() {
     let floor = white();
-    for seed in 0..10 {
-        let scene = jumble(seed, &floor);
+    let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
+    for seed in 0..8 {
+        let mut scene = jumble(seed, &floor);
+        let shape = scene.occluders[seed as usize].shape;
+        let (_, away) = shape.distance(DVec2::splat(80.0));
+        let inside = DVec2::splat(80.0) - away * shape.distance(DVec2::splat(80.0)).0;
+        scene.view.mm_per_px = 0.02;
+        scene.view.origin_mm = inside - DVec2::splat(1.6);
+        renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
-        for at in (0..SIDE * SIDE).step_by(211) {
-            let point = scene.view.table_from_pixel(at % SIDE, at / SIDE);
+        for at in (0..SIDE * SIDE).step_by(307) {
+            let (x, y) = (at % SIDE, at / SIDE);
+            let point = scene.view.table_from_pixel(x, y);
             let sampling = Sampling { samples: 1024, seed, stratified: true };
             let expected = monte_carlo::irradiance(&scene, point, None, sampling)[0];
-            difference.add(f64::from(exact::irradiance(&scene, point, None)[0] - expected), point);
+            difference.add(f64::from(radiance.pixel(x, y)[0] - expected), point);
         }
-        println!("mc {seed} {} {} {}", difference.rmse(), difference.most, difference.place);
+        assert_small(&difference, &format!("scene {seed} at {inside}"));
+    }
+}
+
+/// A renderer that remembers earlier pictures, against one that does not, while things move, flash and vanish.
+#[test]
+fn memory_changes_no_bit() {
+    let floor = white();
+    let mut scene = jumble(3, &floor);
+    let (mut renderer, mut remembered, mut fresh) = (Renderer::new(), Radiance::default(), Radiance::default());
+    for frame in 0..12 {
+        let moving = &mut scene.occluders[4].shape;
+        *moving = Shape::disc(DVec2::new(20.0 + 9.0 * f64::from(frame), 70.0), 6.0);
+        scene.lamps[1].color = [0.1 * f32::from(u8::from(frame % 4 < 2)); 3];
+        if frame == 5 {
+            scene.occluders.pop();
+        }
+        if frame == 8 {
+            scene.lamps.swap(0, 2);
+        }
+        renderer.render(&scene, &mut remembered);
+        Renderer::new().render(&scene, &mut fresh);
+        assert!(remembered == fresh, "frame {frame}");
     }
 }
