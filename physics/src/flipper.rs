@@ -125,6 +125,19 @@ impl Blade {
         !rotor.seated
     }
 
+    /// As [`Blade::energise`] for a flipper on a stop; but one that comes free within `duration` is left as it was, to go
+    /// through it in finer steps.
+    pub fn wakes(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
+        let mut after = *rotor;
+        let free = self.energise(&mut after, pressed, duration);
+        if free {
+            rotor.seated = false;
+        } else {
+            *rotor = after;
+        }
+        free
+    }
+
     fn is_pressed_on_a_stop(&self, rotor: &Rotor) -> bool {
         let (along, lift) = (self.along(rotor.angle), self.lift(rotor));
         (along <= 0.0 && lift <= 0.0) || (along >= self.stroke && lift >= 0.0)

@@ -237,25 +237,25 @@ impl Machine {
         let fine = TICK_S / f64::from(FINE_STEPS);
         let (mut moving, mut near) = (false, false);
         for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            let free = !rotor.seated || blade.energise(rotor, pressed(blade.flipper.left), TICK_S);
-            moving |= free;
-            near |= free && self.state.balls.iter().any(|ball| may_reach(blade, ball));
+            moving |= !rotor.seated || blade.wakes(rotor, pressed(blade.flipper.left), TICK_S);
+            near |= self.state.balls.iter().any(|ball| may_reach(blade, ball));
         }
-        if moving && !near {
+        let apart = moving && !near;
+        if apart {
             for _ in 0..FINE_STEPS {
                 self.turn_flippers(&plan, fine, pressed);
                 self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(fine));
                 self.settle_flippers(&plan);
             }
         }
-        let steps = if near { FINE_STEPS } else { 1 };
+        let steps = if moving && near { FINE_STEPS } else { 1 };
         let duration = TICK_S / f64::from(steps);
         for _ in 0..steps {
-            if near {
+            if !apart {
                 self.turn_flippers(&plan, duration, pressed);
             }
-            self.step(&plan, pull, duration, near);
-            if near {
+            self.step(&plan, pull, duration, !apart);
+            if !apart {
                 self.settle_flippers(&plan);
             }
         }
