@@ -7,16 +7,18 @@ use geometry::{Circle, DVec2, Taper, trig};
 use serde::{Deserialize, Serialize};
 
 /// Time constant with which the coil's force builds up: inductance over resistance, and the eddy currents of the iron.
-const COIL_RISE_S: f64 = 0.012;
+const COIL_RISE_S: f64 = 0.0085;
+/// Time constant with which it falls to what the hold winding alone gives.
+const COIL_HOLD_S: f64 = 0.020;
 /// Time constant with which it dies away through the diode.
 const COIL_FALL_S: f64 = 0.003;
-/// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the current takes the rise
-/// time to fall to it, so the flipper is pressed hard while it bounces on its stop.
+/// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the force takes its
+/// time to fall to that, so the flipper is pressed hard while it bounces on its stop.
 const END_OF_STROKE_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Natural frequency of the flipper on its rubber stop: it stays in it for a little over a millisecond.
 const STOP_RAD_S: f64 = 1300.0;
 /// Damping ratio of the stop: it throws the flipper back with 0.3 of its speed.
-const STOP_DAMPING: f64 = 0.36;
+const STOP_DAMPING: f64 = 0.45;
 /// Slower than this and near its stop, the flipper has come to rest.
 const REST_RAD_S: f64 = 0.3;
 /// How far the stop gives when the flipper comes to rest in it, at most.
@@ -118,24 +120,16 @@ impl Blade {
         let (goal, time_constant) = match (pressed, near_end) {
             (false, _) => (0.0, COIL_FALL_S),
             (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
-            (true, true) => (self.flipper.hold_torque_n_m, COIL_RISE_S),
+            (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
         };
         rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
     }
 
-    /// As [`Blade::energise`] for a flipper on a stop; but one that comes free within `duration` is left as it was, to go
-    /// through it in finer steps.
-    pub fn wakes(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
-        let mut after = *rotor;
-        let free = self.energise(&mut after, pressed, duration);
-        if free {
-            rotor.seated = false;
-        } else {
-            *rotor = after;
-        }
-        free
+    /// Whether the flipper moves, or will within `duration`.
+    pub fn will_move(&self, rotor: &Rotor, pressed: bool, duration: f64) -> bool {
+        !rotor.seated || self.energise(&mut { *rotor }, pressed, duration)
     }
 
     fn is_pressed_on_a_stop(&self, rotor: &Rotor) -> bool {

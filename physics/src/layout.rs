@@ -88,7 +88,7 @@ pub struct Wall {
 /// A flipper: the hull of two discs that turns round the first.
 ///
 /// Numbers that give a real one's strokes (up in 19 to 26 ms, back at rest in 85 to 100 ms, tip at 5 to 6.5 m/s) for
-/// base 11.6 mm, tip 7 mm, `length_m` 60.5 mm and a stroke of 51 degrees: coil 1.7, hold 0.6, spring 0.20 N m, 0.14 kg.
+/// base 11.6 mm, tip 7 mm, `length_m` 60.5 mm and a stroke of 51 degrees: coil 3.3, hold 1.4, spring 0.32 N m, 0.30 kg.
 /// For another length keep torque over moment of inertia.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flipper {

@@ -236,8 +236,8 @@ impl Machine {
         let pressed = |left: bool| live && if left { controls.left } else { controls.right };
         let fine = TICK_S / f64::from(FINE_STEPS);
         let (mut moving, mut near) = (false, false);
-        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            moving |= !rotor.seated || blade.wakes(rotor, pressed(blade.flipper.left), TICK_S);
+        for (blade, rotor) in plan.blades.iter().zip(&self.state.mechanisms.rotors) {
+            moving |= blade.will_move(rotor, pressed(blade.flipper.left), TICK_S);
             near |= self.state.balls.iter().any(|ball| may_reach(blade, ball));
         }
         let apart = moving && !near;
@@ -263,10 +263,8 @@ impl Machine {
 
     fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: impl Fn(bool) -> bool) {
         for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            if !rotor.seated {
-                blade.energise(rotor, pressed(blade.flipper.left), duration);
-                blade.accelerate(rotor, duration);
-            }
+            blade.energise(rotor, pressed(blade.flipper.left), duration);
+            blade.accelerate(rotor, duration);
         }
     }
 

@@ -16,6 +16,8 @@ use geometry::{Core, DVec2, Ray};
 const SLOW_M_S: f64 = 5e-3;
 /// A ball that parts faster than this from what it touches is not held by it.
 const PARTING_M_S: f64 = 0.02;
+/// A ball this near to a turning flipper has hit it.
+const HIT_M: f64 = 1e-8;
 /// Nearer than this is touching: far above rounding, far below anything else.
 const TOUCH_M: f64 = 1e-9;
 /// An approach slower than this is none.
@@ -28,6 +30,12 @@ const STALE_M: f64 = 2e-4;
 const CHORD_M: f64 = 5e-6;
 /// Rounds of the solver for balls at rest.
 const SETTLE_ROUNDS: usize = 24;
+/// How often the settled speeds are checked against where they lead.
+const AHEAD_ROUNDS: usize = 4;
+/// An error of this speed there does not matter.
+const AHEAD_M_S: f64 = 1e-5;
+/// A ball that a flipper pushes is kept at least this far from it.
+const NEAR_M: f64 = 1e-6;
 /// A round that changes no velocity by more than this was the last.
 const SETTLED_M_S: f64 = 1e-8;
 
@@ -91,11 +99,12 @@ impl Sweep<'_> {
     /// Advances everything by `duration`. `scratch.motions` holds the pull on each ball.
     ///
     /// After very many hits (a ball squeezed between moving things) the rest of the step is dropped: everything stands
-    /// still for less than a millisecond, which neither loses nor makes energy.
+    /// still for less than a millisecond. A flipper that is in it is jammed and stops, or its coil would go on giving it
+    /// speed in a place where time does not pass.
     pub fn step(&mut self, duration: f64) {
         self.settle(duration);
         let mut left = duration;
-        let most = 12 + 8 * self.state.balls.len();
+        let most = 16 + 8 * self.state.balls.len();
         for _ in 0..most {
             let Some(strike) = self.first_strike(left) else {
                 self.advance(left, left);
@@ -104,6 +113,11 @@ impl Sweep<'_> {
             self.advance(strike.time, left);
             left -= strike.time;
             self.respond(&strike, left, duration);
+        }
+        for touch in &self.scratch.touches {
+            if let Other::Flipper(index) = touch.other {
+                self.state.mechanisms.rotors[index].speed = 0.0;
+            }
         }
     }
 
@@ -164,6 +178,21 @@ impl Sweep<'_> {
         let floor = &self.plan.floor;
         let most = floor.friction * floor.press * duration;
         let mut rubbed = vec![DVec2::ZERO; self.state.balls.len()];
+        for _ in 0..AHEAD_ROUNDS {
+            self.settle_rounds(most, &mut rubbed);
+            if !self.look_ahead(duration) {
+                break;
+            }
+        }
+        let bodies = bodies(self.plan, self.state);
+        for (ball, motion) in bodies.balls.iter_mut().zip(&self.scratch.motions) {
+            if motion.settled && !ball.is_held() {
+                ball.resist(floor, duration);
+            }
+        }
+    }
+
+    fn settle_rounds(&mut self, most: f64, rubbed: &mut [DVec2]) {
         let mut bodies = bodies(self.plan, self.state);
         for _ in 0..SETTLE_ROUNDS {
             let mut change: f64 = 0.0;
@@ -176,18 +205,37 @@ impl Sweep<'_> {
                 }
             }
             for touch in &mut self.scratch.touches {
-                change = change.max(touch.separate(&mut bodies, 0.0).abs());
+                change = change.max(touch.separate(&mut bodies, touch.goal).abs());
                 touch.grip(&mut bodies);
             }
             if change < SETTLED_M_S {
                 break;
             }
         }
-        for (ball, motion) in bodies.balls.iter_mut().zip(&self.scratch.motions) {
-            if motion.settled && !ball.is_held() {
-                ball.resist(floor, duration);
+    }
+
+    /// A flipper that turns bends away from the straight way of the ball that it pushes. So the two must part with just
+    /// the speed that leaves them as near at the step's end as they are at its start. True if that changes anything.
+    fn look_ahead(&mut self, duration: f64) -> bool {
+        let mut changed = false;
+        for touch in &mut self.scratch.touches {
+            let Other::Flipper(index) = touch.other else { continue };
+            let (rotor, blade) = (&self.state.mechanisms.rotors[index], &self.plan.blades[index]);
+            if rotor.speed == 0.0 {
+                continue;
+            }
+            let ball = &self.state.balls[touch.ball];
+            let now = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
+            let outline = blade.taper(rotor.angle + rotor.speed * duration);
+            let then = outline.distance(ball.center + ball.velocity * duration).0 - BALL_RADIUS_M;
+            let wanted = if now < NEAR_M { now + 0.2 * (NEAR_M - now) } else { now };
+            let missing = (wanted - then) / duration;
+            if missing > AHEAD_M_S {
+                touch.goal += missing;
+                changed = true;
             }
         }
+        changed
     }
 
     fn find_touches(&mut self, ball: usize, duration: f64) {
@@ -617,7 +665,6 @@ fn meet_flipper(
     velocity: DVec2,
     left: f64,
 ) -> Option<(f64, DVec2)> {
-    const NEAR_M: f64 = 1e-8;
     let farthest = center.distance(blade.pivot()) + velocity.length() * left;
     let bend = turn.abs() * (2.0 * velocity.length() + turn.abs() * farthest);
     let mut time = 0.0;
@@ -627,10 +674,11 @@ fn meet_flipper(
         let gap = distance - BALL_RADIUS_M;
         let lever = place - blade.pivot();
         let opening = (velocity - lever.perp() * turn).dot(normal);
-        if gap <= NEAR_M && opening < -STILL_M_S {
+        if gap <= HIT_M && opening < -STILL_M_S {
             return Some((time, normal));
         }
-        time += safe_time(gap.max(0.0), opening, bend)?.max(left / 256.0 * f64::from(u8::from(gap <= NEAR_M)));
+        let least = if gap <= HIT_M { left / 8.0 } else { 0.0 };
+        time += safe_time(gap.max(0.0), opening, bend)?.max(least);
         if time > left {
             return None;
         }

@@ -38,6 +38,8 @@ pub(crate) struct Touch {
     /// Where the ball was when it touched.
     pub center: DVec2,
     pub friction: f64,
+    /// Speed at which the two are to part while they lie on each other, m/s.
+    pub goal: f64,
     /// From the flipper's pivot to the point of contact.
     lever: DVec2,
     /// The ball's mass over the flipper's moment of inertia; 0 where it is rigid, and for everything else.
@@ -56,7 +58,7 @@ impl Touch {
             let turn = -lever.perp().dot(normal);
             give = BALL_MASS_KG * blade.inverse_inertia(&bodies.rotors[index], turn);
         }
-        Touch { ball, other, normal, center, friction, lever, give, pressed: 0.0, rubbed: DVec2::ZERO }
+        Touch { ball, other, normal, center, friction, goal: 0.0, lever, give, pressed: 0.0, rubbed: DVec2::ZERO }
     }
 
     fn other_velocity(&self, bodies: &Bodies) -> DVec2 {

@@ -58,10 +58,10 @@ pub fn flipper(left: bool) -> Part {
         up_rad,
         left,
         material: FLIPPER_RUBBER,
-        coil_torque_n_m: 1.7,
-        hold_torque_n_m: 0.6,
-        spring_torque_n_m: 0.20,
-        mass_kg: 0.14,
+        coil_torque_n_m: 3.3,
+        hold_torque_n_m: 1.4,
+        spring_torque_n_m: 0.32,
+        mass_kg: 0.30,
     });
     part(if left { "left-flipper" } else { "right-flipper" }, kind)
 }

@@ -53,3 +53,60 @@ fn a_restored_machine_goes_on_as_if_nothing_had_been() {
         assert_eq!(twin.hashes(), machine.hashes());
     }
 }
+
+#[test]
+fn damaged_bytes_are_refused_and_nothing_panics() {
+    let layout = Arc::new(table());
+    let mut machine = Machine::new(layout.clone()).expect("fixture");
+    machine.put_ball(v(0.25, 0.2), v(1.0, -2.0), [0.0; 3]);
+    (0..50).for_each(|_| machine.tick(Controls::default(), &[]));
+    let bytes = machine.save();
+    for place in (0..bytes.len()).step_by(7) {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 1 << (place % 8);
+        assert!(matches!(Machine::restore(layout.clone(), &damaged), Err(Error::Save(_))), "byte {place}");
+        assert!(matches!(Machine::restore(layout.clone(), &bytes[..place]), Err(Error::Save(_))), "cut at {place}");
+    }
+    assert!(matches!(Machine::restore(Arc::new(bare()), &bytes), Err(Error::Save(_))), "another layout");
+}
+
+#[test]
+fn numbers_that_cannot_be_are_refused_by_name() {
+    type Spoil = fn(&mut Layout);
+    let spoils: [Spoil; 6] = [
+        |layout| layout.size_m.x = f64::NAN,
+        |layout| layout.playfield_friction = -0.1,
+        |layout| layout.slope_rad = f64::INFINITY,
+        |layout| {
+            if let Kind::Flipper(f) = &mut layout.parts[1].kind {
+                f.mass_kg = 0.0
+            }
+        },
+        |layout| {
+            if let Kind::Plunger(p) = &mut layout.parts[3].kind {
+                p.way = v(1.0, 1.0)
+            }
+        },
+        |layout| {
+            if let Kind::Wall(w) = &mut layout.parts[4].kind {
+                w.material.restitution = 1.5
+            }
+        },
+    ];
+    for (index, spoil) in spoils.into_iter().enumerate() {
+        let mut layout = table();
+        spoil(&mut layout);
+        let error = Machine::new(Arc::new(layout)).expect_err("this cannot be");
+        assert!(matches!(&error, Error::Layout(_, text) if !text.is_empty()), "{index}: {error:?}");
+    }
+}
+
+#[test]
+fn a_machine_that_nobody_touches_does_not_change() {
+    let mut machine = machine(table());
+    machine.tick(Controls::default(), &[]);
+    let before = machine.hashes();
+    (0..1000).for_each(|_| machine.tick(Controls::default(), &[]));
+    assert_eq!(machine.hashes(), before);
+    assert!(machine.events().is_empty());
+}
