@@ -39,7 +39,7 @@ pub(crate) struct Blade {
 }
 
 /// Steps of the rotor's own in one step of the balls.
-const STOP_STEPS: u32 = 8;
+const STOP_STEPS: u32 = 2;
 
 /// What a flipper is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -13,8 +13,8 @@ use crate::{
 use geometry::DVec2;
 use std::sync::Arc;
 
-/// Steps in a tick while a flipper moves: 8 kHz.
-const FINE_STEPS: u32 = 8;
+/// Steps in a tick while a flipper moves near a ball: 32 kHz.
+const FINE_STEPS: u32 = 32;
 /// What a drop target needs to rise: no ball may come over it so soon.
 const RISE_S: f64 = 0.05;
 /// A kicker's arm or ring comes this far out of its rubber.

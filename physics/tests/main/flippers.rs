@@ -193,7 +193,7 @@ fn the_later_the_press_the_farther_across_goes_the_shot() {
         let mut machine = machine(layout);
         machine.tick(Controls::default(), &[Command::SetFlippers(true)]);
         machine.put_ball(start, v(0.0, 0.0), [0.0; 3]);
-        (0..730).for_each(|_| machine.tick(Controls::default(), &[]));
+        (0..790).for_each(|_| machine.tick(Controls::default(), &[]));
         machine
     };
     let mut angles: Vec<f64> = Vec::new();
