@@ -112,8 +112,11 @@ pub fn draw(
             canvas.shape(&Shape::capsule(screen(ball.center), tip, 1.2), RAY, 255);
         }
         let style = style(placement, IVORY);
-        let label = screen(ball.center) + DVec2::new(radius_px + 3.0, 3.0);
-        lettering.write(canvas, &format!("{speed:.2} m/s"), style, Align::Left, label.x as f32, label.y as f32);
+        let label = screen(ball.center);
+        let right_half = label.x > corner.x + f64::from(placement.table.width) * 0.5;
+        let (align, aside) = if right_half { (Align::Right, -1.0) } else { (Align::Left, 1.0) };
+        let x = label.x + aside * (radius_px + 3.0);
+        lettering.write(canvas, &format!("{speed:.2} m/s"), style, align, x as f32, label.y as f32 + 3.0);
     }
     for touch in &debug.touches {
         let point = screen(touch.contact.point);
@@ -141,7 +144,7 @@ fn figures(canvas: &mut Canvas, lettering: &mut Lettering, placement: &Placement
         ("between", times.between_ms),
     ];
     let line = style.size_px * 1.25;
-    let (width, height) = (style.size_px * 9.0, line * (rows.len() as f32 + 1.6));
+    let (width, height) = (style.size_px * 11.5, line * (rows.len() as f32 + 1.6));
     let pane = Rect::new(placement.table.x, placement.table.y, width as i32, height as i32);
     canvas.fill(pane, NIGHT, 190);
     let (left, right) = (pane.x as f32 + 4.0, pane.right() as f32 - 4.0);

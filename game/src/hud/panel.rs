@@ -4,8 +4,9 @@ use super::canvas::{Canvas, Color, Rect};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::programme::grouped;
 use super::{AMBER, BRASS, Badge, IVORY, MIST, keys};
+use crate::Table;
 use crate::picture::placement::{Placement, Side, title_height};
-use crate::simulation::Display;
+use crate::simulation::{Display, Snapshot};
 use geometry::{DVec2, Shape};
 
 /// Everything that the panel says; it is drawn again only when this changes.
@@ -15,15 +16,22 @@ pub struct Words {
     pub title: String,
     /// Of the display.
     pub display: Display,
+    /// A ball that drains now comes back.
+    pub shoot_again: bool,
     /// Who plays.
     pub badge: Option<Badge>,
 }
 
+/// The lamp that says on the table what the panel repeats: a ball that drains now comes back.
+const SHOOT_AGAIN: &str = "insert-shoot-again";
+
 impl Words {
-    /// What the panel says of a display: its message is the matrix's alone.
-    pub fn new(title: &str, display: &Display, badge: Option<Badge>) -> Words {
-        let display = Display { message: Vec::new(), message_tick: 0, ..display.clone() };
-        Words { title: title.to_string(), display, badge }
+    /// What the panel says of a moment: the display's message is the matrix's alone.
+    pub fn new(table: &Table, moment: &Snapshot, badge: Option<Badge>) -> Words {
+        let display = Display { message: Vec::new(), message_tick: 0, ..moment.display.clone() };
+        let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| moment.lamps.get(lamp));
+        let shoot_again = display.playing && lamp.is_some_and(|lamp| lamp.level > 300);
+        Words { title: table.title.to_uppercase(), display, shoot_again, badge }
     }
 }
 
@@ -53,6 +61,9 @@ fn value(size_px: f32, color: Color) -> Style {
     Style { family: Family::Bold, size_px, tracking: 0.0, color, alpha: 255 }
 }
 
+/// The most things whose progress is shown.
+const MOST_ROWS: usize = 12;
+
 /// Text smaller than this is a smudge: better none.
 const LEGIBLE_PX: f32 = 6.0;
 
@@ -80,56 +91,67 @@ impl Page<'_, '_> {
         let (size, x) = ((cell.height as f32 * 0.1).min(cell.width as f32 * 0.22), cell.x + cell.width / 2);
         let ball = if display.playing { format!("{}/{}", display.ball, display.balls) } else { "\u{2013}".to_string() };
         let player = if display.playing { (display.player + 1).to_string() } else { "\u{2013}".to_string() };
-        let state = state(words);
         let half = cell.height / 2;
-        for (row, (name, number)) in [("BALL", ball), ("PLAYER", player)].into_iter().enumerate() {
-            let top = cell.y + half * row as i32;
+        let mut pair = |row: i32, name: &str, number: &str| {
+            let top = cell.y + half * row;
             self.text(name, label(size), Align::Centre, x, top + half * 34 / 100, cell.width);
             let color = if display.playing { IVORY } else { MIST };
-            self.text(&number, value(size * 2.1, color), Align::Centre, x, top + half * 84 / 100, cell.width);
-        }
-        if let Some((text, color)) = state {
-            let style = Style { color, ..label(size) };
-            self.canvas.fill(Rect::new(cell.x, cell.bottom() - half, cell.width, half), super::NIGHT, 255);
-            self.text(text, style, Align::Centre, x, cell.bottom() - half / 3, cell.width);
+            self.text(number, value(size * 2.1, color), Align::Centre, x, top + half * 84 / 100, cell.width);
+        };
+        pair(0, "BALL", &ball);
+        let Some((text, color)) = state(words) else { return pair(1, "PLAYER", &player) };
+        for (line, word) in text.split(' ').enumerate() {
+            let style = Style { color, ..label(size * 1.1) };
+            let baseline = cell.y + half + half * (40 + 28 * line as i32) / 100;
+            self.text(word, style, Align::Centre, x, baseline, cell.width);
         }
     }
 
-    /// What has been collected: for each thing its name and a row of small lamps, or a bar if they are many.
+    /// What has been collected: a row for each thing, its line of the spectrum cut into as many parts as it needs.
     fn progress(&mut self, room: Rect, progress: &[(String, i64, i64)]) {
-        let count = progress.len().clamp(1, 6) as i32;
-        let each = (room.height / count).min(room.height / 2);
-        for (index, (name, done, of)) in progress.iter().take(6).enumerate() {
-            let cell = Rect::new(room.x, room.y + each * index as i32, room.width, each);
-            let size = (each as f32 * 0.24).min(room.width as f32 * 0.2).min(15.0);
-            self.text(&name.to_uppercase(), label(size), Align::Left, cell.x, cell.y + (size * 1.2) as i32, cell.width);
-            let below = (size * 1.7) as i32;
-            let lamps = Rect::new(cell.x, cell.y + below, cell.width, (cell.height - below - 3).max(0));
-            self.lamps(lamps, name, *done, *of);
-        }
-    }
-
-    fn lamps(&mut self, room: Rect, name: &str, done: i64, of: i64) {
-        let (of, done) = (of.max(1), done.clamp(0, of.max(1)));
-        let step = (room.height.min(room.width / of.min(12) as i32)).min(26);
-        if of > 12 || step < 5 {
-            let bar = Rect::new(room.x, room.y, room.width, room.height.min(5));
-            let full = (i64::from(bar.width) * done / of) as i32;
-            self.canvas.fill(bar, BRASS, 50);
-            self.canvas.fill(Rect::new(bar.x, bar.y, full, bar.height), hue(name, 0, 1), 255);
+        let rows = progress.len().min(MOST_ROWS) as i32;
+        if rows == 0 || room.height < 3 * rows {
             return;
         }
-        for index in 0..of {
-            let x = f64::from(room.x) + f64::from(step) * (index as f64 + 0.5);
-            let disc = Shape::disc(DVec2::new(x, f64::from(room.y) + f64::from(step) * 0.5), f64::from(step) * 0.3);
-            let color = hue(name, index, of);
-            if index < done {
-                self.canvas.halo(&disc, f64::from(step) * 0.35, color, 120);
-                self.canvas.shape(&disc, color, 255);
-            } else {
-                self.canvas.shape(&disc, color, 26);
-                self.canvas.outline(&disc, 1.0, BRASS, 150);
+        let each = room.height / rows;
+        let size = each as f32 * 0.56;
+        let named = size >= LEGIBLE_PX && room.width as f32 > size * 14.0;
+        let left = if named { room.width * 2 / 5 } else { 0 };
+        for (index, (name, done, of)) in progress.iter().take(MOST_ROWS).enumerate() {
+            let row = Rect::new(room.x, room.y + each * index as i32, room.width, each);
+            let full = done >= of;
+            if named {
+                let color = if full { IVORY } else { MIST };
+                let style = Style { color, ..label(size) };
+                self.text(&name.to_uppercase(), style, Align::Left, row.x, row.y + each * 68 / 100, left);
             }
+            let height = (each * 2 / 5).clamp(2, 12);
+            let line = Rect::new(row.x + left, row.y + (each - height) / 2, row.width - left, height);
+            self.spectral_line(line, hue(name), *done, *of);
+        }
+    }
+
+    fn spectral_line(&mut self, line: Rect, color: Color, done: i64, of: i64) {
+        let (of, done) = (of.max(1), done.clamp(0, of.max(1)));
+        // More parts than this are too narrow to be told apart: then it is one.
+        let parts = if of * 5 > i64::from(line.width) { 1 } else { of };
+        if done == of {
+            let (left, right) = (f64::from(line.x), f64::from(line.right()));
+            let (y, radius) = (f64::from(line.y) + f64::from(line.height) * 0.5, f64::from(line.height) * 0.5);
+            let whole = Shape::capsule(DVec2::new(left + radius, y), DVec2::new(right - radius, y), radius);
+            self.canvas.halo(&whole, f64::from(line.height) * 1.2, color, 130);
+        }
+        for part in 0..parts {
+            let at = |part: i64| line.x + (i64::from(line.width) * part / parts) as i32;
+            let gap = if part + 1 < parts { 2 } else { 0 };
+            let cell = Rect::new(at(part), line.y, at(part + 1) - at(part) - gap, line.height);
+            self.canvas.fill(cell, color, 38);
+            let lit = if parts == 1 {
+                i64::from(cell.width) * done / of
+            } else {
+                i64::from(cell.width) * i64::from(part < done)
+            };
+            self.canvas.fill(Rect { width: lit as i32, ..cell }, color, 255);
         }
     }
 
@@ -147,7 +169,7 @@ impl Page<'_, '_> {
         self.status(&mut room, unit, words);
         if !words.display.progress.is_empty() {
             self.rule(&mut room, unit);
-            let needed = (unit * 2.9) as i32 * words.display.progress.len().min(6) as i32;
+            let needed = (unit * 1.45) as i32 * words.display.progress.len().min(MOST_ROWS) as i32;
             let rows = take(&mut room, needed);
             if rows.height == needed {
                 self.progress(rows, &words.display.progress);
@@ -217,6 +239,7 @@ fn state(words: &Words) -> Option<(&'static str, Color)> {
         _ if words.display.tilted => Some(("TILT", 0xff_5a3c)),
         Some(Badge::Replay) => Some(("REPLAY", 0x7f_c8ff)),
         Some(Badge::Bot) => Some(("BOT", 0x7f_c8ff)),
+        None if words.shoot_again => Some(("SHOOT AGAIN", AMBER)),
         None if !words.display.playing => Some(("GAME OVER", MIST)),
         None => None,
     }
@@ -230,15 +253,19 @@ fn take(room: &mut Rect, height: i32) -> Rect {
     row
 }
 
-/// The colour of the lamp `index` of `of` for a thing of this name: its own if the name is a colour's, its place in
-/// the spectrum if they are colours, else amber.
-fn hue(name: &str, index: i64, of: i64) -> Color {
-    const SPECTRUM: [Color; 7] = [0xff_4038, 0xff_8a2a, 0xff_d23c, 0x4f_e06a, 0x3c_d8e8, 0x4f_7dff, 0xb0_62ff];
-    const NAMES: [&str; 7] = ["red", "orange", "yellow", "green", "cyan", "blue", "violet"];
+/// The colour for a thing of this name: its own if the name is a colour's, else amber.
+fn hue(name: &str) -> Color {
+    const COLORS: [(&str, Color); 9] = [
+        ("red", 0xff_4038),
+        ("orange", 0xff_8a2a),
+        ("yellow", 0xff_d23c),
+        ("green", 0x4f_e06a),
+        ("cyan", 0x3c_d8e8),
+        ("blue", 0x3c_a4ff),
+        ("indigo", 0x6a_6cff),
+        ("violet", 0xc0_62ff),
+        ("white", 0xf4_f1e8),
+    ];
     let name = name.to_lowercase();
-    if let Some(place) = NAMES.iter().position(|color| name.contains(color)) {
-        return SPECTRUM[place];
-    }
-    let many = ["colour", "color", "spectrum", "prism"].iter().any(|word| name.contains(word));
-    if many { SPECTRUM[(index * 7 / of.max(1)).clamp(0, 6) as usize] } else { AMBER }
+    COLORS.iter().find(|(color, _)| name.contains(color)).map_or(AMBER, |(_, color)| *color)
 }

@@ -48,7 +48,8 @@ impl Placement {
     pub fn above(width: usize, height: usize, size_mm: DVec2) -> Placement {
         let (w, h) = (width as i32, height as i32);
         let pad = pad(w, h);
-        let pitch = ((w * 3 / 4 - 2 * bezel(3)) / DOTS.0).min((h * 14 / 100 - 2 * pad) / DOTS.1).max(0);
+        let dots = (DOTS.0 + 2 * bezel(1), DOTS.1 + 2 * bezel(1));
+        let pitch = (w * 3 / 4 / dots.0).min(h * 13 / 100 / dots.1).max(0);
         let bezel = bezel(pitch);
         let rows = if pitch > 0 { DOTS.1 * pitch + 2 * bezel } else { h / 10 };
         let band = Rect::new(pad, pad, w - 2 * pad, rows);
@@ -67,14 +68,17 @@ impl Placement {
         let (w, h) = (width as i32, height as i32);
         let pad = pad(w, h);
         let least = (h * 30 / 100).min(w / 2);
-        let table = fit(Rect::new(pad, pad, w - 3 * pad - least, h - 2 * pad), size_mm);
-        let panel_width = (w - table.width - 3 * pad).min(h * 62 / 100).max(0);
-        let left = (w - table.width - pad - panel_width) / 2;
-        let table = table.moved(left - table.x, 0);
-        let panel = Rect::new(table.right() + pad, pad, panel_width, h - 2 * pad);
-        let pitch = ((panel_width - 2 * bezel(3)) / DOTS.0).max(0);
+        let gap = 2 * pad;
+        let table = fit(Rect::new(pad, pad, w - 2 * pad - gap - least, h - 2 * pad), size_mm);
+        let room = (w - table.width - 2 * pad - gap).min(h * 62 / 100).max(0);
+        let pitch = room / (DOTS.0 + 2 * bezel(1));
         let bezel = bezel(pitch);
         let (across, down) = (DOTS.0 * pitch + 2 * bezel, DOTS.1 * pitch + 2 * bezel);
+        // The panel is as wide as the matrix, so that everything in it has the same two edges.
+        let panel_width = if pitch > 0 { across } else { room };
+        let left = (w - table.width - gap - panel_width) / 2;
+        let table = table.moved(left - table.x, 0);
+        let panel = Rect::new(table.right() + gap, pad, panel_width, h - 2 * pad);
         let matrix = if pitch > 0 && down < panel.height {
             Rect::new(panel.x + (panel.width - across) / 2, panel.y + title_height(panel), across, down)
         } else {
