@@ -2,5 +2,6 @@
 
 mod bot;
 mod check;
+mod picture;
 mod recording;
 mod tidy;

@@ -73,6 +73,8 @@ pub struct App {
     cover: Cover,
     overlay: bool,
     hidden: bool,
+    /// The keyboard is ours.
+    focused: bool,
     /// Something has changed since the last picture was ordered.
     dirty: bool,
     notice: Option<(String, Instant)>,
@@ -113,6 +115,7 @@ impl App {
             cover: Cover::None,
             overlay: false,
             hidden: false,
+            focused: false,
             dirty: true,
             notice: None,
             news,
@@ -250,6 +253,21 @@ impl App {
             Some(Meaning::Button(buttons)) => self.held.press(key, buttons),
             Some(Meaning::Plunge) => self.plunge(key),
             None => {}
+        }
+    }
+
+    /// When the keyboard goes to another window, nothing is held any more and the player's game waits. A window that
+    /// never had it (some systems say so as it opens) has nothing to lose.
+    fn focus(&mut self, focused: bool) {
+        self.catch_up();
+        let lost = std::mem::replace(&mut self.focused, focused) && !focused;
+        if !lost {
+            return;
+        }
+        self.held.release_all();
+        let plays = matches!(&self.session, Session::Game(game) if game.badge().is_none());
+        if plays && self.cover == Cover::None {
+            self.cover_with(Cover::Paused);
         }
     }
 
@@ -475,14 +493,7 @@ impl ApplicationHandler<Wake> for App {
                 self.hidden = hidden;
                 self.dirty = true;
             }
-            WindowEvent::Focused(false) => {
-                self.catch_up();
-                self.held.release_all();
-                let plays = matches!(&self.session, Session::Game(game) if game.badge().is_none());
-                if plays && self.cover == Cover::None {
-                    self.cover_with(Cover::Paused);
-                }
-            }
+            WindowEvent::Focused(focused) => self.focus(focused),
             WindowEvent::KeyboardInput {
                 event: KeyEvent { physical_key: PhysicalKey::Code(key), state, repeat: false, .. },
                 is_synthetic,
