@@ -41,7 +41,7 @@ fn make(bench: &mut Bench, colour: &str) {
                 bench.close(target);
             }
         }
-        "orange" => repeat(bench, "spinner", 12),
+        "orange" => repeat(bench, "spinner", 40),
         "yellow" => repeat(bench, "standup-left", 2),
         "green" => repeat(bench, "bumper-low", 15),
         "blue" => repeat(bench, "saucer", 2),
@@ -290,8 +290,7 @@ fn an_orbit_and_then_the_saucer_is_a_combo() {
 fn a_ball_that_comes_round_the_top_has_not_shot_the_right_orbit() {
     let mut bench = game();
     bench.hit("orbit-left");
-    bench.close("orbit-gate");
-    bench.wait(1000);
+    bench.wait(2000);
     let before = bench.score();
     bench.hit("orbit-right");
     assert_eq!(bench.score(), before);
