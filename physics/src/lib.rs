@@ -14,20 +14,24 @@
 mod ball;
 mod cabinet;
 mod check;
+mod command;
 mod controls;
 mod event;
 mod flipper;
 mod grid;
 mod layout;
 mod machine;
+mod meet;
 mod plan;
 mod plates;
 mod plunger;
 mod pose;
 mod save;
+mod settle;
 mod state;
 mod sweep;
 mod touch;
+mod watch;
 mod works;
 mod zones;
 

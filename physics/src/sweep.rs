@@ -5,48 +5,32 @@
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
 use crate::ball::Drive;
-use crate::flipper::Blade;
+use crate::meet::{STILL_M_S, TOUCH_M, cast, is_out_of_reach, keep_speed, meet, meet_flipper, ride};
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
 use crate::state::{Goal, State};
 use crate::touch::{BALL_FRICTION, Bodies, Other, Touch};
 use crate::{BALL_RADIUS_M, Contact, Event, EventKind, Material, PartId};
-use geometry::{Core, DVec2, Ray};
+use geometry::{DVec2, Ray};
 
 /// Slower than this a touch is a contact and no impact: nothing bounces.
-const SLOW_M_S: f64 = 5e-3;
+pub(crate) const SLOW_M_S: f64 = 5e-3;
 /// A ball that parts faster than this from what it touches is not held by it.
-const PARTING_M_S: f64 = 0.02;
-/// A ball this near to a turning flipper has hit it.
-const HIT_M: f64 = 1e-8;
-/// Nearer than this is touching: far above rounding, far below anything else.
-const TOUCH_M: f64 = 1e-9;
-/// An approach slower than this is none.
-const STILL_M_S: f64 = 1e-9;
+pub(crate) const PARTING_M_S: f64 = 0.02;
 /// Restitution of two balls.
 const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.02, friction: BALL_FRICTION };
+/// A round of the solver that changes no speed by more than this was the last.
+pub(crate) const SAME_M_S: f64 = 1e-8;
 /// A touch that the ball has left by this much says nothing any more.
 const STALE_M: f64 = 2e-4;
-/// A ball that rides round the inside of a curve does so in chords this far from it.
-const CHORD_M: f64 = 5e-6;
-/// Rounds of the solver for balls at rest.
-const SETTLE_ROUNDS: usize = 24;
-/// How often the settled speeds are checked against where they lead.
-const AHEAD_ROUNDS: usize = 4;
-/// An error of this speed there does not matter.
-const AHEAD_M_S: f64 = 1e-5;
-/// A ball that a flipper pushes is kept at least this far from it.
-const NEAR_M: f64 = 1e-6;
-/// A round that changes no velocity by more than this was the last.
-const SETTLED_M_S: f64 = 1e-8;
 
 /// How a ball moves in what is left of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Motion {
-    drive: Drive,
+    pub drive: Drive,
     /// Gravity and everything else that acts from afar, m/s^2.
-    pull: DVec2,
+    pub pull: DVec2,
     /// The step's pull is in its velocity already.
-    settled: bool,
+    pub settled: bool,
 }
 
 impl Motion {
@@ -60,7 +44,7 @@ impl Motion {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     pub motions: Vec<Motion>,
-    touches: Vec<Touch>,
+    pub touches: Vec<Touch>,
 }
 
 /// What a ball is about to hit.
@@ -91,7 +75,7 @@ pub(crate) struct Sweep<'a> {
     pub flippers_move: bool,
 }
 
-fn bodies<'a>(plan: &'a Plan, state: &'a mut State) -> Bodies<'a> {
+pub(crate) fn bodies<'a>(plan: &'a Plan, state: &'a mut State) -> Bodies<'a> {
     Bodies { balls: &mut state.balls, rotors: &mut state.mechanisms.rotors, blades: &plan.blades }
 }
 
@@ -121,7 +105,7 @@ impl Sweep<'_> {
         }
     }
 
-    fn is_solid(&self, obstacle: &Obstacle, center: DVec2, velocity: DVec2, distance: f64) -> bool {
+    pub(crate) fn is_solid(&self, obstacle: &Obstacle, center: DVec2, velocity: DVec2, distance: f64) -> bool {
         match obstacle.role {
             Role::Drop(index) => self.state.mechanisms.drops[index].solid,
             Role::Gate(index) => {
@@ -130,171 +114,6 @@ impl Sweep<'_> {
                 beyond && distance > -SKIN_M && velocity.dot(gate.way) <= 0.0
             }
             _ => true,
-        }
-    }
-
-    /// How fast the approach of a ball and a turning flipper that roll on each other can grow, m/s^2.
-    fn turning(&self, flipper: usize, ball: usize) -> f64 {
-        let (rotor, blade) = (&self.state.mechanisms.rotors[flipper], &self.plan.blades[flipper]);
-        if rotor.seated {
-            return 0.0;
-        }
-        let arm = blade.reach;
-        let coil = blade.flipper.coil_torque_n_m / blade.inertia * arm;
-        let (turn, speed) = (rotor.speed.abs(), self.state.balls[ball].velocity.length());
-        coil + 2.0 * turn * speed + turn * turn * arm
-    }
-
-    /// Balls that lie on something: the step's pull, the playfield and every touch act together.
-    fn settle(&mut self, duration: f64) {
-        self.scratch.touches.clear();
-        for ball in 0..self.state.balls.len() {
-            if !self.state.balls[ball].is_held() {
-                self.find_touches(ball, duration);
-            }
-        }
-        for touch in &self.scratch.touches {
-            self.scratch.motions[touch.ball].settled = true;
-            if let Other::Ball(other) = touch.other {
-                self.scratch.motions[other].settled = true;
-            }
-        }
-        for (ball, motion) in self.state.balls.iter_mut().zip(&mut self.scratch.motions) {
-            if ball.is_held() {
-                continue;
-            } else if motion.settled {
-                ball.velocity += motion.pull * duration;
-            } else {
-                motion.drive = ball.drive(&self.plan.floor, motion.pull, duration);
-            }
-        }
-        if !self.scratch.touches.is_empty() {
-            self.press_together(duration);
-        }
-    }
-
-    /// Sequential impulses with accumulation (Catto, Iterative Dynamics with Temporal Coherence, 2005).
-    fn press_together(&mut self, duration: f64) {
-        let floor = &self.plan.floor;
-        let most = floor.friction * floor.press * duration;
-        let mut rubbed = vec![DVec2::ZERO; self.state.balls.len()];
-        for _ in 0..AHEAD_ROUNDS {
-            self.settle_rounds(most, &mut rubbed);
-            if !self.look_ahead(duration) {
-                break;
-            }
-        }
-        let bodies = bodies(self.plan, self.state);
-        for (ball, motion) in bodies.balls.iter_mut().zip(&self.scratch.motions) {
-            if motion.settled && !ball.is_held() {
-                ball.resist(floor, duration);
-            }
-        }
-    }
-
-    fn settle_rounds(&mut self, most: f64, rubbed: &mut [DVec2]) {
-        let mut bodies = bodies(self.plan, self.state);
-        for _ in 0..SETTLE_ROUNDS {
-            let mut change: f64 = 0.0;
-            for (index, motion) in self.scratch.motions.iter().enumerate() {
-                if motion.settled && !bodies.balls[index].is_held() {
-                    let ball = &mut bodies.balls[index];
-                    let wanted = (rubbed[index] - ball.floor_slip() * (2.0 / 7.0)).clamp_length_max(most);
-                    ball.push_floor(wanted - rubbed[index]);
-                    rubbed[index] = wanted;
-                }
-            }
-            for touch in &mut self.scratch.touches {
-                change = change.max(touch.separate(&mut bodies, touch.goal).abs());
-                touch.grip(&mut bodies);
-            }
-            if change < SETTLED_M_S {
-                break;
-            }
-        }
-    }
-
-    /// A flipper that turns bends away from the straight way of the ball that it pushes. So the two must part with just
-    /// the speed that leaves them as near at the step's end as they are at its start. True if that changes anything.
-    fn look_ahead(&mut self, duration: f64) -> bool {
-        let mut changed = false;
-        for touch in &mut self.scratch.touches {
-            let Other::Flipper(index) = touch.other else { continue };
-            let (rotor, blade) = (&self.state.mechanisms.rotors[index], &self.plan.blades[index]);
-            if rotor.speed == 0.0 {
-                continue;
-            }
-            let ball = &self.state.balls[touch.ball];
-            let now = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
-            let outline = blade.taper(rotor.angle + rotor.speed * duration);
-            let then = outline.distance(ball.center + ball.velocity * duration).0 - BALL_RADIUS_M;
-            let wanted = if now < NEAR_M { now + 0.2 * (NEAR_M - now) } else { now };
-            let missing = (wanted - then) / duration;
-            if missing > AHEAD_M_S {
-                touch.goal += missing;
-                changed = true;
-            }
-        }
-        changed
-    }
-
-    fn find_touches(&mut self, ball: usize, duration: f64) {
-        let center = self.state.balls[ball].center;
-        let velocity = self.state.balls[ball].velocity;
-        let mut found: [(usize, DVec2); 4] = [(usize::MAX, DVec2::ZERO); 4];
-        let mut count = 0;
-        self.plan.obstacle_grid.visit(center, center, |index| {
-            let obstacle = &self.plan.obstacles[index];
-            let (distance, normal) = obstacle.shape.distance(center);
-            let known = found[..count].iter().any(|&(other, _)| other == index);
-            let near = distance <= SKIN_M && count < found.len() && !known;
-            if near && self.is_solid(obstacle, center, velocity, distance) {
-                found[count] = (index, normal);
-                count += 1;
-            }
-        });
-        for &(index, normal) in &found[..count] {
-            let friction = self.plan.obstacles[index].material.friction;
-            self.add_touch(ball, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
-        }
-        for (rod, (_, plunger)) in self.plan.plungers.iter().enumerate() {
-            let rod = &self.state.mechanisms.rods[rod];
-            let (distance, normal) = rod.face(plunger).distance(center);
-            if distance <= SKIN_M {
-                let sudden = if rod.is_shooting() { f64::INFINITY } else { 0.0 };
-                self.add_touch(ball, Other::Fixed(rod.velocity(plunger)), normal, 0.2, sudden);
-            }
-        }
-        for (index, blade) in self.plan.blades.iter().enumerate() {
-            if is_out_of_reach(blade, center, SKIN_M) {
-                continue;
-            }
-            let angle = self.state.mechanisms.rotors[index].angle;
-            let (distance, normal) = blade.taper(angle).distance(center);
-            if distance - BALL_RADIUS_M <= SKIN_M {
-                let sudden = self.turning(index, ball) * duration;
-                self.add_touch(ball, Other::Flipper(index), normal, blade.flipper.material.friction, sudden);
-            }
-        }
-        for other in 0..self.state.balls.len() {
-            let held = self.state.balls[other].is_held();
-            if other == ball || (other < ball && !held) {
-                continue;
-            }
-            let away = center - self.state.balls[other].center;
-            if away.length() - 2.0 * BALL_RADIUS_M <= SKIN_M {
-                let what = if held { Other::Fixed(DVec2::ZERO) } else { Other::Ball(other) };
-                self.add_touch(ball, what, away.try_normalize().unwrap_or(DVec2::Y), BALL_FRICTION, 0.0);
-            }
-        }
-    }
-
-    fn add_touch(&mut self, ball: usize, other: Other, normal: DVec2, friction: f64, sudden: f64) {
-        let bodies = bodies(self.plan, self.state);
-        let touch = Touch::new(ball, other, normal, friction, &bodies);
-        let approach = touch.approach(&bodies);
-        if approach > -PARTING_M_S && approach <= SLOW_M_S + sudden {
-            self.scratch.touches.push(touch);
         }
     }
 
@@ -536,7 +355,7 @@ impl Sweep<'_> {
                 touch.release();
                 change = change.max(touch.separate(&mut all, 0.0));
             }
-            if change < SETTLED_M_S {
+            if change < SAME_M_S {
                 break;
             }
         }
@@ -584,113 +403,4 @@ fn hold_back(touch: &Touch, motions: &mut [Motion]) {
             *drive -= touch.normal * drive.dot(touch.normal).min(0.0);
         }
     }
-}
-
-/// Where a ray from outside first meets an obstacle that is `distance` away: how far, and the normal.
-///
-/// A ball that touches already is not cast: rounding may have put it a hair inside, from where nothing is entered.
-fn cast(obstacle: &Obstacle, ray: &Ray, distance: f64, normal: DVec2, speed: f64) -> Option<(f64, DVec2)> {
-    if distance > TOUCH_M {
-        return obstacle.shape.cast(ray).map(|hit| (hit.distance, hit.normal));
-    }
-    if ray.direction.dot(normal) * speed < -STILL_M_S {
-        return Some((0.0, normal));
-    }
-    // Along the inside of a curve the way leads back to it.
-    let Core::Arc(arc) = &obstacle.shape.core else { return None };
-    let radius = arc.circle().radius - obstacle.shape.radius;
-    if radius <= 0.0 || (arc.circle().center - ray.origin).dot(normal) <= 0.0 {
-        return None;
-    }
-    let hit = arc.with_radius(radius).cast_from_inside(ray)?;
-    (hit.distance > 0.0 && hit.normal.dot(ray.direction) < 0.0).then_some((hit.distance, hit.normal))
-}
-
-/// The speed away from the inside of a curve with which a ball that is pressed to it rides round in short chords;
-/// `None` where there is no curve to ride.
-fn ride(obstacle: &Obstacle, ball: &crate::ball::Ball, approach: f64) -> Option<f64> {
-    let Core::Arc(arc) = &obstacle.shape.core else { return None };
-    let radius = arc.circle().radius - obstacle.shape.radius;
-    let inward = arc.circle().center - ball.center;
-    let normal = obstacle.shape.distance(ball.center).1;
-    if radius <= 0.0 || inward.dot(normal) <= 0.0 || approach <= 0.0 {
-        return None;
-    }
-    let along = ball.velocity.dot(normal.perp()).abs();
-    Some(along * (2.0 * CHORD_M / radius).sqrt())
-}
-
-/// Gives back along the wall what a ride round a curve does not lose: a smooth curve turns the ball without work.
-fn keep_speed(velocity: &mut DVec2, normal: DVec2, away: f64, kept: f64) {
-    let along = velocity.dot(normal.perp());
-    let speed = (along * along + kept * kept - away * away).max(0.0).sqrt();
-    *velocity = normal * away + normal.perp() * speed.copysign(along);
-}
-
-fn is_out_of_reach(blade: &Blade, center: DVec2, travel: f64) -> bool {
-    let reach = blade.reach + BALL_RADIUS_M + travel;
-    center.distance_squared(blade.pivot()) > reach * reach
-}
-
-/// When two balls meet, `away` from each other and moving at `velocity` against each other, and the normal.
-fn meet(away: DVec2, velocity: DVec2) -> Option<(f64, DVec2)> {
-    let touching = 2.0 * BALL_RADIUS_M;
-    let distance = away.length();
-    let closing = -away.dot(velocity);
-    if closing <= STILL_M_S * distance {
-        return None;
-    }
-    if distance - touching <= TOUCH_M {
-        return Some((0.0, away.try_normalize().unwrap_or(DVec2::Y)));
-    }
-    let gap = (distance - touching) * (distance + touching);
-    let square = closing * closing - velocity.length_squared() * gap;
-    if square < 0.0 {
-        return None;
-    }
-    let time = gap / (closing + square.sqrt());
-    Some((time, (away + velocity * time).try_normalize()?))
-}
-
-/// When a ball meets a turning flipper, and the normal.
-///
-/// Conservative advancement in the flipper's frame: there the flipper is convex and stands still, so the distance falls
-/// no faster than along the present normal, but for what the turning frame bends the ball's way (Coriolis and
-/// centrifugal), which is bounded. Each step goes as far as the ball cannot have arrived.
-fn meet_flipper(
-    blade: &Blade,
-    angle: f64,
-    turn: f64,
-    center: DVec2,
-    velocity: DVec2,
-    left: f64,
-) -> Option<(f64, DVec2)> {
-    let farthest = center.distance(blade.pivot()) + velocity.length() * left;
-    let bend = turn.abs() * (2.0 * velocity.length() + turn.abs() * farthest);
-    let mut time = 0.0;
-    for _ in 0..64 {
-        let place = center + velocity * time;
-        let (distance, normal) = blade.taper(angle + turn * time).distance(place);
-        let gap = distance - BALL_RADIUS_M;
-        let lever = place - blade.pivot();
-        let opening = (velocity - lever.perp() * turn).dot(normal);
-        if gap <= HIT_M && opening < -STILL_M_S {
-            return Some((time, normal));
-        }
-        let least = if gap <= HIT_M { left / 8.0 } else { 0.0 };
-        time += safe_time(gap.max(0.0), opening, bend)?.max(least);
-        if time > left {
-            return None;
-        }
-    }
-    None
-}
-
-/// The first time at which `gap + opening t - bend t^2 / 2` can be 0; `None` if never.
-fn safe_time(gap: f64, opening: f64, bend: f64) -> Option<f64> {
-    if bend <= 0.0 {
-        return (opening < 0.0).then(|| gap / -opening);
-    }
-    let root = (opening * opening + 2.0 * bend * gap).sqrt();
-    if opening >= 0.0 { Some((opening + root) / bend) } else { Some(2.0 * gap / (root - opening)) }
 }

@@ -307,3 +307,20 @@ fn a_free_ball_stays_where_it_is_when_the_cabinet_moves() {
     }
     assert!(ball < 0.3 * cabinet, "the ball moves {ball} m where the cabinet moves {cabinet} m; rolling would be 2/7");
 }
+
+#[test]
+fn a_ball_that_was_put_into_a_wall_comes_out_gently() {
+    let mut layout = bare();
+    layout.slope_rad = 0.0;
+    layout.parts.push(part("wall", walls(vec![Shape::capsule(v(0.1, 0.5), v(0.4, 0.5), 0.003)], RUBBER)));
+    let mut machine = live(layout);
+    machine.put_ball(v(0.25, 0.5 - 0.003 - BALL_RADIUS_M + 0.002), DVec2::ZERO, [0.0; 3]);
+    machine.put_ball(v(0.252, 0.45), DVec2::ZERO, [0.0; 3]);
+    machine.put_ball(v(0.252, 0.43), DVec2::ZERO, [0.0; 3]);
+    assert!(machine.overlap_m() > 1e-3);
+    for _ in 0..300 {
+        machine.tick(Controls::default(), &[]);
+        assert!(machine.pose().balls.iter().all(|ball| ball.velocity.length() < 0.01));
+    }
+    assert!(machine.overlap_m() < 5e-5, "{} m deep", machine.overlap_m());
+}

@@ -1,0 +1,204 @@
+//! What lies on what at the start of a step, and the speeds that go with it.
+//!
+//! A slow ball within a skin of something touches it. Gravity, the playfield's friction and every touch then act
+//! together, so that stacks, wedges and a ball on a flipper find their common speeds.
+
+use crate::BALL_RADIUS_M;
+use crate::meet::is_out_of_reach;
+use crate::plan::SKIN_M;
+use crate::sweep::{PARTING_M_S, SAME_M_S, SLOW_M_S, Sweep, bodies};
+use crate::touch::{BALL_FRICTION, Other, Touch};
+use geometry::DVec2;
+
+/// Rounds of the solver for balls at rest.
+const SETTLE_ROUNDS: usize = 24;
+/// How often the settled speeds are checked against where they lead.
+const AHEAD_ROUNDS: usize = 4;
+/// An error of this speed there does not matter.
+const AHEAD_M_S: f64 = 1e-5;
+/// How much of an overlap is undone in a step, and how far at most.
+const PART_OF_DEPTH: f64 = 0.2;
+const MOST_OUT_M: f64 = 1e-4;
+/// A ball that a flipper pushes is kept at least this far from it.
+const NEAR_M: f64 = 1e-6;
+
+impl Sweep<'_> {
+    /// How fast the approach of a ball and a turning flipper that roll on each other can grow, m/s^2.
+    pub(crate) fn turning(&self, flipper: usize, ball: usize) -> f64 {
+        let (rotor, blade) = (&self.state.mechanisms.rotors[flipper], &self.plan.blades[flipper]);
+        if rotor.seated {
+            return 0.0;
+        }
+        let arm = blade.reach;
+        let coil = blade.flipper.coil_torque_n_m / blade.inertia * arm;
+        let (turn, speed) = (rotor.speed.abs(), self.state.balls[ball].velocity.length());
+        coil + 2.0 * turn * speed + turn * turn * arm
+    }
+
+    /// Balls that lie on something: the step's pull, the playfield and every touch act together.
+    pub(crate) fn settle(&mut self, duration: f64) {
+        self.scratch.touches.clear();
+        for ball in 0..self.state.balls.len() {
+            if !self.state.balls[ball].is_held() {
+                self.find_touches(ball, duration);
+            }
+        }
+        for touch in &self.scratch.touches {
+            self.scratch.motions[touch.ball].settled = true;
+            if let Other::Ball(other) = touch.other {
+                self.scratch.motions[other].settled = true;
+            }
+        }
+        for (ball, motion) in self.state.balls.iter_mut().zip(&mut self.scratch.motions) {
+            if ball.is_held() {
+                continue;
+            } else if motion.settled {
+                ball.velocity += motion.pull * duration;
+            } else {
+                motion.drive = ball.drive(&self.plan.floor, motion.pull, duration);
+            }
+        }
+        if !self.scratch.touches.is_empty() {
+            self.press_together(duration);
+        }
+    }
+
+    /// Sequential impulses with accumulation (Catto, Iterative Dynamics with Temporal Coherence, 2005).
+    fn press_together(&mut self, duration: f64) {
+        let floor = &self.plan.floor;
+        let most = floor.friction * floor.press * duration;
+        let mut rubbed = vec![DVec2::ZERO; self.state.balls.len()];
+        for _ in 0..AHEAD_ROUNDS {
+            self.settle_rounds(most, &mut rubbed);
+            if !self.look_ahead(duration) {
+                break;
+            }
+        }
+        let bodies = bodies(self.plan, self.state);
+        for (ball, motion) in bodies.balls.iter_mut().zip(&self.scratch.motions) {
+            if motion.settled && !ball.is_held() {
+                ball.resist(floor, duration);
+            }
+        }
+    }
+
+    fn settle_rounds(&mut self, most: f64, rubbed: &mut [DVec2]) {
+        let mut bodies = bodies(self.plan, self.state);
+        for _ in 0..SETTLE_ROUNDS {
+            let mut change: f64 = 0.0;
+            for (index, motion) in self.scratch.motions.iter().enumerate() {
+                if motion.settled && !bodies.balls[index].is_held() {
+                    let ball = &mut bodies.balls[index];
+                    let wanted = (rubbed[index] - ball.floor_slip() * (2.0 / 7.0)).clamp_length_max(most);
+                    ball.push_floor(wanted - rubbed[index]);
+                    rubbed[index] = wanted;
+                }
+            }
+            for touch in &mut self.scratch.touches {
+                change = change.max(touch.separate(&mut bodies, touch.goal).abs());
+                touch.grip(&mut bodies);
+            }
+            if change < SAME_M_S {
+                break;
+            }
+        }
+    }
+
+    /// A flipper that turns bends away from the straight way of the ball that it pushes. So the two must part with just
+    /// the speed that leaves them as near at the step's end as they are at its start. True if that changes anything.
+    fn look_ahead(&mut self, duration: f64) -> bool {
+        let mut changed = false;
+        for touch in &mut self.scratch.touches {
+            let Other::Flipper(index) = touch.other else { continue };
+            let (rotor, blade) = (&self.state.mechanisms.rotors[index], &self.plan.blades[index]);
+            if rotor.speed == 0.0 {
+                continue;
+            }
+            let ball = &self.state.balls[touch.ball];
+            let now = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
+            let outline = blade.taper(rotor.angle + rotor.speed * duration);
+            let then = outline.distance(ball.center + ball.velocity * duration).0 - BALL_RADIUS_M;
+            let wanted = if now < NEAR_M { now + 0.2 * (NEAR_M - now) } else { now };
+            let missing = (wanted - then) / duration;
+            if missing > AHEAD_M_S {
+                touch.goal += missing;
+                changed = true;
+            }
+        }
+        changed
+    }
+
+    fn find_touches(&mut self, ball: usize, duration: f64) {
+        let center = self.state.balls[ball].center;
+        let velocity = self.state.balls[ball].velocity;
+        let mut out = DVec2::ZERO;
+        let mut found: [(usize, DVec2); 4] = [(usize::MAX, DVec2::ZERO); 4];
+        let mut count = 0;
+        self.plan.obstacle_grid.visit(center, center, |index| {
+            let obstacle = &self.plan.obstacles[index];
+            let (distance, normal) = obstacle.shape.distance(center);
+            let known = found[..count].iter().any(|&(other, _)| other == index);
+            let near = distance <= SKIN_M && count < found.len() && !known;
+            if near && self.is_solid(obstacle, center, velocity, distance) {
+                found[count] = (index, normal);
+                count += 1;
+                out += way_out(distance, normal);
+            }
+        });
+        for &(index, normal) in &found[..count] {
+            let friction = self.plan.obstacles[index].material.friction;
+            self.add_touch(ball, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
+        }
+        for (rod, (_, plunger)) in self.plan.plungers.iter().enumerate() {
+            let rod = &self.state.mechanisms.rods[rod];
+            let (distance, normal) = rod.face(plunger).distance(center);
+            if distance <= SKIN_M {
+                out += way_out(distance, normal);
+                let sudden = if rod.is_shooting() { f64::INFINITY } else { 0.0 };
+                self.add_touch(ball, Other::Fixed(rod.velocity(plunger)), normal, 0.2, sudden);
+            }
+        }
+        for (index, blade) in self.plan.blades.iter().enumerate() {
+            if is_out_of_reach(blade, center, SKIN_M) {
+                continue;
+            }
+            let angle = self.state.mechanisms.rotors[index].angle;
+            let (distance, normal) = blade.taper(angle).distance(center);
+            if distance - BALL_RADIUS_M <= SKIN_M {
+                out += way_out(distance - BALL_RADIUS_M, normal);
+                let sudden = self.turning(index, ball) * duration;
+                self.add_touch(ball, Other::Flipper(index), normal, blade.flipper.material.friction, sudden);
+            }
+        }
+        for other in 0..self.state.balls.len() {
+            let held = self.state.balls[other].is_held();
+            if other == ball {
+                continue;
+            }
+            let away = center - self.state.balls[other].center;
+            out += way_out(0.5 * (away.length() - 2.0 * BALL_RADIUS_M), away.try_normalize().unwrap_or(DVec2::Y));
+            if other < ball && !held {
+                continue;
+            }
+            if away.length() - 2.0 * BALL_RADIUS_M <= SKIN_M {
+                let what = if held { Other::Fixed(DVec2::ZERO) } else { Other::Ball(other) };
+                self.add_touch(ball, what, away.try_normalize().unwrap_or(DVec2::Y), BALL_FRICTION, 0.0);
+            }
+        }
+        self.state.balls[ball].center += out;
+    }
+
+    fn add_touch(&mut self, ball: usize, other: Other, normal: DVec2, friction: f64, sudden: f64) {
+        let bodies = bodies(self.plan, self.state);
+        let touch = Touch::new(ball, other, normal, friction, &bodies);
+        let approach = touch.approach(&bodies);
+        if approach > -PARTING_M_S && approach <= SLOW_M_S + sudden {
+            self.scratch.touches.push(touch);
+        }
+    }
+}
+
+/// How far a ball that is `distance` (below 0) deep in something is moved out of it in a step: gently, without speed.
+fn way_out(distance: f64, normal: DVec2) -> DVec2 {
+    if distance < -NEAR_M { normal * (-PART_OF_DEPTH * distance).min(MOST_OUT_M) } else { DVec2::ZERO }
+}

@@ -1,0 +1,95 @@
+//! What can be seen of a machine from outside.
+
+use crate::ball::Ball;
+use crate::plan::Role;
+use crate::works::Plate;
+use crate::{BALL_RADIUS_M, Machine, PartId, Pose};
+use geometry::DVec2;
+
+impl Machine {
+    /// Where everything is now.
+    pub fn pose(&self) -> Pose {
+        let (plan, own) = (&self.plan, &self.state.mechanisms);
+        let angles = plan.blades.iter().zip(&own.rotors).map(|(blade, rotor)| (PartId(blade.part), rotor.angle));
+        let drops = plan.drops.iter().enumerate().map(|(index, d)| (PartId(d.part), self.works.height(index)));
+        let plates = |parts: Vec<u16>, plate: fn(usize) -> Plate| {
+            let angle = |(index, part)| (PartId(part), self.works.angle(plate(index)));
+            parts.into_iter().enumerate().map(angle).collect()
+        };
+        let kickers = plan.kickers.iter().zip(&own.kickers).map(|(k, &ticks)| (PartId(k.part), kick_pose(ticks)));
+        let pulled = plan.plungers.iter().zip(&own.rods).map(|((_, p), rod)| (rod.pulled / p.stroke_m).max(0.0));
+        Pose {
+            balls: self.state.balls.iter().map(Ball::pose).collect(),
+            flippers_rad: angles.collect(),
+            drop_targets: drops.collect(),
+            spinners_rad: plates(plan.spinners.iter().map(|&(part, _)| part).collect(), Plate::Spinner),
+            gates_rad: plates(plan.gates.iter().map(|&(part, _)| part).collect(), Plate::Gate),
+            kickers: kickers.collect(),
+            plunger: pulled.fold(0.0, f64::max),
+            cabinet_m: own.cabinet.place,
+        }
+    }
+
+    /// How long each ball has hardly moved where nothing should hold it, ticks: in the order of [`Pose::balls`]; 0 for
+    /// a ball in a saucer, in the plunger lane or on a raised flipper.
+    pub fn stuck_ticks(&self) -> Vec<u32> {
+        let excused = |ball: &Ball| ball.is_held() || self.waits_for_plunger(ball) || self.lies_on_flipper(ball);
+        let stuck = |ball: &Ball| if excused(ball) { 0 } else { ball.still_ticks };
+        self.state.balls.iter().map(stuck).collect()
+    }
+
+    fn waits_for_plunger(&self, ball: &Ball) -> bool {
+        self.plan.plungers.iter().any(|(_, plunger)| {
+            let from_tip = ball.center - plunger.tip;
+            let lane = plunger.half_width_m + BALL_RADIUS_M;
+            from_tip.dot(plunger.way.perp()).abs() < lane && from_tip.dot(plunger.way) < 8.0 * BALL_RADIUS_M
+        })
+    }
+
+    fn lies_on_flipper(&self, ball: &Ball) -> bool {
+        self.plan.blades.iter().zip(&self.state.mechanisms.rotors).any(|(blade, rotor)| {
+            let gap = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
+            gap < 1e-3 && blade.is_raised(rotor)
+        })
+    }
+
+    /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.
+    pub fn overlap_m(&self) -> f64 {
+        let mut deepest = f64::NEG_INFINITY;
+        let own = &self.state.mechanisms;
+        for (index, ball) in self.state.balls.iter().enumerate() {
+            self.plan.obstacle_grid.visit(ball.center, ball.center, |obstacle| {
+                let obstacle = &self.plan.obstacles[obstacle];
+                let counts = match obstacle.role {
+                    Role::Drop(drop) => own.drops[drop].solid,
+                    Role::Gate(_) => false,
+                    _ => true,
+                };
+                if counts {
+                    deepest = deepest.max(-obstacle.shape.distance(ball.center).0);
+                }
+            });
+            for (blade, rotor) in self.plan.blades.iter().zip(&own.rotors) {
+                deepest = deepest.max(BALL_RADIUS_M - blade.taper(rotor.angle).distance(ball.center).0);
+            }
+            for other in &self.state.balls[index + 1..] {
+                deepest = deepest.max(2.0 * BALL_RADIUS_M - ball.center.distance(other.center));
+            }
+        }
+        deepest
+    }
+
+    /// How many balls are not on the playfield, or nowhere at all (not a number).
+    pub fn escaped(&self) -> usize {
+        let on = |ball: &Ball| {
+            ball.center.cmpge(DVec2::ZERO).all() && ball.center.cmple(self.plan.size).all() && ball.velocity.is_finite()
+        };
+        self.state.balls.iter().filter(|ball| !on(ball)).count()
+    }
+}
+
+/// How far a kicker is out, `ticks` after it fired: out in 8 ms, back in 40.
+fn kick_pose(ticks: u16) -> f64 {
+    let ticks = f64::from(ticks);
+    if ticks < 8.0 { ticks / 8.0 } else { (1.0 - (ticks - 8.0) / 40.0).max(0.0) }
+}
