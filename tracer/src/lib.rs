@@ -27,6 +27,7 @@ mod obstruction;
 mod points;
 mod radiance;
 mod renderer;
+pub mod room;
 mod scene;
 mod silhouette;
 pub mod testing;
