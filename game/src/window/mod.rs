@@ -80,7 +80,7 @@ fn open_display() -> Result<EventLoop<Wake>, Failure> {
     EventLoop::with_user_event().build().map_err(|error| {
         Failure::new(format!(
             "there is no display to open a window on ({}); caustic frame, caustic dump and caustic simulate work without one",
-            first_line(&error.to_string())
+            reason(&error.to_string())
         ))
     })
 }
@@ -89,9 +89,24 @@ fn run(events: EventLoop<Wake>, session: Session, picture: Picture, look: Look) 
     let mut app = App::new(session, picture, look, events.create_proxy());
     let ended = events.run_app(&mut app);
     app.finish()?;
-    ended.map_err(|error| Failure::new(format!("the window failed: {}", first_line(&error.to_string()))))
+    ended.map_err(|error| Failure::new(format!("the window failed: {}", reason(&error.to_string()))))
 }
 
-fn first_line(text: &str) -> &str {
-    text.lines().next().unwrap_or_default()
+/// The reason that winit gives, without the place in its own source that comes before it.
+fn reason(error: &str) -> &str {
+    let line = error.lines().next().unwrap_or_default();
+    let told = if line.contains(".rs:") { line.rsplit(": ").next().unwrap_or(line) } else { line };
+    told.trim_end_matches('.')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reason;
+
+    #[test]
+    fn the_reason_is_told_without_the_place_in_a_source_file() {
+        let error = "os error at /home/a/winit/mod.rs:765: neither WAYLAND_DISPLAY nor DISPLAY is set.";
+        assert_eq!(reason(error), "neither WAYLAND_DISPLAY nor DISPLAY is set");
+        assert_eq!(reason("the display hung up\nand more"), "the display hung up");
+    }
 }
