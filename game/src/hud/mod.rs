@@ -110,7 +110,7 @@ impl Hud {
             matrix::draw(&mut Canvas::new(frame), placement.matrix, placement.pitch, &dots);
             self.dots = Some(dots);
         }
-        let words = Words::new(table, moment, chrome.badge);
+        let words = Words::new(table, moment, chrome);
         if self.words.as_ref() != Some(&words) {
             self.draw_words(&placement, &words, frame);
             self.words = Some(words);

@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Color, Rect};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::programme::grouped;
-use super::{AMBER, BRASS, Badge, IVORY, MIST, keys};
+use super::{AMBER, BRASS, Badge, Chrome, IVORY, MIST, keys};
 use crate::Table;
 use crate::picture::placement::{Placement, Side, title_height};
 use crate::simulation::{Display, Snapshot};
@@ -20,6 +20,8 @@ pub struct Words {
     pub shoot_again: bool,
     /// Who plays.
     pub badge: Option<Badge>,
+    /// Keys and what they do.
+    pub keys: &'static [(&'static str, &'static str)],
 }
 
 /// The lamp that says on the table what the panel repeats: a ball that drains now comes back.
@@ -27,11 +29,12 @@ const SHOOT_AGAIN: &str = "insert-shoot-again";
 
 impl Words {
     /// What the panel says of a moment: the display's message is the matrix's alone.
-    pub fn new(table: &Table, moment: &Snapshot, badge: Option<Badge>) -> Words {
+    pub fn new(table: &Table, moment: &Snapshot, chrome: &Chrome) -> Words {
         let display = Display { message: Vec::new(), message_tick: 0, ..moment.display.clone() };
         let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| moment.lamps.get(lamp));
         let shoot_again = display.playing && lamp.is_some_and(|lamp| lamp.level > 300);
-        Words { title: table.title.to_uppercase(), display, shoot_again, badge }
+        let keys = if chrome.seek.is_some() { keys::REPLAY_HELP } else { keys::HELP };
+        Words { title: table.title.to_uppercase(), display, shoot_again, badge: chrome.badge, keys }
     }
 }
 
@@ -175,7 +178,7 @@ impl Page<'_, '_> {
                 self.progress(rows, &words.display.progress);
             }
         }
-        self.key_help(room, unit);
+        self.key_help(room, unit, words.keys);
     }
 
     fn scores(&mut self, room: &mut Rect, unit: f32, display: &Display) {
@@ -216,15 +219,15 @@ impl Page<'_, '_> {
     }
 
     /// The keys, at the foot of the panel, if there is room.
-    fn key_help(&mut self, room: Rect, unit: f32) {
+    fn key_help(&mut self, room: Rect, unit: f32, keys: &[(&str, &str)]) {
         let line = (unit * 1.45) as i32;
-        let needed = line * keys::HELP.len() as i32 + line;
+        let needed = line * keys.len() as i32 + line;
         if room.height < needed {
             return;
         }
         let top = room.bottom() - needed;
         self.canvas.fill(Rect::new(room.x, top, room.width, 1), BRASS, 110);
-        for (index, (keys, action)) in keys::HELP.iter().enumerate() {
+        for (index, (keys, action)) in keys.iter().enumerate() {
             let y = top + line * (index as i32 + 1) + line / 2;
             let style = Style { tracking: 0.02, ..label(unit * 0.78) };
             self.text(keys, Style { color: BRASS, ..style }, Align::Left, room.x, y, room.width / 2);
