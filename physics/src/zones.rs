@@ -3,7 +3,7 @@
 use crate::ball::{Ball, Hold};
 use crate::plan::{Place, Plan};
 use crate::state::State;
-use crate::{Event, EventKind, PartId, Saucer};
+use crate::{Event, EventKind, Gate, PartId, Saucer};
 use geometry::{DVec2, Ray};
 use glam::DVec3;
 
@@ -55,6 +55,9 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
                     events.push(event(zone.part, EventKind::Closed));
                     drained.push(index);
                 }
+                Place::Gate(gate) if passes(&plan.gates[gate].1, start, center) => {
+                    events.push(event(zone.part, EventKind::Closed));
+                }
                 Place::Saucer(saucer) if within => sink(plan, state, saucer, index),
                 _ => {}
             }
@@ -72,6 +75,15 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
     for &index in drained.iter().rev() {
         state.balls.remove(index);
     }
+}
+
+/// A ball's centre goes under a gate's flap the way that is free.
+fn passes(gate: &Gate, start: DVec2, center: DVec2) -> bool {
+    let beyond = |point: DVec2| (point - gate.segment.a).dot(gate.way);
+    let (before, after) = (beyond(start), beyond(center));
+    // `parameter` is clamped to the flap's ends, so beside the flap it is exactly one of them.
+    let parameter = gate.segment.parameter(center);
+    before <= 0.0 && after > 0.0 && parameter > 0.0 && parameter < 1.0
 }
 
 /// A slow ball comes over a saucer that is free.

@@ -118,19 +118,21 @@ fn a_gate_opens_one_way_and_is_shut_the_other() {
         let rolling = |v_y: f64| [-v_y / BALL_RADIUS_M, 0.0, 0.0];
         let mut machine = live(with(Kind::Gate(gate.clone())));
         machine.put_ball(v(0.225, 0.56), v(0.0, -speed), rolling(-speed));
-        let mut open: f64 = 0.0;
+        let (mut open, mut closed): (f64, usize) = (0.0, 0);
         for _ in 0..((0.2 / speed * 1000.0) as usize) {
             machine.tick(Controls::default(), &[]);
             open = open.max(machine.pose().gates_rad[0].1);
+            closed += machine.events().iter().filter(|event| event.kind == EventKind::Closed).count();
         }
         let left = -velocity(&machine).y / speed;
         println!("{speed} m/s: opens {open}, {left} of the speed left");
         assert!(machine.pose().balls[0].center.y < 0.48, "it lets the ball through at {speed} m/s");
         assert!((0.8..1.0).contains(&left), "and takes a little of its speed: {left} left");
         assert!(open > 0.5, "the flap is lifted by {open} rad");
+        assert_eq!(closed, 1, "and its switch closes once");
         let mut machine = live(with(Kind::Gate(gate.clone())));
         machine.put_ball(v(0.225, 0.44), v(0.0, speed), rolling(speed));
-        run(&mut machine, (0.2 / speed * 1000.0) as usize, EventKind::Closed);
+        assert_eq!(run(&mut machine, (0.2 / speed * 1000.0) as usize, EventKind::Closed), 0);
         assert!(machine.pose().balls[0].center.y < 0.4866, "it holds the ball at {speed} m/s");
     }
 }
