@@ -129,3 +129,43 @@ fn font(bytes: &'static [u8]) -> Result<Font, Failure> {
     Font::from_bytes(bytes, FontSettings::default())
         .map_err(|error| Failure::new(format!("a font of this build is damaged ({error}); build it again")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tracer::Frame;
+
+    const STYLE: Style = Style { family: Family::Bold, size_px: 20.0, tracking: 0.0, color: 0xff_ffff, alpha: 255 };
+
+    #[test]
+    fn a_score_does_not_dance_as_it_counts() {
+        let lettering = Lettering::new().expect("the fonts are whole");
+        assert_eq!(lettering.width("1,111,111", STYLE), lettering.width("8,888,888", STYLE));
+    }
+
+    #[test]
+    fn fitted_text_is_never_wider_than_its_room() {
+        let lettering = Lettering::new().expect("the fonts are whole");
+        for (keys, action) in super::super::keys::HELP.iter().chain(super::super::keys::REPLAY_HELP) {
+            for room in [10.0, 40.0, 90.0, 300.0] {
+                for text in [*keys, *action] {
+                    let width = lettering.width(text, lettering.fitted(text, STYLE, room));
+                    assert!(width <= room * 1.001, "{text}: {width} in {room}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_letter_of_the_help_is_in_the_fonts() {
+        let mut lettering = Lettering::new().expect("the fonts are whole");
+        let told = super::super::keys::HELP.iter().flat_map(|(keys, action)| [*keys, *action]);
+        for character in told.flat_map(str::chars).filter(|character| !character.is_whitespace()) {
+            let mut frame = Frame::new(40, 40);
+            let mut canvas = Canvas::new(&mut frame);
+            lettering.write(&mut canvas, &character.to_string(), STYLE, Align::Left, 5.0, 25.0);
+            assert!(frame.pixels.iter().any(|pixel| *pixel != 0), "{character} is blank");
+            assert!(lettering.fonts[0].has_glyph(character), "{character} has no glyph");
+        }
+    }
+}

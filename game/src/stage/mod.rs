@@ -9,6 +9,8 @@ mod blend;
 mod light;
 mod motion;
 mod plunger;
+#[cfg(test)]
+mod tests;
 
 pub use blend::blend;
 pub use light::{linear, linear_channel};

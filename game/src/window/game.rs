@@ -166,6 +166,7 @@ impl Game {
     /// If its rules do not run; the game then goes on as it was.
     pub fn set_table(&mut self, table: Arc<Table>) -> Result<(), Failure> {
         if table.hash == self.simulation.table().hash {
+            self.simulation = Simulation::restore(table, &self.simulation.save())?;
             return Ok(());
         }
         let game = Game::new(table, self.seed, None, self.bot.is_some())?;
