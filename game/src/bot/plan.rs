@@ -10,8 +10,10 @@ use std::cmp::Ordering;
 const STROKE_TICKS: u64 = 130;
 /// Ticks between two moments at which a stroke is tried.
 const TRY_TICKS: u64 = 9;
-/// Moments that are tried for each flipper at first.
-const TRIES: usize = 10;
+/// Moments that are tried for each flipper at first, while the ball is coming.
+const TRIES: usize = 6;
+/// Moments that are tried at first when the ball lies still and there is time to aim.
+const AIMED_TRIES: usize = 12;
 /// Moments whose neighbours are tried, too.
 const SECOND_LOOKS: usize = 2;
 /// Most moments that are remembered in one decision.
@@ -41,7 +43,7 @@ pub(super) fn best(start: &Future, may_hold: bool) -> Plan {
     let mut plans = Vec::new();
     let (release, branches) = release(start);
     plans.push(release);
-    plans.extend(strokes(start, &branches));
+    plans.extend(strokes(start, &branches, if may_hold { TRIES } else { AIMED_TRIES }));
     if may_hold {
         plans.extend([Buttons::LEFT, Buttons::RIGHT].map(|side| hold(start, side)));
     }
@@ -98,11 +100,11 @@ fn leaves(future: &Future, ball: &BallPose) -> bool {
 }
 
 /// The most promising strokes at these moments.
-fn strokes(start: &Future, branches: &[(Buttons, Future)]) -> Vec<Plan> {
+fn strokes(start: &Future, branches: &[(Buttons, Future)], tries: usize) -> Vec<Plan> {
     let mut plans = Vec::new();
     for side in [Buttons::LEFT, Buttons::RIGHT] {
         let moments: Vec<&Future> = branches.iter().filter(|(of, _)| *of == side).map(|(_, future)| future).collect();
-        let step = moments.len().div_ceil(TRIES).max(1);
+        let step = moments.len().div_ceil(tries).max(1);
         let mut values: Vec<Option<f64>> = vec![None; moments.len()];
         for index in (0..moments.len()).step_by(step) {
             values[index] = Some(stroke_value(moments[index], side));
