@@ -2,6 +2,7 @@
 
 mod bot;
 mod check;
+mod demos;
 mod picture;
 mod recording;
 mod tidy;
