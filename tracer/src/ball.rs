@@ -13,7 +13,7 @@ use rayon::prelude::*;
 const CHROME: Rgb = [0.86, 0.88, 0.90];
 
 /// The sky of a night room, where no panel is.
-const ROOM: Rgb = [0.020, 0.023, 0.032];
+const ROOM: Rgb = [0.050, 0.056, 0.076];
 
 /// The soft panel overhead.
 const PANEL: Rgb = [0.95, 0.92, 0.86];
@@ -136,7 +136,7 @@ impl Mirror<'_> {
         for channel in 0..3 {
             let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
             let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
-            let rim = 0.05 * grazing * (1.0 + self.arriving[channel]);
+            let rim = 0.10 * grazing * (1.0 + self.arriving[channel]);
             pixel[channel] = light[channel] * mirrors * (1.0 - 0.6 * scratch) + matt * scratch * nz + rim;
         }
         pixel
@@ -230,7 +230,7 @@ fn sky(out: [f32; 3]) -> Rgb {
     let glow = 1.0 / (1.0 + 0.8 * (x * x + (y + 0.75) * (y + 0.75)));
     let visible = if out[2] > 0.02 { 1.0 } else { 0.0 };
     [0, 1, 2].map(|channel: usize| {
-        ROOM[channel] * (0.6 + 0.8 * max(out[2], 0.0)) + PANEL[channel] * visible * (0.85 * panel + 0.05 * glow)
+        ROOM[channel] * (0.6 + 0.8 * max(out[2], 0.0)) + PANEL[channel] * visible * (0.9 * panel + 0.14 * glow)
     })
 }
 
