@@ -177,10 +177,10 @@ impl Game {
 
     /// Writes the end of the recordings.
     pub fn finish(&mut self) {
-        for recorder in [self.library.take(), self.asked.take()].into_iter().flatten() {
-            if let Err(failure) = recorder.finish(&self.simulation) {
-                eprintln!("caustic: {failure}");
-            }
+        let library = self.library.take().map(|recorder| library::finish(recorder, &self.simulation));
+        let asked = self.asked.take().map(|recorder| recorder.finish(&self.simulation).map(|_| ()));
+        for failure in [library, asked].into_iter().flatten().filter_map(Result::err) {
+            eprintln!("caustic: {failure}");
         }
     }
 }
