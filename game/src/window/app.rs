@@ -1,35 +1,24 @@
 //! The main thread: what the window's events do, and when a picture is made and shown.
 
 use super::clock::{Clock, Speed};
-use super::game::Game;
 use super::keys::{Act, Held, Meaning, meaning};
 use super::painter::{Order, Painter};
 use super::reload::Reload;
+use super::session::{Cover, Session, chrome, complaint, snapshots, title};
 use super::surface::Surface;
-use super::viewing::Viewing;
-use super::{Look, Wake, icon};
-use crate::hud::{Badge, Card, Chrome, Debug, KEYS, REPLAY_KEYS, Times};
-use crate::picture::{Picture, save_png};
-use crate::{Buttons, Failure, Snapshot, Table};
-use std::path::PathBuf;
+use super::{Look, Wake, opening, screenshot};
+use crate::hud::Times;
+use crate::picture::Picture;
+use crate::{Buttons, Failure, Table};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, Instant};
 use tracer::Frame;
 use winit::application::ApplicationHandler;
-use winit::dpi::PhysicalSize;
 use winit::event::{ElementState, KeyEvent, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::{KeyCode, PhysicalKey};
 use winit::window::{Fullscreen, Window, WindowId};
-
-/// A game or a recording.
-pub enum Session {
-    /// A game in play.
-    Game(Box<Game>),
-    /// A recording that is watched.
-    Viewing(Box<Viewing>),
-}
 
 /// How long a notice stands.
 const NOTICE: Duration = Duration::from_secs(5);
@@ -37,23 +26,6 @@ const NOTICE: Duration = Duration::from_secs(5);
 const TICKING: Duration = Duration::from_millis(8);
 /// How often a window in which nothing happens looks around.
 const RESTING: Duration = Duration::from_millis(200);
-/// Pictures a second where the monitor does not say.
-const USUAL_HZ: f64 = 60.0;
-/// The part of the monitor's height that a new window takes.
-const HEIGHT_PART: f64 = 0.86;
-
-static PAUSED: Card = Card { title: "PAUSED", rows: KEYS, foot: "Esc  go on      Q  leave" };
-static HELP: Card = Card { title: "KEYS", rows: KEYS, foot: "H  go on      Q  leave" };
-static REPLAY_HELP: Card = Card { title: "KEYS", rows: REPLAY_KEYS, foot: "H  go on" };
-
-/// What covers the table, and stops the game while it does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Cover {
-    None,
-    Paused,
-    Help,
-}
-
 /// Everything that the main thread has.
 pub struct App {
     session: Session,
@@ -125,7 +97,7 @@ impl App {
             times: Times::default(),
             shown_at: now,
             next_frame: now,
-            interval: Duration::from_secs_f64(1.0 / USUAL_HZ),
+            interval: opening::interval(None),
             failure: None,
         }
     }
@@ -142,30 +114,10 @@ impl App {
     }
 
     fn open(&mut self, events: &ActiveEventLoop) -> Result<(), Failure> {
-        let title = match (&self.session, &self.picture) {
-            (Session::Viewing(_), Some(picture)) => format!("Caustic \u{2013} {} (replay)", picture.table().title),
-            (_, Some(picture)) => format!("Caustic \u{2013} {}", picture.table().title),
-            _ => "Caustic".to_string(),
-        };
-        let monitor = events.primary_monitor().or_else(|| events.available_monitors().next());
-        let size = match (self.look.size, &monitor) {
-            (Some(size), _) => PhysicalSize::new(size.width as u32, size.height as u32),
-            (None, Some(monitor)) => usual_size(monitor.size()),
-            (None, None) => PhysicalSize::new(540, 1080),
-        };
-        let attributes = Window::default_attributes()
-            .with_title(title)
-            .with_inner_size(size)
-            .with_min_inner_size(PhysicalSize::new(64, 64))
-            .with_window_icon(icon::icon())
-            .with_fullscreen(self.look.fullscreen.then_some(Fullscreen::Borderless(None)));
-        let window = events.create_window(attributes);
-        let window = Arc::new(window.map_err(|error| Failure::new(format!("no window could be opened: {error}")))?);
-        window.set_cursor_visible(!self.look.fullscreen);
+        let title = title(&self.session, self.picture.as_ref().map_or("", |picture| &picture.table().title));
+        let window = Arc::new(opening::window(events, self.look, &title)?);
         self.surface = Some(Surface::new(events.owned_display_handle(), window.clone())?);
-        let hz = window.current_monitor().or(monitor).and_then(|monitor| monitor.refresh_rate_millihertz());
-        let hz = hz.map_or(USUAL_HZ, |millihertz| f64::from(millihertz) / 1000.0);
-        self.interval = Duration::from_secs_f64(1.0 / hz.clamp(10.0, 1000.0));
+        self.interval = opening::interval(window.current_monitor());
         self.window = Some(window);
         if let Some(picture) = self.picture.take() {
             let proxy = self.proxy.clone();
@@ -209,16 +161,13 @@ impl App {
 
     /// What the session has come to by itself.
     fn follow_session(&mut self) {
-        let complaint = match &mut self.session {
-            Session::Game(game) => {
-                if game.has_watched() {
-                    game.return_to_game();
-                    self.cover = Cover::Paused;
-                }
-                game.complaints().pop()
-            }
-            Session::Viewing(viewing) => viewing.complaint(),
-        };
+        if let Session::Game(game) = &mut self.session
+            && game.has_watched()
+        {
+            game.return_to_game();
+            self.cover = Cover::Paused;
+        }
+        let complaint = complaint(&mut self.session);
         if let Some(complaint) = complaint {
             self.tell(complaint);
         }
@@ -338,17 +287,9 @@ impl App {
         window.set_cursor_visible(fills);
     }
 
-    /// Saves the picture that is in the window, on a thread of its own.
     fn screenshot(&mut self) {
-        let (frame, news, proxy) = (self.shown.clone(), self.news_in.clone(), self.proxy.clone());
-        let save = move || {
-            let told = screenshot_path().and_then(|path| save_png(&frame, &path).map(|()| path));
-            let text = told.map_or_else(|failure| failure.to_string(), |path| format!("Saved as {}", path.display()));
-            // When the window is closed meanwhile, nobody reads it.
-            let _ = news.send(text);
-            wake(&proxy);
-        };
-        if std::thread::Builder::new().name("screenshot".to_string()).spawn(save).is_err() {
+        let (news, proxy) = (self.news_in.clone(), self.proxy.clone());
+        if !screenshot::save(self.shown.clone(), news, move || wake(&proxy)) {
             self.tell("The system gives no thread to save the picture with.".to_string());
         }
     }
@@ -420,7 +361,8 @@ impl App {
         self.dirty = false;
         self.next_frame = (self.next_frame + self.interval).max(now + self.interval / 2);
         let (previous, current) = snapshots(&self.session);
-        let chrome = chrome(&self.session, self.cover, self.notice.as_ref(), self.overlay.then_some(self.times));
+        let notice = self.notice.as_ref().map(|(text, _)| text.clone());
+        let chrome = chrome(&self.session, self.cover, notice, self.overlay.then_some(self.times));
         painter.order(Order {
             previous: previous.clone(),
             current: current.clone(),
@@ -440,33 +382,6 @@ impl App {
         let until = now + rest;
         ControlFlow::WaitUntil(if self.dirty && !busy && !self.hidden { until.min(self.next_frame) } else { until })
     }
-}
-
-fn snapshots(session: &Session) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
-    match session {
-        Session::Game(game) => game.snapshots(),
-        Session::Viewing(viewing) => viewing.snapshots(),
-    }
-}
-
-fn chrome(session: &Session, cover: Cover, notice: Option<&(String, Instant)>, overlay: Option<Times>) -> Chrome {
-    let (badge, seek, help) = match session {
-        Session::Game(game) => (game.badge(), None, &HELP),
-        Session::Viewing(viewing) => (Some(Badge::Replay), Some(viewing.progress()), &REPLAY_HELP),
-    };
-    let card = match cover {
-        Cover::None => None,
-        Cover::Paused => Some(&PAUSED),
-        Cover::Help => Some(help),
-    };
-    let debug = overlay.map(|times| {
-        let touches = match session {
-            Session::Game(game) => game.touches(),
-            Session::Viewing(viewing) => viewing.touches(),
-        };
-        Debug { times, touches }
-    });
-    Chrome { badge, notice: notice.map(|(text, _)| text.clone()), card, seek, debug }
 }
 
 impl ApplicationHandler<Wake> for App {
@@ -520,25 +435,6 @@ impl ApplicationHandler<Wake> for App {
 /// Wakes the main thread. Its loop is gone only when the window has been closed: then nobody waits for anything.
 fn wake(proxy: &EventLoopProxy<Wake>) {
     let _ = proxy.send_event(Wake);
-}
-
-/// Most of the monitor's height, and the shape of a table with its display above it.
-fn usual_size(monitor: PhysicalSize<u32>) -> PhysicalSize<u32> {
-    let height = (f64::from(monitor.height) * HEIGHT_PART).max(240.0);
-    let width = (height * 0.5).min(f64::from(monitor.width.max(240)));
-    PhysicalSize::new(width as u32, height as u32)
-}
-
-/// A new file in the folder of pictures, or beside the recordings where there is no such folder.
-#[expect(clippy::disallowed_methods, reason = "a picture is named after the moment that it was taken")]
-fn screenshot_path() -> Result<PathBuf, Failure> {
-    let pictures = directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(PathBuf::from));
-    let data = || directories::ProjectDirs::from("", "", "Caustic").map(|dirs| dirs.data_dir().join("pictures"));
-    let folder = pictures.or_else(data).ok_or_else(|| Failure::new("this system names no folder for pictures"))?;
-    let wrong = |error| Failure::new(format!("cannot make the folder {}: {error}", folder.display()));
-    std::fs::create_dir_all(&folder).map_err(wrong)?;
-    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-    Ok(folder.join(format!("caustic-{}-{:03}.png", since.as_secs(), since.subsec_millis())))
 }
 
 #[expect(clippy::disallowed_methods, reason = "the window is where real time comes in")]
