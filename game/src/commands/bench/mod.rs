@@ -3,6 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
+mod room;
 mod table;
 mod tick;
 
@@ -41,6 +42,9 @@ pub struct Row {
 /// If a table or a demo cannot be read.
 pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     let mut rows = Vec::new();
+    if matches!(args.bench, Bench::Room | Bench::All) {
+        rows.extend(room::rows(args.size, args.threads)?);
+    }
     if matches!(args.bench, Bench::Table | Bench::All) {
         rows.extend(table::rows(args.size, args.threads)?);
     }
