@@ -351,7 +351,7 @@ impl App {
 
     /// Orders a picture if one is due.
     fn order(&mut self) {
-        let now = now();
+        let (now, running) = (now(), self.is_running());
         let (Some(window), Some(painter)) = (&self.window, &mut self.painter) else { return };
         let size = window.inner_size();
         let nowhere = self.hidden || size.width == 0 || size.height == 0;
@@ -359,6 +359,8 @@ impl App {
             return;
         }
         self.dirty = false;
+        // What stands still is a tick itself, so that it can be found again in the recording.
+        let alpha = if running { self.clock.alpha() } else { 1.0 };
         self.next_frame = (self.next_frame + self.interval).max(now + self.interval / 2);
         let (previous, current) = snapshots(&self.session);
         let notice = self.notice.as_ref().map(|(text, _)| text.clone());
@@ -366,7 +368,7 @@ impl App {
         painter.order(Order {
             previous: previous.clone(),
             current: current.clone(),
-            alpha: self.clock.alpha(),
+            alpha,
             width: size.width as usize,
             height: size.height as usize,
             chrome,
