@@ -2,6 +2,7 @@
 
 mod bot;
 mod check;
+mod command_line;
 mod demos;
 mod picture;
 mod recording;

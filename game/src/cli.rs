@@ -1,6 +1,8 @@
 //! The command line's words.
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::builder::NonEmptyStringValueParser;
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Caustic: a pinball game whose only light is ray traced.
@@ -40,12 +42,12 @@ pub enum Command {
 #[derive(Args, Debug, Clone)]
 pub struct PlayArgs {
     /// A table's name, or the folder of one
-    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR")]
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// Seed of the game's random numbers; by default one is taken from the clock
-    #[arg(long)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
-    /// Also record the game to this file
+    /// Also record the game to this new file
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Size of the window in pixels
@@ -58,7 +60,7 @@ pub struct PlayArgs {
     #[arg(long)]
     pub bot: bool,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -74,7 +76,7 @@ pub struct ReplayArgs {
     #[arg(long)]
     pub fullscreen: bool,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -85,7 +87,7 @@ pub struct VerifyArgs {
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Recordings that are verified at once; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
     /// Also save the simulation and restore it into a new one after every N ticks
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
@@ -98,22 +100,23 @@ pub struct DumpArgs {
     /// The recording
     pub file: PathBuf,
     /// A folder for numbered PNG files, or - for y4m on standard output
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR|-")]
     pub out: PathBuf,
     /// Size of the frames in pixels
     #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
     pub size: Size,
     /// Frames in a second of play
-    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, default_value_t = 60, value_name = "N", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: u32,
     /// Where to start, in seconds of play
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub from: Option<f64>,
     /// Where to stop, in seconds of play
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub to: Option<f64>,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -121,25 +124,27 @@ pub struct DumpArgs {
 #[derive(Args, Debug, Clone)]
 pub struct FrameArgs {
     /// A table's name, or the folder of one
-    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", conflicts_with = "replay")]
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", conflicts_with = "replay",
+        value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// A recording to take the frame from
     #[arg(long, value_name = "FILE")]
     pub replay: Option<PathBuf>,
     /// The moment, in seconds of play; by default a recording's end, or a table two seconds after it was switched on
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub at: Option<f64>,
     /// Size of the frame in pixels
     #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
     pub size: Size,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
     /// How light is gathered: exact, or monte-carlo (the slow reference)
     #[arg(long, value_enum, default_value_t = Integrator::Exact)]
     pub integrator: Integrator,
     /// Random samples a lamp and pixel, for the reference
-    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, default_value_t = 64, value_name = "N", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub samples: u32,
     /// The PNG file to write
     #[arg(long, value_name = "FILE.png")]
@@ -159,16 +164,17 @@ pub enum Integrator {
 #[derive(Args, Debug, Clone)]
 pub struct SimulateArgs {
     /// How many games
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = 20, value_name = "N", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub games: u32,
     /// Seed of the first game; the others count up from it
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true)]
     pub seed: u64,
     /// Longest time that one game may take, in minutes of play
-    #[arg(long, default_value_t = 15.0, value_parser = seconds)]
+    #[arg(long, default_value_t = 15.0, value_name = "M", value_parser = minutes, allow_negative_numbers = true)]
     pub minutes: f64,
     /// A table's name, or the folder of one
-    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR")]
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// A folder for recordings of games in which something went wrong
     #[arg(long, value_name = "DIR")]
@@ -180,7 +186,7 @@ pub struct SimulateArgs {
     #[arg(long, value_enum, default_value_t = Player::Bot)]
     pub player: Player,
     /// Games that are played at once; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -198,8 +204,8 @@ pub enum Player {
 /// `caustic check`
 #[derive(Args, Debug, Clone)]
 pub struct CheckArgs {
-    /// The table's folder, or its name
-    #[arg(value_name = "DIR")]
+    /// A table's name, or the folder of one
+    #[arg(value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
 }
 
@@ -213,7 +219,7 @@ pub struct BenchArgs {
     #[arg(long, value_name = "WxH", value_parser = Size::parse)]
     pub size: Option<Size>,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
     /// Print rows as JSON
     #[arg(long)]
@@ -242,11 +248,41 @@ pub struct Size {
     pub height: usize,
 }
 
+impl Cli {
+    /// What the command line of this process asks for. Ends the process with a sentence and exit code 2 if it is wrong,
+    /// and with the answer if it only asks for help.
+    pub fn read() -> Cli {
+        let cli = Cli::parse();
+        if let Err(wrong) = cli.check() {
+            Cli::command().error(ErrorKind::ValueValidation, wrong).exit();
+        }
+        cli
+    }
+
+    /// What two words together may not say.
+    fn check(&self) -> Result<(), String> {
+        match &self.command {
+            Some(Command::Dump(DumpArgs { from: Some(from), to: Some(to), .. })) if from > to => {
+                Err(format!("--from {from} is after --to {to}; nothing is between them"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 impl Size {
     /// The smallest side of a picture or a window.
     pub const MIN: usize = 64;
     /// The largest side of a picture or a window.
     pub const MAX: usize = 16384;
+    /// The most pixels of a picture or a window: 8192 x 8192, which take 2 GB to draw.
+    pub const MAX_PIXELS: usize = 1 << 26;
+
+    /// Whether a picture or a window may have this size.
+    pub fn is_drawable(self) -> bool {
+        let sides = [self.width, self.height].iter().all(|side| *side <= Size::MAX);
+        sides && self.width * self.height <= Size::MAX_PIXELS
+    }
 
     fn parse(text: &str) -> Result<Size, String> {
         let numbers = text.split_once(['x', 'X']).map(|(w, h)| (w.trim().parse(), h.trim().parse()));
@@ -254,7 +290,9 @@ impl Size {
             Some((Ok(width), Ok(height)))
                 if [width, height].iter().all(|side| (Size::MIN..=Size::MAX).contains(side)) =>
             {
-                Ok(Size { width, height })
+                let size = Size { width, height };
+                let millions = Size::MAX_PIXELS / 1_000_000;
+                size.is_drawable().then_some(size).ok_or_else(|| format!("it has more than {millions} million pixels"))
             }
             Some((Ok(_), Ok(_))) => Err(format!("each side must be from {} to {} pixels", Size::MIN, Size::MAX)),
             _ => Err("write it as WIDTHxHEIGHT, for example 540x1080".to_string()),
@@ -266,6 +304,13 @@ fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(count @ 1..=256) => Ok(count),
         _ => Err("it must be a whole number from 1 to 256".to_string()),
+    }
+}
+
+fn minutes(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value <= 1e4 => Ok(value),
+        _ => Err("it must be a number above 0, to 10000".to_string()),
     }
 }
 

@@ -15,6 +15,7 @@ pub mod commands;
 pub mod failure;
 pub mod hud;
 pub mod lamps;
+pub mod new_file;
 pub mod picture;
 pub mod recording;
 pub mod rules;

@@ -1,13 +1,12 @@
 //! The command line of Caustic: parse, run, and say in one sentence what went wrong.
 
-use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match game::commands::run(game::cli::Cli::parse()) {
+    match game::commands::run(game::cli::Cli::read()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("caustic: {failure}");
+            failure.tell();
             ExitCode::FAILURE
         }
     }

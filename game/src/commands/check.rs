@@ -1,5 +1,6 @@
 //! `caustic check`: every mistake in a table, or a line that says it is good.
 
+use super::print::print;
 use crate::cli::CheckArgs;
 use crate::table::LampKind;
 use crate::{Failure, Simulation, Table};
@@ -17,18 +18,16 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     if !complaints.is_empty() {
         return Err(all(&complaints));
     }
-    println!("{}", summary(&args.table, &table));
-    Ok(())
+    print(&summary(&args.table, &table))
 }
 
 /// One sentence a line.
 fn all(mistakes: &[impl ToString]) -> Failure {
-    let count = match mistakes.len() {
-        1 => "one mistake".to_string(),
-        count => format!("{count} mistakes"),
-    };
     let lines: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
-    Failure::new(format!("the table has {count}\n{}", lines.join("\n")))
+    match lines.as_slice() {
+        [line] => Failure::new(line),
+        lines => Failure::new(format!("the table has {} mistakes\n{}", lines.len(), lines.join("\n"))),
+    }
 }
 
 fn summary(name: &str, table: &Table) -> String {

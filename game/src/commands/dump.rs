@@ -1,13 +1,14 @@
 //! `caustic dump`: a recording's frames, as numbered PNG files or as y4m.
 
 use super::parallel;
+use super::print::unwritable;
+use crate::Failure;
 use crate::cli::DumpArgs;
 use crate::hud::Chrome;
 use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
-use crate::{Failure, Recording};
 use physics::TICKS_PER_SECOND;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tracer::Frame;
 
@@ -16,10 +17,9 @@ use tracer::Frame;
 /// # Errors
 /// If the recording cannot be played again or a frame cannot be written.
 pub fn run(args: &DumpArgs) -> Result<(), Failure> {
-    let recording = Recording::read(&args.file)?;
-    let ticks = frame_ticks(args, recording.ticks())?;
+    let mut replay = Replay::open(&args.file)?;
+    let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
-    let mut replay = Replay::new(recording)?;
     let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");
     for (number, tick) in ticks.into_iter().enumerate() {
@@ -48,10 +48,7 @@ fn frame_ticks(args: &DumpArgs, length: u64) -> Result<Vec<u64>, Failure> {
     let (from, to) = (args.from.map_or(0, tick), args.to.map_or(length, tick).min(length));
     if from > to {
         let length_s = length as f64 / f64::from(TICKS_PER_SECOND);
-        return Err(Failure::new(format!(
-            "{} is {length_s:.1} s long and nothing is left between --from and --to; give others",
-            args.file.display()
-        )));
+        return Err(Failure::new(format!("{} is {length_s:.3} s long; give --from less", args.file.display())));
     }
     let at = |frame: u64| from + frame * u64::from(TICKS_PER_SECOND) / u64::from(args.fps);
     Ok((0..).map(at).take_while(|tick| *tick <= to).collect())
@@ -66,13 +63,18 @@ enum Out {
 impl Out {
     fn open(args: &DumpArgs) -> Result<Out, Failure> {
         if args.out == Path::new("-") {
+            if io::stdout().is_terminal() {
+                return Err(Failure::new(
+                    "standard output is this terminal, which shows no film: send it on to a file or a program",
+                ));
+            }
             let mut film = BufWriter::new(io::stdout());
             let (width, height) = even(args);
             let header = format!("YUV4MPEG2 W{width} H{height} F{}:1 Ip A1:1 C420jpeg\n", args.fps);
-            film.write_all(header.as_bytes()).map_err(|error| unwritable(Path::new("standard output"), &error))?;
+            film.write_all(header.as_bytes()).map_err(|error| unwritable(&error))?;
             return Ok(Out::Film(film));
         }
-        std::fs::create_dir_all(&args.out).map_err(|error| unwritable(&args.out, &error))?;
+        parallel::make_folder(&args.out)?;
         Ok(Out::Folder(args.out.clone()))
     }
 
@@ -90,7 +92,7 @@ impl Out {
             Out::Folder(folder) => save_png(frame, &folder.join(format!("{number:06}.png"))).map(|()| true),
             Out::Film(film) => match write_film_frame(film, frame) {
                 Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-                result => result.map(|()| true).map_err(|error| unwritable(Path::new("standard output"), &error)),
+                result => result.map(|()| true).map_err(|error| unwritable(&error)),
             },
         }
     }
@@ -98,10 +100,6 @@ impl Out {
 
 fn even(args: &DumpArgs) -> (usize, usize) {
     (args.size.width & !1, args.size.height & !1)
-}
-
-fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    Failure::new(format!("cannot write to {}: {error}", path.display()))
 }
 
 /// One frame of y4m: full-range luma (ITU-R BT.601, as JFIF has it), then each colour difference at half the size.

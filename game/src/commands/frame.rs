@@ -5,7 +5,7 @@ use crate::cli::{FrameArgs, Integrator};
 use crate::hud::Chrome;
 use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
-use crate::{Failure, Recording, Simulation, Snapshot, Table};
+use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;
 use std::sync::Arc;
@@ -34,21 +34,24 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
 fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
     let table = Arc::new(Table::load(name).map_err(Failure::of_many)?);
     let mut simulation = Simulation::new(table.clone(), 0)?;
-    for _ in 0..(at_s * f64::from(TICKS_PER_SECOND)) as u64 {
+    let ticks = (at_s * f64::from(TICKS_PER_SECOND)) as u64;
+    let bar = parallel::progress_bar(ticks, "ticks");
+    for tick in 0..ticks {
         simulation.tick(crate::Buttons::NONE);
+        bar.set_position(tick);
     }
+    bar.finish_and_clear();
     Ok((table, simulation.snapshot()))
 }
 
 fn of_recording(file: &Path, at_s: Option<f64>) -> Result<(Arc<Table>, Snapshot), Failure> {
-    let recording = Recording::read(file)?;
-    let end = recording.ticks();
+    let mut replay = Replay::open(file)?;
+    let end = replay.recording().ticks();
     let tick = at_s.map_or(end, |at_s| (at_s * f64::from(TICKS_PER_SECOND)) as u64);
     if tick > end {
         let length_s = end as f64 / f64::from(TICKS_PER_SECOND);
-        return Err(Failure::new(format!("{} is {length_s:.1} s long; give --at less", file.display())));
+        return Err(Failure::new(format!("{} is {length_s:.3} s long; give --at less", file.display())));
     }
-    let mut replay = Replay::new(recording)?;
     replay.seek(tick);
     Ok((replay.simulation().table().clone(), replay.simulation().snapshot()))
 }

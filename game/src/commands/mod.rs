@@ -6,6 +6,7 @@ pub mod dump;
 pub mod frame;
 pub mod parallel;
 pub mod play;
+mod print;
 pub mod replay;
 pub mod simulate;
 pub mod verify;

@@ -1,7 +1,9 @@
-//! What commands that work through many games share: threads and a progress bar.
+//! What commands that work through many games or frames share: threads, a progress bar and a folder for the results.
 
 use crate::Failure;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::ErrorKind;
+use std::path::Path;
 
 /// A pool of `threads` threads; by default one for each core.
 ///
@@ -20,4 +22,16 @@ pub fn progress_bar(length: u64, unit: &str) -> ProgressBar {
     let template = format!("[{{bar:40}}] {{pos}}/{{len}} {unit}, {{eta}} left");
     let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
     bar.with_style(style.progress_chars("=> "))
+}
+
+/// Makes the folder `dir`, and those that it is in; nothing if it is there.
+///
+/// # Errors
+/// If it cannot be made.
+pub fn make_folder(dir: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(dir).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => Failure::new(format!("{} is a file; name a folder", dir.display())),
+        ErrorKind::NotFound => Failure::new(format!("cannot make the folder {}: the system refuses it", dir.display())),
+        _ => Failure::of_file("make the folder", dir, &error),
+    })
 }

@@ -1,14 +1,16 @@
 //! `caustic simulate`: many games without a screen, and a summary of what happened in them.
 
-use super::parallel::{pool, progress_bar};
+use super::parallel::{self, pool, progress_bar};
+use super::print::print;
 use crate::bot::anomaly::AnomalyKind;
 use crate::bot::trial::{self, Trial};
 use crate::bot::{Bot, Random, Tour};
 use crate::cli::{Player, SimulateArgs};
-use crate::{Failure, Table};
+use crate::{Failure, Table, new_file};
 use physics::{Kind, TICKS_PER_SECOND};
 use rayon::prelude::*;
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::io::Write as _;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -18,7 +20,10 @@ use std::time::{Duration, Instant};
 /// If the table cannot be read, a recording cannot be written, or anything went wrong in a game.
 #[expect(clippy::disallowed_methods, reason = "measures the speed; the games do not read it")]
 pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
-    let table = load(&args.table)?;
+    let table = Arc::new(Table::load(&args.table).map_err(Failure::of_many)?);
+    for dir in args.save_all.iter().chain(&args.save_failures) {
+        parallel::make_folder(dir)?;
+    }
     let bar = progress_bar(u64::from(args.games), "games");
     let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)) as u64;
     let seeds: Vec<u64> = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number)).collect();
@@ -33,17 +38,12 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
         seeds.par_iter().map(one).collect::<Result<Vec<Game>, Failure>>()
     })?;
     bar.finish_and_clear();
-    print!("{}", summary(&table, &games));
+    print(&summary(&table, &games))?;
     match games.iter().map(|game| game.trial.anomalies.len()).sum() {
         0 => Ok(()),
         1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
         many => Err(Failure::new(format!("{many} things went wrong; --save-failures DIR keeps their games"))),
     }
-}
-
-fn load(table: &str) -> Result<Arc<Table>, Failure> {
-    let lines = |failures: Vec<Failure>| failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    Table::load(table).map(Arc::new).map_err(|failures| Failure::new(lines(failures)))
 }
 
 fn player(player: Player, seed: u64) -> trial::Player {
@@ -70,9 +70,8 @@ impl Game {
         let failures = args.save_failures.as_ref().filter(|_| !trial.anomalies.is_empty());
         for dir in args.save_all.iter().chain(failures) {
             let path = dir.join(format!("game-{}.caustic", trial.seed));
-            std::fs::create_dir_all(dir)
-                .and_then(|()| std::fs::write(&path, &recording))
-                .map_err(|error| Failure::new(format!("cannot write {}: {error}", path.display())))?;
+            new_file::write(&path, |file| file.write_all(&recording))
+                .map_err(|error| Failure::of_file("write the recording", &path, &error))?;
         }
         Ok(Game { trial, core_time, bytes: recording.len() })
     }

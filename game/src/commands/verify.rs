@@ -1,9 +1,10 @@
 //! `caustic verify`: plays recordings again without a screen and compares every stored hash.
 
 use super::parallel::{pool, progress_bar};
+use super::print::print;
 use crate::Failure;
 use crate::cli::VerifyArgs;
-use crate::recording::{self, Recording, Replay};
+use crate::recording::{self, Replay};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -11,40 +12,43 @@ use std::path::Path;
 /// Ticks between two steps of the progress bar.
 const PROGRESS_TICKS: u64 = 1000;
 
-/// Verifies every file, and prints one line for each, in their order.
+/// Verifies every file, and prints one line for each that is good, in their order.
 ///
 /// # Errors
-/// If any of them fails: how many.
+/// If any of them fails: a sentence for each.
 pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let bar = progress_bar(0, "ticks");
     let lines: Vec<Result<String, Failure>> = pool(args.threads)?
         .install(|| args.files.par_iter().map(|file| verify(file, args.restore_every, &bar)).collect());
     bar.finish_and_clear();
-    for line in &lines {
+    let mut failures = Vec::new();
+    for line in lines {
         match line {
-            Ok(line) => println!("{line}"),
-            Err(failure) => println!("FAILED {failure}"),
+            Ok(line) => print(&line)?,
+            Err(failure) => failures.push(failure),
         }
     }
-    match lines.iter().filter(|line| line.is_err()).count() {
-        0 => Ok(()),
-        failed => Err(Failure::new(format!("{failed} of {} recordings failed", lines.len()))),
+    match failures.as_slice() {
+        [] => Ok(()),
+        [failure] => Err(failure.clone()),
+        many => {
+            let count = Failure::new(format!("{} of {} recordings failed", many.len(), args.files.len()));
+            Err(Failure::of_many([vec![count], failures].concat()))
+        }
     }
 }
 
 /// Plays one file again; the line that says that it is what was recorded.
 fn verify(path: &Path, restore_every: Option<u64>, bar: &ProgressBar) -> Result<String, Failure> {
-    let named = |failure: Failure| Failure::new(format!("{}: {failure}", path.display()));
-    let recording = Recording::read(path)?;
-    bar.inc_length(recording.ticks());
-    let mut replay = Replay::new(recording).map_err(named)?;
+    let mut replay = Replay::open(path)?;
+    bar.inc_length(replay.recording().ticks());
     while replay.step() {
         if let Some(difference) = replay.difference() {
-            return Err(named(Failure::new(difference.to_string())));
+            return Err(Failure::new(difference.to_string()).in_file(path));
         }
         let tick = replay.tick();
         if restore_every.is_some_and(|every| tick.is_multiple_of(every)) {
-            replay.save_and_restore().map_err(named)?;
+            replay.save_and_restore().map_err(|failure| failure.in_file(path))?;
         }
         if tick.is_multiple_of(PROGRESS_TICKS) {
             bar.inc(PROGRESS_TICKS);

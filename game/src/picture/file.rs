@@ -1,25 +1,33 @@
 //! A picture as a PNG file.
 
-use crate::Failure;
-use std::fs::File;
-use std::io::{BufWriter, Write};
+use crate::{Failure, new_file};
+use std::io::{self, Write};
 use std::path::Path;
 use tracer::Frame;
 
-/// Writes a picture as a PNG file.
+/// Writes a picture as a PNG file. It appears whole or not at all.
 ///
 /// # Errors
 /// If the file cannot be written.
 pub fn save_png(frame: &Frame, path: &Path) -> Result<(), Failure> {
-    let wrong = |error: String| Failure::new(format!("cannot write {}: {error}", path.display()));
-    let file = File::create(path).map_err(|error| wrong(error.to_string()))?;
-    let mut file = BufWriter::new(file);
-    let mut encoder = png::Encoder::new(&mut file, frame.width as u32, frame.height as u32);
+    new_file::write(path, |file| encode(frame, file))
+        .map_err(|error| Failure::of_file("write the picture", path, &error))
+}
+
+fn encode(frame: &Frame, file: &mut impl Write) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(file, frame.width as u32, frame.height as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header().map_err(|error| wrong(error.to_string()))?;
-    writer.write_image_data(&frame.to_rgb8()).map_err(|error| wrong(error.to_string()))?;
-    writer.finish().map_err(|error| wrong(error.to_string()))?;
-    file.flush().map_err(|error| wrong(error.to_string()))
+    let mut writer = encoder.write_header().map_err(system)?;
+    writer.write_image_data(&frame.to_rgb8()).map_err(system)?;
+    writer.finish().map_err(system)
+}
+
+/// The system's error, where it is one.
+fn system(error: png::EncodingError) -> io::Error {
+    match error {
+        png::EncodingError::IoError(error) => error,
+        other => io::Error::other(other.to_string()),
+    }
 }

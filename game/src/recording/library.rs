@@ -28,9 +28,8 @@ pub fn record(simulation: &Simulation, seed: u64, unix_s: u64) -> Result<Recorde
 /// # Errors
 /// As [`record`].
 pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64) -> Result<Recorder<File>, Failure> {
-    fs::create_dir_all(folder).map_err(|error| {
-        Failure::new(format!("the game is not recorded: cannot make {}: {error}", folder.display()))
-    })?;
+    let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
+    fs::create_dir_all(folder).map_err(|error| unrecorded(Failure::of_file("make the folder", folder, &error)))?;
     let moment = moment(unix_s);
     let table = &simulation.table().name;
     for number in 1..=u32::MAX {
@@ -38,14 +37,13 @@ pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64)
         let path = folder.join(name + ".caustic");
         match File::create_new(&path) {
             Ok(file) => {
-                let recorder = Recorder::new(file, &path, simulation, seed);
+                let recorder = Recorder::begin(file, &path, simulation, seed).map_err(unrecorded)?;
+                // Only now is there a new one in the old one's place.
                 remove_oldest(folder);
-                return recorder;
+                return Ok(recorder);
             }
             Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
-            Err(error) => {
-                return Err(Failure::new(format!("the game is not recorded: cannot make {}: {error}", path.display())));
-            }
+            Err(error) => return Err(unrecorded(Failure::of_file("make", &path, &error))),
         }
     }
     Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
@@ -56,12 +54,7 @@ pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64)
 /// # Errors
 /// If the file cannot be written or removed.
 pub fn finish(recorder: Recorder<File>, simulation: &Simulation) -> Result<(), Failure> {
-    let (path, started) = (recorder.path().to_path_buf(), recorder.started());
-    recorder.finish(simulation)?;
-    if started {
-        return Ok(());
-    }
-    fs::remove_file(&path).map_err(|error| Failure::new(format!("cannot remove {}: {error}", path.display())))
+    if recorder.started() { recorder.finish(simulation).map(|_| ()) } else { recorder.discard() }
 }
 
 /// The recordings in `folder`, the oldest first: their names begin with their moment.

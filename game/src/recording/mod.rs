@@ -89,9 +89,8 @@ impl Recording {
     /// # Errors
     /// If the file cannot be read or is not an undamaged recording: one sentence that names the file and the damage.
     pub fn read(path: &Path) -> Result<Recording, Failure> {
-        let bytes = std::fs::read(path)
-            .map_err(|error| Failure::new(format!("cannot read the recording {}: {error}", path.display())))?;
-        Recording::parse(&bytes).map_err(|damage| Failure::new(format!("{}: {damage}", path.display())))
+        let bytes = std::fs::read(path).map_err(|error| Failure::of_file("read the recording", path, &error))?;
+        Recording::parse(&bytes).map_err(|damage| Failure::new(damage.to_string()).in_file(path))
     }
 
     /// The recording that `bytes` hold.

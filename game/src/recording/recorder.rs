@@ -3,7 +3,7 @@
 use super::{Header, Writer, best_score};
 use crate::{Buttons, Failure, Simulation};
 use std::fs::File;
-use std::io::{Seek, Write};
+use std::io::{ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// A recording of a simulation in play: call [`Recorder::record`] after every tick.
@@ -18,11 +18,37 @@ impl Recorder<File> {
     /// Begins to record, in the new file `path`, a simulation that was just started with `seed`.
     ///
     /// # Errors
-    /// If the file cannot be created.
+    /// If there is already such a file, which stays as it is, or it cannot be created.
     pub fn create(path: &Path, simulation: &Simulation, seed: u64) -> Result<Recorder<File>, Failure> {
-        let file = File::create(path)
-            .map_err(|error| Failure::new(format!("cannot create the recording {}: {error}", path.display())))?;
-        Recorder::new(file, path, simulation, seed)
+        let doing = "make the recording";
+        if path.is_dir() {
+            return Err(Failure::of_file(doing, path, &ErrorKind::IsADirectory.into()));
+        }
+        let file = File::create_new(path).map_err(|error| Failure::of_file(doing, path, &error))?;
+        Recorder::begin(file, path, simulation, seed)
+    }
+
+    /// As [`Recorder::new`] in a file that was just made, which is removed if nothing can be written.
+    pub(super) fn begin(
+        file: File,
+        path: &Path,
+        simulation: &Simulation,
+        seed: u64,
+    ) -> Result<Recorder<File>, Failure> {
+        Recorder::new(file, path, simulation, seed).inspect_err(|_| {
+            // An empty file is no recording; if it cannot be removed either, the first error is the one to tell.
+            let _ = std::fs::remove_file(path);
+        })
+    }
+
+    /// Removes the file: there was nothing to record.
+    ///
+    /// # Errors
+    /// If it cannot be removed.
+    pub fn discard(self) -> Result<(), Failure> {
+        let Recorder { writer, path, .. } = self;
+        drop(writer);
+        std::fs::remove_file(&path).map_err(|error| Failure::of_file("remove", &path, &error))
     }
 }
 
@@ -42,6 +68,11 @@ impl<W: Write + Seek> Recorder<W> {
     /// The file that is written.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Ticks recorded so far.
+    pub fn ticks(&self) -> u64 {
+        self.writer.ticks()
     }
 
     /// Whether anybody has pressed start since the recording began.
@@ -71,5 +102,5 @@ impl<W: Write + Seek> Recorder<W> {
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::new(format!("cannot write the recording {}: {error}; the game is not recorded", path.display()))
+    Failure::of_file("go on with the recording", path, error)
 }

@@ -5,6 +5,7 @@ use crate::simulation::Hashes;
 use crate::{Failure, Simulation};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::Path;
 
 /// Ticks between two states that are kept to come back to.
 const KEEP_TICKS: u64 = 5000;
@@ -36,6 +37,14 @@ impl Replay {
         let simulation = recording.start()?;
         let kept = BTreeMap::from([(0, simulation.clone())]);
         Ok(Replay { recording, simulation, kept, difference: None })
+    }
+
+    /// A replay of the recording in the file `path`, at its beginning.
+    ///
+    /// # Errors
+    /// As [`Recording::read`] and [`Replay::new`]: one sentence that names the file.
+    pub fn open(path: &Path) -> Result<Replay, Failure> {
+        Replay::new(Recording::read(path)?).map_err(|failure| failure.in_file(path))
     }
 
     /// What is played.

@@ -6,7 +6,7 @@ use super::painter::{Order, Painter};
 use super::reload::Reload;
 use super::session::{Cover, Session, chrome, complaint, snapshots, title};
 use super::surface::Surface;
-use super::{Look, Wake, opening, screenshot};
+use super::{Look, Wake, opening, screenshot, surface};
 use crate::hud::Times;
 use crate::picture::Picture;
 use crate::{Buttons, Failure, Table};
@@ -107,10 +107,11 @@ impl App {
     /// # Errors
     /// What made the window close, if it was not the player.
     pub fn finish(mut self) -> Result<(), Failure> {
-        if let Session::Game(game) = &mut self.session {
-            game.finish();
-        }
-        self.failure.map_or(Ok(()), Err)
+        let recorded = match &mut self.session {
+            Session::Game(game) => game.finish(),
+            Session::Viewing(_) => Ok(()),
+        };
+        self.failure.map_or(recorded, Err)
     }
 
     fn open(&mut self, events: &ActiveEventLoop) -> Result<(), Failure> {
@@ -335,7 +336,7 @@ impl App {
                 self.tell("The table was read again.".to_string());
             }
             Err(failure) => {
-                eprintln!("caustic: {failure}");
+                failure.tell();
                 self.tell(failure.to_string());
             }
         }
@@ -354,7 +355,7 @@ impl App {
         let (now, running) = (now(), self.is_running());
         let (Some(window), Some(painter)) = (&self.window, &mut self.painter) else { return };
         let size = window.inner_size();
-        let nowhere = self.hidden || size.width == 0 || size.height == 0;
+        let nowhere = self.hidden || size.width == 0 || size.height == 0 || !surface::takes(size);
         if painter.is_busy() || !self.dirty || now < self.next_frame || nowhere {
             return;
         }

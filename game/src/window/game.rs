@@ -25,6 +25,8 @@ pub struct Game {
     library: Option<Recorder<File>>,
     /// In the file that was asked for.
     asked: Option<Recorder<File>>,
+    /// Why that one was given up: told when the window is closed.
+    broken_off: Option<Failure>,
     last_ball: LastBall,
     rerun: Option<Rerun>,
     touches: Touches,
@@ -51,6 +53,7 @@ impl Game {
             bot: bot.then(|| Bot::new(seed)),
             library,
             asked,
+            broken_off: None,
             rerun: None,
             touches: Touches::default(),
             complaints,
@@ -75,7 +78,7 @@ impl Game {
         self.current = Arc::new(self.simulation.snapshot());
         self.last_ball.look(&self.simulation, &self.current.display);
         for complaint in self.simulation.complaints() {
-            eprintln!("caustic: {complaint}");
+            Failure::new(&complaint).tell();
             self.complaints.push(complaint);
         }
     }
@@ -88,12 +91,13 @@ impl Game {
         self.simulation.tick(buttons);
         self.touches.add(self.simulation.ticks(), self.simulation.contacts());
         self.last_ball.push(buttons);
-        for recorder in [&mut self.library, &mut self.asked] {
-            if let Some(Err(failure)) = recorder.as_mut().map(|writer| writer.record(&self.simulation, buttons)) {
-                eprintln!("caustic: {failure}");
-                self.complaints.push(failure.to_string());
-                *recorder = None;
-            }
+        if let Some(failure) = keep_recording(&mut self.library, &self.simulation, buttons) {
+            failure.tell();
+            self.complaints.push(failure.to_string());
+        }
+        if let Some(failure) = keep_recording(&mut self.asked, &self.simulation, buttons) {
+            self.complaints.push(failure.to_string());
+            self.broken_off = Some(failure);
         }
     }
 
@@ -170,19 +174,35 @@ impl Game {
             return Ok(());
         }
         let game = Game::new(table, self.seed, None, self.bot.is_some())?;
-        self.finish();
+        // A game that must be recorded keeps its table; what is lost here is told and no more.
+        self.finish().unwrap_or_else(|failure| failure.tell());
         *self = game;
         Ok(())
     }
 
-    /// Writes the end of the recordings.
-    pub fn finish(&mut self) {
-        let library = self.library.take().map(|recorder| library::finish(recorder, &self.simulation));
-        let asked = self.asked.take().map(|recorder| recorder.finish(&self.simulation).map(|_| ()));
-        for failure in [library, asked].into_iter().flatten().filter_map(Result::err) {
-            eprintln!("caustic: {failure}");
+    /// Writes the end of the recordings; a game that never ran leaves none.
+    ///
+    /// # Errors
+    /// If the recording that was asked for is not whole.
+    pub fn finish(&mut self) -> Result<(), Failure> {
+        if let Some(recorder) = self.library.take()
+            && let Err(failure) = library::finish(recorder, &self.simulation)
+        {
+            failure.tell();
+        }
+        match self.asked.take() {
+            Some(recorder) if recorder.ticks() == 0 => recorder.discard(),
+            Some(recorder) => recorder.finish(&self.simulation).map(|_| ()),
+            None => self.broken_off.take().map_or(Ok(()), Err),
         }
     }
+}
+
+/// Records a tick; gives the recording up when that fails, and says why.
+fn keep_recording(recorder: &mut Option<Recorder<File>>, game: &Simulation, buttons: Buttons) -> Option<Failure> {
+    let failure = recorder.as_mut()?.record(game, buttons).err()?;
+    *recorder = None;
+    Some(failure)
 }
 
 #[expect(clippy::disallowed_methods, reason = "a recording is named after the moment that it was made")]
@@ -191,7 +211,7 @@ fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<Str
     let recorder = library::record(simulation, seed, unix_s);
     recorder
         .inspect_err(|failure| {
-            eprintln!("caustic: {failure}");
+            failure.tell();
             complaints.push(failure.to_string());
         })
         .ok()

@@ -1,9 +1,11 @@
 //! The pixels of the window.
 
 use crate::Failure;
+use crate::cli::Size;
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use tracer::Frame;
+use winit::dpi::PhysicalSize;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
@@ -33,6 +35,9 @@ impl Surface {
         let window = self.surface.window().clone();
         let size = window.inner_size();
         let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else { return };
+        if !takes(size) {
+            return;
+        }
         // A window that is just being closed or hidden takes no pixels; the next picture finds out whether it is back.
         if self.surface.resize(width, height).is_err() {
             return;
@@ -46,6 +51,11 @@ impl Surface {
         window.pre_present_notify();
         let _ = buffer.present();
     }
+}
+
+/// Whether a window of this size is painted: one that is larger than any screen is left as it is.
+pub fn takes(size: PhysicalSize<u32>) -> bool {
+    Size { width: size.width as usize, height: size.height as usize }.is_drawable()
 }
 
 /// Puts `frame` into the middle of a buffer of another size, cut where it is too large.

@@ -4,7 +4,7 @@ use super::clock::Speed;
 use super::touches::Touches;
 use crate::hud::{Seek, Touch};
 use crate::recording::Replay;
-use crate::{Snapshot, Table};
+use crate::{Failure, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ impl Viewing {
     fn look_for_difference(&mut self) {
         if let Some(difference) = self.replay.difference().filter(|_| !self.told) {
             let sentence = format!("This replay is not what was recorded: it {difference}.");
-            eprintln!("caustic: {sentence}");
+            Failure::new(&sentence).tell();
             self.complaint = Some(sentence);
             self.told = true;
         }

@@ -7,6 +7,7 @@ mod room;
 mod table;
 mod tick;
 
+use super::print::print;
 use crate::Failure;
 use crate::cli::{Bench, BenchArgs};
 use serde::Serialize;
@@ -51,20 +52,15 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
     }
-    if args.json {
-        print_json(&rows)
-    } else {
-        print_table(&rows)
-    }
-    Ok(())
+    print(&if args.json { json(&rows) } else { table(&rows) })
 }
 
-fn print_json(rows: &[Row]) {
-    println!("{}", serde_json::to_string_pretty(rows).expect("plain numbers and words are JSON"));
+fn json(rows: &[Row]) -> String {
+    serde_json::to_string_pretty(rows).expect("plain numbers and words are JSON")
 }
 
-fn print_table(rows: &[Row]) {
-    println!("{:6} {:34} {:>10} {:>7} {:>10} {:>10}", "bench", "variant", "size", "threads", "ms", "");
+fn table(rows: &[Row]) -> String {
+    let mut text = format!("{:6} {:34} {:>10} {:>7} {:>10}\n", "bench", "variant", "size", "threads", "ms");
     for row in rows {
         let size = row.size.as_deref().unwrap_or("");
         let mut more = Vec::new();
@@ -72,6 +68,10 @@ fn print_table(rows: &[Row]) {
         more.extend(row.ms_99th.map(|ms| format!("99th percentile {ms:.4} ms")));
         more.extend(row.times_real_time.map(|times| format!("{times:.0} x real time")));
         let more = more.join(", ");
-        println!("{:6} {:34} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
+        let line =
+            format!("{:6} {:34} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
+        text += line.trim_end();
+        text.push('\n');
     }
+    text
 }

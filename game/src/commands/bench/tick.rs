@@ -14,7 +14,7 @@ pub fn rows() -> Result<Vec<Row>, Failure> {
     let mut ticks = 0;
     for path in assets::demos()? {
         let recording = Recording::read(&path)?;
-        let mut simulation = recording.start()?;
+        let mut simulation = recording.start().map_err(|failure| failure.in_file(&path))?;
         for first in (0..recording.ticks()).step_by(BATCH as usize) {
             let last = (first + BATCH).min(recording.ticks());
             batches_ms.push(time_ms(|| (first..last).for_each(|tick| simulation.tick(recording.buttons(tick)))));

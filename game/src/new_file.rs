@@ -1,0 +1,54 @@
+//! A file that appears whole or not at all.
+//!
+//! It is written beside its place under another name and moved there when it is complete: whatever goes wrong on the
+//! way, what was there before is still there.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Distinguishes the files that this process is writing at once.
+static NUMBER: AtomicU64 = AtomicU64::new(0);
+
+/// Lets `write` fill a new file and puts it at `path`, in place of a file that is there.
+///
+/// A device or a pipe at `path` is written directly: it holds nothing that could be lost.
+///
+/// # Errors
+/// If it cannot be written; `path` is then as it was.
+pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
+    // What a link points to is replaced, not the link.
+    let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    match fs::metadata(&place) {
+        Ok(found) if found.is_dir() => return Err(ErrorKind::IsADirectory.into()),
+        Ok(found) if !found.is_file() => return fill(File::options().write(true).open(&place)?, write),
+        _ => {}
+    }
+    let (draft, file) = draft(&place)?;
+    let written = fill(file, write).and_then(|()| fs::rename(&draft, &place));
+    if written.is_err() {
+        // It is of no use to anybody; if it cannot be removed either, the first error is the one to tell.
+        let _ = fs::remove_file(&draft);
+    }
+    written
+}
+
+fn fill(file: File, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
+    let mut file = BufWriter::new(file);
+    write(&mut file)?;
+    file.flush()
+}
+
+/// A new file beside `place`.
+fn draft(place: &Path) -> io::Result<(PathBuf, File)> {
+    loop {
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let draft = place.with_file_name(format!(".caustic-{}-{number}.part", std::process::id()));
+        match File::create_new(&draft) {
+            Ok(file) => return Ok((draft, file)),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+}

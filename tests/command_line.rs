@@ -1,0 +1,223 @@
+//! The command line as a newcomer meets it: every mistake is one sentence, and nothing is lost by it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of this test's own.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Folder {
+        let path = std::env::temp_dir().join(format!("caustic-line-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Folder(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_string_lossy().into_owned()
+    }
+
+    /// The names in it.
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    /// A short recording.
+    fn recording(&self) -> String {
+        let done = caustic(&["simulate", "--games", "1", "--minutes", "0.02", "--save-all", &self.path("")]);
+        assert_eq!(done.status.code(), Some(0), "{}", complaint(&done));
+        self.path("game-1.caustic")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn program(words: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_caustic"));
+    command.args(words).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    command
+}
+
+fn caustic(words: &[&str]) -> Output {
+    program(words).output().expect("the program runs")
+}
+
+fn complaint(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The one sentence of a failure.
+fn sentence(words: &[&str]) -> String {
+    let output = caustic(words);
+    let said = complaint(&output);
+    assert_eq!(output.status.code(), Some(1), "{words:?}: {said}");
+    assert_eq!(said.lines().count(), 1, "{words:?}: {said}");
+    assert!(said.starts_with("caustic: ") && !said.contains("os error"), "{words:?}: {said}");
+    said
+}
+
+#[test]
+fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
+    for (words, told) in [
+        (&["frame", "--out", "x.png", "--size", "63x10"][..], "each side must be from 64 to 16384 pixels"),
+        (&["frame", "--out", "x.png", "--size", "16384x16384"], "more than 67 million pixels"),
+        (&["frame", "--out", "x.png", "--at", "-1"], "a number from 0 to 1000000"),
+        (&["frame", "--out", "x.png", "--table", ""], "a value is required for '--table"),
+        (&["dump", "a", "--out", "b", "--from", "3", "--to", "1"], "--from 3 is after --to 1"),
+        (&["dump", "a", "--out", "b", "--fps", "0"], "0 is not in 1..=1000"),
+        (&["verify", "a", "--threads", "257"], "a whole number from 1 to 256"),
+        (&["simulate", "--minutes", "0"], "a number above 0"),
+        (&["simulate", "--seed", "-1"], "invalid value '-1' for '--seed"),
+        (&["pla"], "unrecognized subcommand 'pla'"),
+    ] {
+        let output = caustic(words);
+        let said = complaint(&output);
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {said}");
+        assert!(said.contains(told), "{words:?}: {said}");
+    }
+}
+
+#[test]
+fn files_that_are_not_there_or_not_files_are_named() {
+    let folder = Folder::new("files");
+    let (missing, here) = (folder.path("missing/x"), folder.path(""));
+    for (words, told) in [
+        (&["verify", &folder.path("no")][..], "there is no such file"),
+        (&["replay", &here], "it is a folder; name a file"),
+        (&["frame", "--size", "64x64", "--out", &missing], "missing; make it first"),
+        (&["frame", "--size", "64x64", "--out", &here], "it is a folder; name a file"),
+        (&["check", &here], "has no table.svg, so it is no table"),
+    ] {
+        let said = sentence(words);
+        assert!(said.contains(told) && said.contains(&here), "{words:?}: {said}");
+    }
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn a_folder_for_results_is_made_before_any_game_is_played() {
+    let folder = Folder::new("results");
+    fs::write(folder.path("file"), "kept").expect("a file");
+    let said = sentence(&["simulate", "--games", "1000000", "--save-all", &folder.path("file")]);
+    assert!(said.contains("is a file; name a folder"), "{said}");
+    assert_eq!(fs::read_to_string(folder.path("file")).expect("the file"), "kept");
+}
+
+#[test]
+fn a_recording_is_told_by_its_name_whatever_is_wrong_with_it() {
+    let folder = Folder::new("damage");
+    let whole = fs::read(folder.recording()).expect("a recording");
+    let cut = |length: usize| whole[..length].to_vec();
+    let mut changed = whole.clone();
+    changed[60] ^= 1;
+    let file = folder.path("bad.caustic");
+    let cases =
+        [(cut(0), "not a Caustic recording"), (cut(whole.len() - 1), "cut short"), (changed, "it is damaged: bytes")];
+    for (bytes, told) in cases {
+        fs::write(&file, bytes).expect("a file");
+        let out = folder.path("out");
+        let uses = [
+            &["verify", &file][..],
+            &["replay", &file],
+            &["dump", &file, "--out", &out],
+            &["frame", "--replay", &file, "--out", &out],
+        ];
+        for words in uses {
+            let said = sentence(words);
+            assert!(said.contains(told) && said.contains("bad.caustic: "), "{words:?}: {said}");
+        }
+    }
+    assert_eq!(folder.names(), ["bad.caustic", "game-1.caustic"]);
+}
+
+#[test]
+fn a_changed_table_is_told_with_the_recording() {
+    let folder = Folder::new("table");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/tables/spectrum");
+    for file in ["table.svg", "table.toml", "rules.rhai"] {
+        fs::copy(source.join(file), folder.0.join(file)).expect(file);
+    }
+    let toml = fs::read_to_string(folder.0.join("table.toml")).expect("numbers");
+    let table = folder.path("");
+    let play = ["simulate", "--games", "1", "--minutes", "0.02", "--table", &table, "--save-all", &table];
+    assert_eq!(caustic(&play).status.code(), Some(0));
+    let recording = folder.path("game-1.caustic");
+    assert_eq!(caustic(&["verify", &recording]).status.code(), Some(0));
+    fs::write(folder.0.join("table.toml"), toml.replace("slope_deg = 6.5", "slope_deg = 6.4")).expect("numbers");
+    let said = sentence(&["verify", &recording]);
+    assert!(said.contains("game-1.caustic: it was played on another table"), "{said}");
+    fs::remove_file(folder.0.join("table.svg")).expect("the drawing goes");
+    let said = sentence(&["verify", &recording]);
+    assert!(said.contains("game-1.caustic: the table ") && said.contains("cannot be read"), "{said}");
+}
+
+#[test]
+fn moments_after_the_end_are_refused_with_the_length() {
+    let folder = Folder::new("moments");
+    let (recording, out) = (folder.recording(), folder.path("out"));
+    let said = sentence(&["frame", "--replay", &recording, "--at", "1.3", "--out", &out]);
+    assert!(said.contains("game-1.caustic is 1.200 s long; give --at less"), "{said}");
+    let said = sentence(&["dump", &recording, "--from", "9", "--out", &out]);
+    assert!(said.contains("game-1.caustic is 1.200 s long; give --from less"), "{said}");
+    assert_eq!(folder.names(), ["game-1.caustic"]);
+}
+
+#[test]
+fn without_a_display_the_commands_that_need_none_are_named_and_no_recording_is_touched() {
+    let folder = Folder::new("display");
+    let kept = folder.path("kept.caustic");
+    fs::write(&kept, "an old game").expect("a file");
+    for words in [&["play", "--record", &kept][..], &["--record", &kept], &["--record", &folder.path("new.caustic")]] {
+        let said = sentence(words);
+        let told = ["no display", "caustic frame", "caustic dump", "caustic simulate"];
+        assert!(told.iter().all(|word| said.contains(word)), "{said}");
+    }
+    assert_eq!(fs::read_to_string(&kept).expect("the file"), "an old game");
+    assert_eq!(folder.names(), ["kept.caustic"]);
+}
+
+#[test]
+fn a_picture_replaces_another_and_leaves_nothing_beside_it() {
+    let folder = Folder::new("picture");
+    let out = folder.path("x.png");
+    fs::write(&out, "old").expect("a file");
+    assert_eq!(caustic(&["frame", "--at", "0", "--size", "64x64", "--out", &out]).status.code(), Some(0));
+    assert_eq!(fs::read(&out).expect("a picture")[..4], *b"\x89PNG");
+    assert_eq!(folder.names(), ["x.png"]);
+}
+
+#[test]
+fn nobody_reading_on_is_no_failure() {
+    let folder = Folder::new("pipe");
+    let recording = folder.recording();
+    for words in
+        [&["check", "spectrum"][..], &["verify", &recording], &["dump", &recording, "--size", "64x64", "--out", "-"]]
+    {
+        let mut child = program(words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!((output.status.code(), complaint(&output).as_str()), (Some(0), ""), "{words:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_sentence_even_for_standard_output() {
+    let full = || fs::File::options().write(true).open("/dev/full").expect("a full disk");
+    let output = program(&["check", "spectrum"]).stdout(full()).output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(1));
+    let said = complaint(&output);
+    assert_eq!(said, "caustic: cannot write to standard output: the disk is full; make room or choose another place\n");
+    let said = sentence(&["frame", "--at", "0", "--size", "64x64", "--out", "/dev/full"]);
+    assert!(said.contains("cannot write the picture /dev/full: the disk is full"), "{said}");
+    let status = program(&["check", "no-such-table"]).stderr(full()).status().expect("the program runs");
+    assert_eq!(status.code(), Some(1), "it ends as it should even if it cannot say why");
+}
