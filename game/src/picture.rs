@@ -134,6 +134,8 @@ impl Picture {
         let placement = Placement::new(width, height, self.table.size_mm);
         let view = View::fit(placement.table.width as usize, placement.table.height as usize, self.table.size_mm);
         let printed = Printed::new(&self.table, &view)?;
+        // The new art may lie in memory where the old art lay.
+        self.renderer.forget();
         self.hud.fit(placement, &mut self.frame);
         let (radiance, playfield) = (Radiance::new(view.width, view.height), Frame::new(view.width, view.height));
         self.scenery = Some(Scenery { placement, view, printed, radiance, playfield, shift: (0, 0) });

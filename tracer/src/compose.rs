@@ -1,6 +1,7 @@
 //! What the eye sees of a tile whose light is found: the floor with its glowing inserts, and the tops over it.
 
 use crate::albedo::{self, Albedo};
+use crate::changes::CONTACT_RADII;
 use crate::irradiance::Light;
 use crate::lanes::{LANES, clamp, clones, max};
 use crate::points::{Plane, TILE};
@@ -10,13 +11,13 @@ use geometry::DVec2;
 
 impl Workspace {
     /// Puts the lit floor into `out`.
-    pub(crate) fn compose_floor(&mut self, stage: &Stage, x: usize, y: usize, middle: DVec2) {
+    pub(crate) fn compose_floor(&mut self, stage: &Stage, x: usize, y: usize, middle: DVec2, layers: usize) {
         let scene = stage.scene;
         let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
         let floor = scene.floor;
         if floor.fits(scene) {
             albedo::read_opaque(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
-            if self.forms.iter().any(|&at| scene.tops[at].finish.art) {
+            if self.tops[..layers].iter().any(|top| scene.tops[top.form].finish.art) {
                 albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
             }
         } else {
@@ -24,16 +25,16 @@ impl Workspace {
             self.printed.alpha = [[0.0; LANES]; TILE];
         }
         if !self.whole {
-            for (out, light) in self.out.iter_mut().zip(&self.floor_light) {
-                *out = [[0.0; LANES]; TILE];
-                for point in 0..self.floor.count {
-                    let pixel = usize::from(self.floor.pixel[point]);
-                    out[pixel / LANES][pixel % LANES] = light[point / LANES][point % LANES];
+            for (spread, light) in self.spread.iter_mut().zip(&self.floor_light) {
+                *spread = [[0.0; LANES]; TILE];
+                for (point, &pixel) in self.floor.pixel[..self.floor.count].iter().enumerate() {
+                    let pixel = usize::from(pixel);
+                    spread[pixel / LANES][pixel % LANES] = light[point / LANES][point % LANES];
                 }
             }
-            self.floor_light.clone_from(&self.out);
         }
-        reflect(stage.path, &self.art.color, &self.floor_light, scene.ambient, &mut self.out);
+        let light = if self.whole { &self.floor_light } else { &self.spread };
+        reflect(stage.path, &self.art.color, light, scene.ambient, &mut self.out);
         self.add_contact_shadows(stage, middle);
         self.add_glows(scene, x, y);
     }
@@ -43,7 +44,7 @@ impl Workspace {
     fn add_contact_shadows(&mut self, stage: &Stage, middle: DVec2) {
         for ball in &stage.scene.balls {
             let from_tile = ball.center_mm - middle;
-            let reach = ball.radius_mm * 4.0 + TILE as f64 * stage.scene.view.mm_per_px;
+            let reach = ball.radius_mm * CONTACT_RADII + TILE as f64 * stage.scene.view.mm_per_px;
             let near = from_tile.length_squared() < reach * reach;
             if !near {
                 continue;

@@ -13,6 +13,7 @@
 mod albedo;
 mod ball;
 mod candidates;
+mod changes;
 mod compose;
 mod coverage;
 mod dither;
@@ -30,6 +31,7 @@ mod renderer;
 pub mod room;
 mod scene;
 mod silhouette;
+mod surfaces;
 pub mod testing;
 mod tile;
 pub mod tone;

@@ -7,6 +7,7 @@
 
 use crate::lanes::Lanes;
 use crate::obstruction::Verdict;
+use crate::surfaces::Surfaces;
 use crate::{Lamp, Occluder, View};
 use geometry::Bounds;
 
@@ -31,6 +32,10 @@ pub(crate) struct Sight {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileMemory {
     sights: Vec<Sight>,
+    /// What it shows.
+    pub surfaces: Surfaces,
+    /// Whether this picture's tile was drawn, and not left as it was.
+    pub fresh: bool,
 }
 
 impl TileMemory {
@@ -42,8 +47,15 @@ impl TileMemory {
         &mut self.sights[lamp]
     }
 
+    /// Whether the tile is known to see nothing of a lamp.
+    pub fn is_dark(&self, lamp: usize) -> bool {
+        let dark = |sight: &Sight| sight.holds && sight.layers.iter().all(|layer| layer.0 == Verdict::Dark);
+        self.sights.get(lamp).is_some_and(dark)
+    }
+
     /// Nothing holds any more.
     pub fn forget(&mut self) {
+        self.surfaces.holds = false;
         for sight in &mut self.sights {
             sight.holds = false;
         }

@@ -5,7 +5,7 @@ use crate::lanes::LANES;
 /// A picture in linear light, unbounded above: three planes of `f32`, and its glare.
 ///
 /// Keep one and render into it again and again: it allocates only when the size changes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Radiance {
     width: usize,
     height: usize,
@@ -13,6 +13,16 @@ pub struct Radiance {
     /// Red, green, blue; `stride * height` each.
     pub(crate) planes: [Vec<f32>; 3],
     pub(crate) glare: crate::glare::Pyramid,
+    /// Which renderer drew it, and which of its pictures it is.
+    pub(crate) drawn: Option<(u64, u64)>,
+}
+
+/// The same light, whoever drew it.
+impl PartialEq for Radiance {
+    fn eq(&self, other: &Radiance) -> bool {
+        let size = |radiance: &Radiance| (radiance.width, radiance.height);
+        size(self) == size(other) && self.planes == other.planes && self.glare == other.glare
+    }
 }
 
 impl Radiance {
@@ -29,6 +39,7 @@ impl Radiance {
             return;
         }
         (self.width, self.height) = (width, height);
+        self.drawn = None;
         self.stride = width.next_multiple_of(LANES);
         for plane in &mut self.planes {
             plane.clear();

@@ -3,6 +3,7 @@
 
 use crate::ball::{Glint, Patch, Table};
 use crate::candidates::Candidates;
+use crate::changes::Changes;
 use crate::coverage::Form;
 use crate::lanes::Path;
 use crate::memory::{Past, TileMemory};
@@ -13,6 +14,7 @@ use crate::tile::{Lit, Stage, Workspace};
 use crate::{Radiance, Scene, Top, exact};
 use rayon::prelude::*;
 use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.
 const BLOCK: usize = 2 * TILE;
@@ -23,6 +25,9 @@ pub struct Renderer {
     silhouettes: Silhouettes,
     moved: Silhouettes,
     past: Past,
+    changes: Changes,
+    /// Its own number, and that of its last picture.
+    picture: (u64, u64),
     lamps: Vec<Lit>,
     tops: Vec<Top>,
     forms: Vec<Option<Form>>,
@@ -30,6 +35,9 @@ pub struct Renderer {
     glints: Vec<Glint>,
     patches: Vec<Patch>,
 }
+
+/// How many renderers there have been: a picture knows by it who drew it.
+static RENDERERS: AtomicU64 = AtomicU64::new(0);
 
 thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
@@ -54,6 +62,8 @@ impl Renderer {
             silhouettes: Silhouettes::default(),
             moved: Silhouettes::default(),
             past: Past::default(),
+            changes: Changes::default(),
+            picture: (RENDERERS.fetch_add(1, Ordering::Relaxed), 0),
             lamps: Vec::new(),
             tops: Vec::new(),
             forms: Vec::new(),
@@ -74,8 +84,12 @@ impl Renderer {
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
+    ///
+    /// Art and masks are known by where they are in memory. Whoever prints others in the place of those that were drawn
+    /// has to call this.
     pub fn forget(&mut self) {
         self.past = Past::default();
+        self.picture.1 += 1;
     }
 
     fn render_with(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
@@ -84,23 +98,28 @@ impl Renderer {
             return;
         }
         self.prepare(scene);
+        self.changes.everything |= radiance.drawn != Some(self.picture) || sampling.is_some();
         let stage = Stage {
             path: self.path,
             scene,
             silhouettes: &self.silhouettes,
             lamps: &self.lamps,
             moved_tops: &self.past.moved_tops,
+            changes: &self.changes,
             forms: &self.forms,
             whole_tile: &self.whole_tile.1,
             sampling,
         };
         render_tiles(&stage, &mut self.past.bands, radiance);
-        if sampling.is_none() {
-            self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
-        }
+        self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
         self.render_balls(scene, radiance);
         let (width, height, stride) = (radiance.width(), radiance.height(), radiance.stride());
         radiance.glare.gather(self.path, &radiance.planes, stride, width, height);
+        self.picture.1 += 1;
+        radiance.drawn = Some(self.picture);
+        if sampling.is_some() {
+            self.forget();
+        }
     }
 
     fn prepare(&mut self, scene: &Scene) {
@@ -126,6 +145,8 @@ impl Renderer {
         }
         self.lamps.truncate(count);
         self.prepare_tops(&scene.tops);
+        self.changes.turn_page(scene, |lamp| self.past.number(lamp));
+        self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
         if self.whole_tile.0 != scene.view.mm_per_px {
             self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
         }
@@ -138,13 +159,17 @@ impl Renderer {
         moved.extend(self.forms.iter().skip(tops.len()).flatten().map(|form| form.bounds));
         self.tops.truncate(tops.len());
         self.forms.truncate(tops.len());
+        self.changes.tops.clear();
         for (at, top) in tops.iter().enumerate() {
             if self.tops.len() == at {
                 self.tops.push(top.clone());
                 self.forms.push(Form::new(top));
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
             } else if stands(&self.tops[at], top) {
-                self.tops[at].finish = top.finish;
+                if self.tops[at].finish != top.finish {
+                    self.changes.tops.extend(self.forms[at].iter().map(|form| form.bounds));
+                    self.tops[at].finish = top.finish;
+                }
             } else {
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
                 self.tops[at].clone_from(top);
@@ -152,6 +177,7 @@ impl Renderer {
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
             }
         }
+        self.changes.tops.extend_from_slice(moved);
     }
 
     fn render_balls(&mut self, scene: &Scene, radiance: &mut Radiance) {
@@ -221,8 +247,12 @@ fn render_band(
         workspace.enter_block(stage, left, top, BLOCK);
         for y in (top..bottom).step_by(TILE) {
             for x in (left..stride.min(left + BLOCK)).step_by(TILE) {
-                let tile = (y - top) / TILE * (stride / TILE) + x / TILE;
-                workspace.render(stage, x, y, &mut memory[tile]);
+                let memory = &mut memory[(y - top) / TILE * (stride / TILE) + x / TILE];
+                memory.fresh = workspace.differs(stage, x, y, memory);
+                if !memory.fresh {
+                    continue;
+                }
+                workspace.render(stage, x, y, memory);
                 for (plane, tile) in planes.iter_mut().zip(&workspace.out) {
                     for (row, line) in tile.iter().enumerate().take(bottom - y) {
                         plane[(y - top + row) * stride + x..][..TILE].copy_from_slice(line);

@@ -5,6 +5,7 @@
 
 use crate::albedo::Albedo;
 use crate::candidates::{Candidates, Cone};
+use crate::changes::Changes;
 use crate::coverage::{Edge, Form};
 use crate::irradiance::{Beam, DARKNESS, Light, Normals, light_floor, light_top};
 use crate::lanes::{LANES, Lanes, Path, clamp, max};
@@ -13,6 +14,7 @@ use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
 use crate::silhouette::Silhouettes;
+use crate::surfaces::{Surface, Surfaces};
 use crate::visibility::{Intervals, Source, visible_fraction};
 use crate::{Group, Lamp, Scene, monte_carlo};
 use geometry::{Bounds, DVec2};
@@ -29,6 +31,8 @@ pub(crate) struct Stage<'a> {
     pub lamps: &'a [Lit],
     /// Where tops have moved since the last picture.
     pub moved_tops: &'a [Bounds],
+    /// What else is different from the last picture.
+    pub changes: &'a Changes,
     /// The tops' outlines; `None` where there is nothing to see.
     pub forms: &'a [Option<Form>],
     /// Every pixel of a tile.
@@ -54,10 +58,14 @@ pub(crate) struct Lit {
 /// What a thread needs to render tiles; kept, so that nothing is allocated once it is warm.
 pub(crate) struct Workspace {
     block: (DVec2, f64),
+    /// Whether the block's own lists are made.
+    entered: bool,
     near: Vec<Candidates>,
     is_near: Vec<bool>,
     moved: Vec<Candidates>,
     lit: Vec<usize>,
+    /// The lamps before which something has moved.
+    stirred: Vec<usize>,
     pub(crate) forms: Vec<usize>,
     between: Obstruction,
     room: Intervals,
@@ -66,6 +74,8 @@ pub(crate) struct Workspace {
     pub(crate) whole: bool,
     pub(crate) floor: Points,
     pub(crate) floor_light: Light,
+    /// The floor's light at every pixel.
+    pub(crate) spread: Light,
     pub(crate) tops: Vec<TopLayer>,
     edge: Edge,
     remaining: Plane,
@@ -108,10 +118,12 @@ impl Workspace {
         let zero = [[0.0; LANES]; TILE];
         Workspace {
             block: (DVec2::ZERO, 0.0),
+            entered: false,
             near: Vec::new(),
             is_near: Vec::new(),
             moved: Vec::new(),
             lit: Vec::new(),
+            stirred: Vec::new(),
             forms: Vec::new(),
             between: Obstruction::default(),
             room: Intervals::default(),
@@ -119,6 +131,7 @@ impl Workspace {
             whole: true,
             floor: Points::none(),
             floor_light: DARKNESS,
+            spread: DARKNESS,
             tops: Vec::new(),
             edge: Edge::none(),
             remaining: zero,
@@ -134,46 +147,112 @@ impl Workspace {
         let half = side as f64 * 0.5 * view.mm_per_px;
         let corner = view.origin_mm + DVec2::new(x as f64, y as f64) * view.mm_per_px;
         let middle = corner + DVec2::splat(half);
-        let bounds = Bounds::of(middle, middle).grown(half + view.mm_per_px);
-        self.forms.clear();
-        let overlaps = |form: &Option<Form>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
-        self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
         self.block = (middle, half * std::f64::consts::SQRT_2);
-        self.lit.clear();
-        self.near.resize_with(stage.lamps.len(), Candidates::default);
+        self.entered = false;
         self.moved.resize_with(stage.lamps.len(), Candidates::default);
-        self.is_near.clear();
-        self.is_near.resize(stage.lamps.len(), false);
+        self.stirred.clear();
         for (at, Lit { lamp, moved, .. }) in stage.lamps.iter().enumerate() {
-            let cone = Cone::new(lamp, middle, half * std::f64::consts::SQRT_2);
-            if cone.beyond(lamp.reach_mm) {
+            if moved.len() == 0 {
                 continue;
             }
-            self.lit.push(at);
-            self.moved[at].clear();
-            if moved.len() > 0 {
+            let cone = Cone::new(lamp, self.block.0, self.block.1);
+            if !cone.beyond(lamp.reach_mm) {
                 moved.narrow(stage.path, &cone, &mut self.moved[at], None);
+                if self.moved[at].len() > 0 {
+                    self.stirred.push(at);
+                }
             }
         }
     }
 
+    /// Finds what all tiles of the block that are drawn have in common.
+    fn enter(&mut self, stage: &Stage) {
+        self.entered = true;
+        let (middle, radius) = self.block;
+        let half = radius / std::f64::consts::SQRT_2;
+        let bounds = Bounds::of(middle, middle).grown(half + 2.0 * stage.scene.view.mm_per_px);
+        self.forms.clear();
+        let overlaps = |form: &Option<Form>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
+        self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
+        self.near.resize_with(stage.lamps.len(), Candidates::default);
+        self.is_near.clear();
+        self.is_near.resize(stage.lamps.len(), false);
+        self.lit.clear();
+        let reaches = |lit: &Lit| !Cone::new(&lit.lamp, middle, radius).beyond(lit.lamp.reach_mm);
+        self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
+    }
+
+    /// Whether the tile whose upper left pixel is (`x`, `y`) may look different from the last picture's; forgets what
+    /// was seen there and no longer holds.
+    pub fn differs(&mut self, stage: &Stage, x: usize, y: usize, memory: &mut TileMemory) -> bool {
+        let place = Place::new(stage, x, y);
+        if stage.moved_tops.iter().any(|moved| moved.overlaps(&place.bounds)) {
+            memory.forget();
+        }
+        let mm_per_px = stage.scene.view.mm_per_px;
+        let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * mm_per_px;
+        let mut differs = false;
+        for &at in &self.stirred {
+            let Lit { lamp, number, .. } = &stage.lamps[at];
+            let cone = Cone::new(lamp, place.middle_mm, radius);
+            if !cone.beyond(lamp.reach_mm) && self.moved[at].classified_any(stage.path, &cone) {
+                memory.sight(*number).holds = false;
+                differs = true;
+            }
+        }
+        differs || stage.changes.reach(&place, mm_per_px, memory)
+    }
+
     /// Renders the tile whose upper left pixel is (`x`, `y`) into `out`.
     pub fn render(&mut self, stage: &Stage, x: usize, y: usize, memory: &mut TileMemory) {
-        let view = &stage.scene.view;
-        let half = DVec2::splat(TILE as f64 * 0.5);
-        let middle = view.origin_mm + (DVec2::new(x as f64, y as f64) + half) * view.mm_per_px;
-        let layers = self.find_surfaces(stage, middle);
-        self.light_surfaces(stage, middle, layers, (x, y), memory);
-        self.compose_floor(stage, x, y, middle);
+        if !self.entered {
+            self.enter(stage);
+        }
+        let place = Place::new(stage, x, y);
+        let layers = if memory.surfaces.holds {
+            self.recall_surfaces(stage, &memory.surfaces)
+        } else {
+            let layers = self.find_surfaces(stage, &place);
+            self.keep_surfaces(layers, &mut memory.surfaces);
+            layers
+        };
+        self.light_surfaces(stage, place.middle_mm, layers, (x, y), memory);
+        self.compose_floor(stage, x, y, place.middle_mm, layers);
         for layer in (0..layers).rev() {
             self.compose_top(stage, layer);
         }
     }
 
+    fn keep_surfaces(&self, layers: usize, kept: &mut Surfaces) {
+        kept.holds = true;
+        kept.whole = self.whole;
+        kept.floor.clear();
+        if !self.whole {
+            kept.floor.extend_from_slice(&self.floor.pixel[..self.floor.count]);
+        }
+        kept.tops.clear();
+        kept.tops.extend(self.tops[..layers].iter().map(Surface::new));
+    }
+
+    fn recall_surfaces(&mut self, stage: &Stage, kept: &Surfaces) -> usize {
+        let mm_per_px = stage.scene.view.mm_per_px as f32;
+        self.whole = kept.whole;
+        if !self.whole {
+            self.floor.take(&kept.floor, mm_per_px);
+        }
+        if self.tops.len() < kept.tops.len() {
+            self.tops.resize_with(kept.tops.len(), TopLayer::new);
+        }
+        for (surface, layer) in kept.tops.iter().zip(&mut self.tops) {
+            surface.unpack(mm_per_px, layer);
+        }
+        kept.tops.len()
+    }
+
     /// Packs what is seen of every top, the highest first, and of the floor; says how many tops there are.
-    fn find_surfaces(&mut self, stage: &Stage, middle: DVec2) -> usize {
+    fn find_surfaces(&mut self, stage: &Stage, place: &Place) -> usize {
         let mm_per_px = stage.scene.view.mm_per_px;
-        let bounds = Bounds::of(middle, middle).grown((TILE as f64 * 0.5 + 1.0) * mm_per_px);
+        let &Place { middle_mm: middle, bounds, .. } = place;
         self.remaining = [[1.0; LANES]; TILE];
         let mut layers = 0;
         for &at in self.forms.iter().rev() {
@@ -214,29 +293,23 @@ impl Workspace {
         corner: (usize, usize),
         memory: &mut TileMemory,
     ) {
-        self.floor_light = DARKNESS;
+        darken(&mut self.floor_light, if self.whole { TILE } else { self.floor.blocks() });
         for layer in &mut self.tops[..layers] {
-            layer.diffuse = DARKNESS;
-            layer.mirrored = DARKNESS;
-        }
-        let half = (TILE as f64 * 0.5 + 1.0) * stage.scene.view.mm_per_px;
-        let bounds = Bounds::of(middle, middle).grown(half);
-        if stage.moved_tops.iter().any(|moved| moved.overlaps(&bounds)) {
-            memory.forget();
+            darken(&mut layer.diffuse, layer.points.blocks());
+            darken(&mut layer.mirrored, layer.points.blocks());
         }
         let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * stage.scene.view.mm_per_px;
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let Lit { lamp, lost, number, .. } = &stage.lamps[at];
-            let cone = Cone::new(lamp, middle, radius);
-            if cone.beyond(lamp.reach_mm) {
+            let reach = lamp.reach_mm + radius + 0.01;
+            if lamp.center_mm.distance_squared(middle) > reach * reach {
                 continue;
             }
             let sight = memory.sight(*number);
-            let moved = &mut self.moved[at];
-            sight.holds &= !lost && !moved.classified_any(stage.path, &cone) && stage.sampling.is_none();
-            if !sight.holds {
-                self.look(stage, at, &cone, middle, layers, corner, sight);
+            sight.holds &= !lost;
+            if !sight.holds || stage.sampling.is_some() {
+                self.look(stage, at, &Cone::new(lamp, middle, radius), middle, layers, corner, sight);
             }
             let beam = Beam::new(lamp, middle);
             let fractions = |layer: usize, points: &Points, ones: &'static [Lanes; TILE]| match sight.layers[layer] {
@@ -302,6 +375,29 @@ impl Workspace {
     }
 }
 
+/// Where a tile is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Its leftmost pixel.
+    pub x: usize,
+    /// Its topmost pixel.
+    pub y: usize,
+    /// Its middle on the table, mm.
+    pub middle_mm: DVec2,
+    /// A box around it, mm.
+    pub bounds: Bounds,
+}
+
+impl Place {
+    /// The tile whose upper left pixel is (`x`, `y`).
+    fn new(stage: &Stage, x: usize, y: usize) -> Place {
+        let view = &stage.scene.view;
+        let half = TILE as f64 * 0.5;
+        let middle_mm = view.origin_mm + (DVec2::new(x as f64, y as f64) + DVec2::splat(half)) * view.mm_per_px;
+        Place { x, y, middle_mm, bounds: Bounds::of(middle_mm, middle_mm).grown((half + 1.0) * view.mm_per_px) }
+    }
+}
+
 impl TopLayer {
     /// Packs the pixels that the outline covers and nothing above hides.
     fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
@@ -362,6 +458,13 @@ impl Gaze<'_, '_> {
             visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);
         }
         verdict
+    }
+}
+
+/// Makes the first blocks of a layer dark.
+fn darken(light: &mut Light, blocks: usize) {
+    for plane in light {
+        plane[..blocks].fill([0.0; LANES]);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing::Random;
+use tracer::testing::{self, Random};
 use tracer::{Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, View, exact};
 
 /// 160 x 160 pixels, 1 mm each, all white.
@@ -171,6 +171,45 @@ fn memory_changes_no_bit() {
         }
         if frame == 8 {
             scene.lamps.swap(0, 2);
+        }
+        renderer.render(&scene, &mut remembered);
+        Renderer::new().render(&scene, &mut fresh);
+        assert!(remembered == fresh, "frame {frame}");
+    }
+}
+
+/// The same for all that can be seen of a table: balls, tops that move or only change colour, inserts, light from
+/// everywhere, lamps that come, go and change places; and for a picture that another renderer has drawn over.
+#[test]
+fn what_did_not_change_is_left_as_it_was() {
+    let view = View::fit(150, 300, testing::SIZE_MM);
+    let (props, others) = (testing::props(&view), testing::props(&view));
+    let mut scene = testing::table(view, &props);
+    let (mut renderer, mut remembered, mut fresh) = (Renderer::new(), Radiance::default(), Radiance::default());
+    for frame in 0..24 {
+        match frame {
+            2..6 => testing::roll(&mut scene, DVec2::new(9.0, -14.0)),
+            6 => scene.lamps[3].color = [0.3, 0.0, 0.1],
+            7 => scene.lamps.swap(1, 9),
+            8 => drop(scene.lamps.remove(2)),
+            9 => scene.tops[30].finish.emission = [0.4, 0.2, 0.0],
+            10 => scene.tops[31].finish.opacity = 0.4,
+            11 => drop(scene.tops.remove(12)),
+            12 => scene.glows[2].color = [0.0; 3],
+            13 => drop(scene.glows.remove(0)),
+            14 => drop(scene.balls.pop()),
+            15 => scene.ambient = [0.1; 3],
+            16 => scene.floor = &others.floor,
+            17 => scene.view.origin_mm.x += 3.0,
+            18 => Renderer::new().render(&testing::table(view, &props), &mut remembered),
+            19 => renderer.forget(),
+            20 => scene.balls[0].rotation = [1.0, 0.0, 0.0, 0.0],
+            21 => {
+                let sampling = Sampling { samples: 1, seed: 0, stratified: true };
+                renderer.render_monte_carlo(&scene, sampling, &mut remembered);
+            }
+            22 => remembered = Radiance::default(),
+            _ => {}
         }
         renderer.render(&scene, &mut remembered);
         Renderer::new().render(&scene, &mut fresh);

@@ -1,0 +1,155 @@
+//! What is different from the last picture, and where it can be seen: tiles that nothing of it reaches are left as they
+//! are.
+//!
+//! Every answer is on the safe side: a tile that is drawn again for nothing has the same bits as before. What moves
+//! between a lamp and a tile is not known here but to [`crate::memory`].
+
+use crate::memory::TileMemory;
+use crate::points::TILE;
+use crate::tile::Place;
+use crate::{Ball, Glow, Lamp, Mask, Rgb, Scene, View};
+use geometry::{Bounds, DVec2};
+use std::cmp::Ordering;
+
+/// Room for rounding, mm.
+const MARGIN_MM: f64 = 0.01;
+
+/// Where a ball's contact shadow ends, in the ball's radii.
+pub(crate) const CONTACT_RADII: f64 = 4.0;
+
+/// An insert as the last picture showed it: its mask by its place in memory.
+#[derive(Clone, Debug, PartialEq)]
+struct Inlay {
+    mask: (usize, usize),
+    color: Rgb,
+    pixels: [usize; 4],
+}
+
+impl Inlay {
+    fn new(glow: &Glow) -> Inlay {
+        let Mask { x, y, width, coverage } = glow.mask;
+        let height = glow.mask.height();
+        let mask = (coverage.as_ptr() as usize, coverage.len());
+        Inlay { mask, color: glow.color, pixels: [*x, *y, x + width, y + height] }
+    }
+}
+
+/// A lamp that does not shine as it did.
+#[derive(Clone, Debug)]
+struct Flash {
+    circle: (DVec2, f64),
+    /// Its number in the tiles' memory, if what is remembered of it counts.
+    number: Option<usize>,
+}
+
+/// What the last picture showed beside shadows and tops, and what is new in this one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Changes {
+    lamps: Vec<Lamp>,
+    inlays: Vec<Inlay>,
+    balls: Vec<Ball>,
+    ambient: Rgb,
+    view: Option<View>,
+    art: [usize; 6],
+    /// The glows of this picture, kept for the next.
+    next: Vec<Inlay>,
+    /// Whether all is different.
+    pub everything: bool,
+    /// The lamps that do not shine as they did.
+    flashes: Vec<Flash>,
+    /// The pixels of inserts that do not glow as they did: left, top, right, bottom.
+    glows: Vec<[usize; 4]>,
+    /// Where a ball is or was, and how far it darkens the floor.
+    contacts: Vec<(DVec2, f64)>,
+    /// Where tops are or were that do not look as they did.
+    pub tops: Vec<Bounds>,
+}
+
+impl Changes {
+    /// Compares `scene` with the last one and remembers it; [`Changes::tops`] is the caller's.
+    ///
+    /// `number` gives the number by which the tiles' memory knows a lamp.
+    pub fn turn_page(&mut self, scene: &Scene, number: impl FnMut(&Lamp) -> usize) {
+        let floor = scene.floor;
+        let (below, above) = (floor.floor.as_ptr() as usize, floor.tops.as_ptr() as usize);
+        let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len()];
+        self.everything = self.art != art || self.ambient != scene.ambient || self.view != Some(scene.view);
+        (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
+        self.compare_lamps(scene, number);
+        self.compare_glows(scene);
+        self.contacts.clear();
+        for ball in self.balls.iter().chain(&scene.balls) {
+            self.contacts.push((ball.center_mm, ball.radius_mm * CONTACT_RADII));
+        }
+        self.balls.clone_from(&scene.balls);
+    }
+
+    /// Light is added up in the lamps' order, so a lamp that has changed places has changed.
+    fn compare_lamps(&mut self, scene: &Scene, mut number: impl FnMut(&Lamp) -> usize) {
+        self.flashes.clear();
+        let mut flash = |lamp: &Lamp| Flash { circle: (lamp.center_mm, lamp.reach_mm), number: Some(number(lamp)) };
+        let black = |lamp: &Lamp| Lamp { color: [0.0; 3], ..*lamp };
+        let mut old = self.lamps.as_slice();
+        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
+            match old.iter().position(|old| black(old) == black(lamp)) {
+                Some(at) => {
+                    self.flashes.extend(old[..at].iter().map(&mut flash));
+                    if old[at].color != lamp.color {
+                        self.flashes.push(flash(lamp));
+                    }
+                    old = &old[at + 1..];
+                }
+                None => self.flashes.push(flash(lamp)),
+            }
+        }
+        self.flashes.extend(old.iter().map(&mut flash));
+        self.lamps.clear();
+        self.lamps.extend(scene.lamps.iter().filter(|lamp| lamp.shines()));
+    }
+
+    /// Notes that a lamp has to be looked at from everywhere.
+    pub fn flash(&mut self, lamp: &Lamp) {
+        self.flashes.push(Flash { circle: (lamp.center_mm, lamp.reach_mm), number: None });
+    }
+
+    fn compare_glows(&mut self, scene: &Scene) {
+        self.glows.clear();
+        self.next.clear();
+        self.next.extend(scene.glows.iter().map(Inlay::new));
+        let mut old = self.inlays.as_slice();
+        for new in &self.next {
+            match old.iter().position(|old| old.mask == new.mask && old.pixels == new.pixels) {
+                Some(at) => {
+                    self.glows.extend(old[..at].iter().map(|inlay| inlay.pixels));
+                    if old[at].color != new.color {
+                        self.glows.push(new.pixels);
+                    }
+                    old = &old[at + 1..];
+                }
+                None => self.glows.push(new.pixels),
+            }
+        }
+        self.glows.extend(old.iter().map(|inlay| inlay.pixels));
+        std::mem::swap(&mut self.inlays, &mut self.next);
+    }
+
+    /// Whether the tile at `place` may look different; `memory` is what it saw in the last picture and still sees.
+    pub fn reach(&self, place: &Place, mm_per_px: f64, memory: &TileMemory) -> bool {
+        let &Place { x, y, middle_mm, ref bounds } = place;
+        let radius = TILE as f64 * mm_per_px + MARGIN_MM;
+        let within = |&(center, reach): &(DVec2, f64)| {
+            let square = (reach + radius) * (reach + radius);
+            // What is not a number is near.
+            center.distance_squared(middle_mm).partial_cmp(&square) != Some(Ordering::Greater)
+        };
+        let seen = |flash: &Flash| !flash.number.is_some_and(|number| memory.is_dark(number));
+        self.everything
+            || self.tops.iter().any(|top| top.overlaps(bounds))
+            || self.contacts.iter().any(within)
+            || self.flashes.iter().any(|flash| within(&flash.circle) && seen(flash))
+            || self
+                .glows
+                .iter()
+                .any(|&[left, top, right, bottom]| left < x + TILE && right > x && top < y + TILE && bottom > y)
+    }
+}
