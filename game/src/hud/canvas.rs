@@ -1,9 +1,7 @@
-//! Drawing on a finished picture: rectangles, shapes and letters, blended over what is there.
+//! A finished picture that is drawn on: pixels, copies and layers, blended over what is there.
 //!
-//! Shapes are the same core plus radius that the table is made of: how far a pixel is from the surface says how much
-//! of it is covered. Everything is clipped, so nothing that is drawn can be out of place.
+//! Everything is clipped, so nothing that is drawn can be out of place. Lines and shapes are a [`super::Layer`]'s.
 
-use geometry::Shape;
 use tracer::Frame;
 
 /// A colour, sRGB, 0x00RRGGBB.
@@ -105,43 +103,20 @@ impl<'a> Canvas<'a> {
         self.each_row(rect, |_, _, row| row.iter_mut().for_each(|pixel| *pixel = over(*pixel, color, alpha)));
     }
 
-    /// A rectangle whose colour goes from `top` to `bottom`.
-    pub fn gradient(&mut self, rect: Rect, top: Color, bottom: Color) {
-        let last = (rect.height - 1).max(1) as u32;
-        self.each_row(rect, |_, y, row| row.fill(over(top, bottom, (y - rect.y) as u32 * 255 / last)));
-    }
-
-    /// A shape, in pixels, `alpha` of 255 of it.
-    pub fn shape(&mut self, shape: &Shape, color: Color, alpha: u32) {
-        self.covered(shape, 0.0, color, alpha, |distance| 0.5 - distance);
-    }
-
-    /// A shape's outline, `width` pixels wide.
-    pub fn outline(&mut self, shape: &Shape, width: f64, color: Color, alpha: u32) {
-        self.covered(shape, width, color, alpha, |distance| 0.5 + 0.5 * width - distance.abs());
-    }
-
-    /// A soft light around a shape that fades away over `reach` pixels.
-    pub fn halo(&mut self, shape: &Shape, reach: f64, color: Color, alpha: u32) {
-        self.covered(shape, reach, color, alpha, |distance| {
-            let near = (1.0 - distance.max(0.0) / reach).max(0.0);
-            near * near
-        });
-    }
-
-    fn covered(&mut self, shape: &Shape, margin: f64, color: Color, alpha: u32, coverage: impl Fn(f64) -> f64) {
-        let bounds = shape.bounds().grown(margin + 1.0);
-        let (x, y) = (bounds.min.x.floor() as i32, bounds.min.y.floor() as i32);
-        let rect = Rect::new(x, y, bounds.max.x.ceil() as i32 - x, bounds.max.y.ceil() as i32 - y).clipped(self.clip);
-        for y in rect.y..rect.bottom() {
-            for x in rect.x..rect.right() {
-                let middle = geometry::DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                let part = coverage(shape.distance(middle).0).clamp(0.0, 1.0);
-                if part > 0.0 {
-                    self.dot(x, y, color, (part * f64::from(alpha)) as u32);
+    /// The pixels of a layer in `rect`: what `part` says of each, counted row by row from the corner of `rect`, is a
+    /// colour that has been multiplied by its opacity, and the opacity, of 255.
+    pub fn blend(&mut self, rect: Rect, part: impl Fn(usize) -> (Color, u32)) {
+        self.each_row(rect, |x, y, row| {
+            let start = (y - rect.y) as usize * rect.width as usize + (x - rect.x) as usize;
+            for (offset, pixel) in row.iter_mut().enumerate() {
+                match part(start + offset) {
+                    (_, 0) => {}
+                    (color, 255) => *pixel = color,
+                    // No channel can overflow into its neighbour: a multiplied colour is at most its opacity.
+                    (color, alpha) => *pixel = color + over(*pixel, 0, alpha),
                 }
             }
-        }
+        });
     }
 
     /// The pixels of `picture` from its corner `from`, put into `rect` as they are.
@@ -180,7 +155,6 @@ pub fn over(below: u32, color: Color, alpha: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geometry::DVec2;
 
     #[test]
     fn nothing_is_drawn_outside_the_clip() {
@@ -188,7 +162,7 @@ mod tests {
         let mut canvas = Canvas::new(&mut frame);
         let mut inner = canvas.within(Rect::new(2, 2, 3, 3));
         inner.fill(Rect::new(-50, -50, 200, 200), 0xff_ffff, 255);
-        inner.shape(&Shape::disc(DVec2::new(3.0, 3.0), 40.0), 0xff_ffff, 255);
+        inner.blend(Rect::new(-2, -2, 20, 20), |_| (0x10_1010, 16));
         inner.copy(&Frame { width: 1, height: 1, pixels: vec![7] }, Rect::new(-9, -9, 99, 99), (4, 4));
         assert_eq!(frame.pixels.iter().filter(|pixel| **pixel != 0).count(), 9);
     }
@@ -199,15 +173,6 @@ mod tests {
         let mut frame = Frame::new(4, 1);
         Canvas::new(&mut frame).copy(&picture, Rect::new(2, 0, 9, 9), (0, 1));
         assert_eq!(frame.pixels, [0, 0, 3, 4]);
-    }
-
-    #[test]
-    fn a_disc_covers_its_area() {
-        let mut frame = Frame::new(40, 40);
-        Canvas::new(&mut frame).shape(&Shape::disc(DVec2::new(20.3, 19.8), 15.0), 0xff, 255);
-        let covered: u32 = frame.pixels.iter().sum();
-        let area = std::f64::consts::PI * 15.0 * 15.0;
-        assert!((f64::from(covered) / 255.0 - area).abs() < 0.005 * area, "{covered}");
     }
 
     #[test]

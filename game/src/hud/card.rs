@@ -1,8 +1,10 @@
 //! What lies over the table for a while: the pause, the keys, a notice, the line of a replay.
 
 use super::canvas::{Canvas, Rect};
+use super::layer::{Kept, Layer};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::{AMBER, BRASS, IVORY, MIST, NIGHT};
+use geometry::{DVec2, Shape};
 
 /// A dark pane with a title, a table of keys, and a line at its foot.
 pub struct Card {
@@ -27,15 +29,26 @@ pub struct Seek {
     pub paused: bool,
 }
 
+/// The panes under what is written, kept from picture to picture.
+#[derive(Default)]
+pub struct Panes {
+    card: Kept<()>,
+    notice: Kept<()>,
+    seek: Kept<i32>,
+}
+
 /// Dims the table and lays the card on it.
-pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, table: Rect, card: &Card) {
+pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, panes: &mut Panes, table: Rect, card: &Card) {
     canvas.fill(table, NIGHT, 150);
     let unit = (table.width as f32 / 26.0).clamp(4.0, 30.0);
     let line = (unit * 1.75) as i32;
     let height = line * card.rows.len() as i32 + (unit * 7.0) as i32;
     let pane = table.centred((table.width * 9 / 10).min((unit * 25.0) as i32), height.min(table.height));
-    canvas.fill(pane, NIGHT, 225);
-    border(canvas, pane);
+    panes.card.lay(canvas, pane, (), |layer| {
+        layer.fill(pane, NIGHT, 225);
+        layer.frame(pane, BRASS, 200);
+        layer.frame(pane.grown(-3), BRASS, 70);
+    });
     let title = Style { family: Family::Title, size_px: unit * 1.9, tracking: 0.12, color: BRASS, alpha: 255 };
     let middle = (pane.x + pane.width / 2) as f32;
     let room = pane.width as f32 - 2.0 * unit;
@@ -54,15 +67,17 @@ pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, table: Rect, card: &
 }
 
 /// A sentence at the foot of the table.
-pub fn notice(canvas: &mut Canvas, lettering: &mut Lettering, table: Rect, text: &str) {
+pub fn notice(canvas: &mut Canvas, lettering: &mut Lettering, panes: &mut Panes, table: Rect, text: &str) {
     let size = (table.width as f32 / 30.0).clamp(7.0, 20.0);
     let style = Style { family: Family::Plain, size_px: size, tracking: 0.01, color: IVORY, alpha: 255 };
     let lines = wrapped(lettering, text, style, table.width as f32 * 0.88);
     let line = (size * 1.4) as i32;
     let height = line * lines.len() as i32 + line * 3 / 4;
     let pane = Rect::new(table.x, table.bottom() - height - line, table.width, height);
-    canvas.fill(pane, NIGHT, 215);
-    canvas.fill(Rect::new(pane.x, pane.y, pane.width, 1), BRASS, 160);
+    panes.notice.lay(canvas, pane, (), |layer| {
+        layer.fill(pane, NIGHT, 215);
+        layer.fill(Rect { height: 1, ..pane }, BRASS, 160);
+    });
     for (index, text) in lines.iter().enumerate() {
         let y = (pane.y + line * (index as i32 + 1)) as f32;
         let style = lettering.fitted(text, style, table.width as f32 * 0.96);
@@ -89,16 +104,17 @@ fn wrapped(lettering: &Lettering, text: &str, style: Style, room: f32) -> Vec<St
 }
 
 /// The slim line of a replay at the foot of the table.
-pub fn seek(canvas: &mut Canvas, lettering: &mut Lettering, table: Rect, seek: &Seek) {
+pub fn seek(canvas: &mut Canvas, lettering: &mut Lettering, panes: &mut Panes, table: Rect, seek: &Seek) {
     let size = (table.width as f32 / 36.0).clamp(6.0, 18.0);
     let y = table.bottom() - (size * 0.8) as i32;
     let bar = Rect::new(table.x + size as i32, y, table.width - 2 * size as i32, 2);
-    canvas.fill(Rect::new(table.x, y - (size * 2.0) as i32, table.width, (size * 2.8) as i32), NIGHT, 150);
+    let pane = Rect::new(table.x, y - (size * 2.0) as i32, table.width, (size * 2.8) as i32);
     let part = if seek.length_s > 0.0 { (seek.at_s / seek.length_s).clamp(0.0, 1.0) } else { 1.0 };
     let done = (f64::from(bar.width) * part) as i32;
-    canvas.fill(bar, BRASS, 90);
-    canvas.fill(Rect::new(bar.x, bar.y, done, bar.height), AMBER, 255);
-    canvas.fill(Rect::new(bar.x + done - 1, bar.y - 2, 3, 6), IVORY, 255);
+    panes.seek.lay(canvas, pane, done, |layer| {
+        layer.fill(pane, NIGHT, 150);
+        progress(layer, bar, done);
+    });
     let style = Style { family: Family::Plain, size_px: size, tracking: 0.04, color: IVORY, alpha: 230 };
     let baseline = y as f32 - size * 0.55;
     let clock = format!("{} / {}", clock(seek.at_s), clock(seek.length_s));
@@ -113,12 +129,10 @@ fn clock(seconds: f64) -> String {
     format!("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10)
 }
 
-fn border(canvas: &mut Canvas, pane: Rect) {
-    for (inset, alpha) in [(0, 200), (3, 70)] {
-        let rect = pane.grown(-inset);
-        canvas.fill(Rect::new(rect.x, rect.y, rect.width, 1), BRASS, alpha);
-        canvas.fill(Rect::new(rect.x, rect.bottom() - 1, rect.width, 1), BRASS, alpha);
-        canvas.fill(Rect::new(rect.x, rect.y + 1, 1, rect.height - 2), BRASS, alpha);
-        canvas.fill(Rect::new(rect.right() - 1, rect.y + 1, 1, rect.height - 2), BRASS, alpha);
-    }
+/// A brass line, amber as far as the replay is, with a bead where it is now.
+fn progress(layer: &mut Layer, bar: Rect, done: i32) {
+    layer.fill(bar, BRASS, 90);
+    layer.fill(Rect { width: done, ..bar }, AMBER, 255);
+    let bead = DVec2::new(f64::from(bar.x + done), f64::from(bar.y) + f64::from(bar.height) * 0.5);
+    layer.shape(&Shape::disc(bead, 3.5), IVORY, 255);
 }

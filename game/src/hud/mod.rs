@@ -6,8 +6,10 @@
 
 mod canvas;
 mod card;
+mod contour;
 mod dots;
 mod keys;
+mod layer;
 mod lettering;
 mod matrix;
 mod overlay;
@@ -19,14 +21,17 @@ pub use canvas::{Canvas, Rect};
 pub use card::{Card, Seek};
 pub use dots::{HEIGHT as DOTS_DOWN, WIDTH as DOTS_ACROSS};
 pub use keys::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
+pub use layer::Layer;
 pub use overlay::{Debug, Times, Touch};
 
 use crate::picture::placement::Placement;
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
+use card::Panes;
 use dots::Dots;
 use lettering::Lettering;
-use panel::Words;
+use matrix::Matrix;
+use panel::{Lines, Words};
 use tracer::Frame;
 
 const NIGHT: u32 = 0x06_0810;
@@ -64,9 +69,12 @@ pub struct Hud {
     lettering: Lettering,
     placement: Option<Placement>,
     backdrop: Frame,
+    matrix: Matrix,
     dots: Option<Dots>,
     words: Option<Words>,
-    outlines: overlay::Outlines,
+    lines: Lines,
+    panes: Panes,
+    overlay: overlay::Overlay,
 }
 
 impl Hud {
@@ -79,9 +87,12 @@ impl Hud {
             lettering: Lettering::new()?,
             placement: None,
             backdrop: Frame::default(),
+            matrix: Matrix::new(0),
             dots: None,
             words: None,
-            outlines: overlay::Outlines::default(),
+            lines: Lines::default(),
+            panes: Panes::default(),
+            overlay: overlay::Overlay::default(),
         })
     }
 
@@ -93,7 +104,8 @@ impl Hud {
         self.backdrop = Frame::new(placement.width, placement.height);
         surround::draw(&mut Canvas::new(&mut self.backdrop), &placement);
         frame.clone_from(&self.backdrop);
-        self.outlines = overlay::Outlines::default();
+        self.overlay = overlay::Overlay::default();
+        self.matrix = Matrix::new(placement.pitch);
         (self.placement, self.dots, self.words) = (Some(placement), None, None);
     }
 
@@ -107,7 +119,7 @@ impl Hud {
         let Some(placement) = self.placement else { return };
         let dots = programme::page(&moment.display, moment.tick);
         if placement.pitch > 0 && self.dots.as_ref() != Some(&dots) {
-            matrix::draw(&mut Canvas::new(frame), placement.matrix, placement.pitch, &dots);
+            self.matrix.draw(&mut Canvas::new(frame), placement.matrix, &dots);
             self.dots = Some(dots);
         }
         let words = Words::new(table, moment, chrome);
@@ -129,7 +141,8 @@ impl Hud {
         };
         for rect in rects {
             self.restore(frame, rect);
-            panel::draw(&mut Canvas::new(frame).within(rect), &mut self.lettering, placement, words);
+            let canvas = &mut Canvas::new(frame);
+            panel::draw(&mut canvas.within(rect), &mut self.lettering, &mut self.lines, placement, words);
         }
     }
 
@@ -139,17 +152,17 @@ impl Hud {
         let mut canvas = Canvas::new(frame);
         let mut canvas = canvas.within(placement.table);
         if let Some(debug) = &chrome.debug {
-            self.outlines.fit(table, placement.table);
-            overlay::draw(&mut canvas, &mut self.lettering, &self.outlines, table, &placement, moment, debug);
+            let subject = overlay::Subject { table, placement: &placement, moment };
+            self.overlay.draw(&mut canvas, &mut self.lettering, &subject, debug);
         }
         if let Some(seek) = &chrome.seek {
-            card::seek(&mut canvas, &mut self.lettering, placement.table, seek);
+            card::seek(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, seek);
         }
         if let Some(card) = chrome.card {
-            card::draw(&mut canvas, &mut self.lettering, placement.table, card);
+            card::draw(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, card);
         }
         if let Some(text) = &chrome.notice {
-            card::notice(&mut canvas, &mut self.lettering, placement.table, text);
+            card::notice(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, text);
         }
     }
 }

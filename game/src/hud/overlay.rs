@@ -2,15 +2,14 @@
 //! touched, and what the frame cost.
 
 use super::canvas::{Canvas, Rect};
+use super::layer::{Kept, Layer};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::{AMBER, IVORY, NIGHT};
 use crate::Table;
 use crate::picture::placement::Placement;
 use crate::simulation::Snapshot;
-use crate::stage::BALL_RADIUS_MM;
-use geometry::{DVec2, Hit, Ray, Shape};
-use physics::{Contact, Kind, Layout};
-use tracer::Frame;
+use geometry::{Bounds, Circle, Core, DVec2, Hit, Ray, Shape, Taper, trig};
+use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Part, Pose};
 
 /// What the parts of a frame cost, ms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,133 +50,269 @@ const SOLID: u32 = 0x4f_d8ff;
 const SENSOR: u32 = 0x8a_ff9a;
 const RAY: u32 = 0xff_5fd2;
 
-/// The outlines of a table's shapes as pixels: drawn once for a size, since they stand still.
+/// The moment that is looked into.
+#[derive(Clone, Copy)]
+pub struct Subject<'a> {
+    /// The table that is played.
+    pub table: &'a Table,
+    /// Where it is on the screen.
+    pub placement: &'a Placement,
+    /// What happens on it.
+    pub moment: &'a Snapshot,
+}
+
+/// The overlay and what it keeps: what stands still is drawn once.
 #[derive(Default)]
-pub struct Outlines {
-    rect: Rect,
-    pixels: Frame,
+pub struct Overlay {
+    standing: Kept<()>,
+    pane: Kept<()>,
 }
 
-impl Outlines {
-    /// Draws the outlines for a table at this place on the screen.
-    pub fn fit(&mut self, table: &Table, rect: Rect) {
-        if self.rect == rect && !rect.is_empty() {
-            return;
+/// A shape in pixels; its outline if it has a `line`'s width, else all of it.
+struct Mark {
+    shape: Shape,
+    line: Option<f64>,
+    color: u32,
+    alpha: u32,
+}
+
+impl Overlay {
+    /// Draws the overlay.
+    pub fn draw(&mut self, canvas: &mut Canvas, lettering: &mut Lettering, subject: &Subject, debug: &Debug) {
+        let layout = &subject.table.layout;
+        self.standing.lay(canvas, subject.placement.table, (), |layer| {
+            let marks = layout.parts.iter().flat_map(|part| standing(&part.kind)).map(|shape| {
+                let (shape, color) = shape;
+                subject.outline(shape, color, 150)
+            });
+            marks.for_each(|mark| mark.draw(layer));
+        });
+        lay(canvas, subject.placement.table, &subject.marks(debug));
+        for ball in subject.moving_balls() {
+            subject.tell_speed(canvas, lettering, ball);
         }
-        self.rect = rect;
-        self.pixels = Frame::new(rect.width as usize, rect.height as usize);
-        let px_per_m = f64::from(rect.width) / table.layout.size_m.x;
-        let mut canvas = Canvas::new(&mut self.pixels);
-        for (shape, color) in shapes(&table.layout) {
-            canvas.outline(&shape.scaled(px_per_m), 1.0, color, 200);
-        }
+        self.figures(canvas, lettering, subject, &debug.times);
     }
 
-    fn draw(&self, canvas: &mut Canvas) {
-        for (index, &pixel) in self.pixels.pixels.iter().enumerate().filter(|(_, pixel)| **pixel != 0) {
-            let (x, y) = ((index % self.pixels.width) as i32, (index / self.pixels.width) as i32);
-            canvas.dot(self.rect.x + x, self.rect.y + y, pixel, 190);
+    fn figures(&mut self, canvas: &mut Canvas, lettering: &mut Lettering, subject: &Subject, times: &Times) {
+        let (style, table) = (subject.style(), subject.placement.table);
+        let rows = [
+            ("stage", times.stage_ms),
+            ("light", times.light_ms),
+            ("tone", times.tone_ms),
+            ("hud", times.hud_ms),
+            ("present", times.present_ms),
+            ("between", times.between_ms),
+        ];
+        let line = style.size_px * 1.25;
+        let (width, height) = (style.size_px * 11.5, line * (rows.len() as f32 + 1.6));
+        let pane = Rect::new(table.x, table.y, width as i32, height as i32);
+        self.pane.lay(canvas, pane, (), |layer| layer.fill(pane, NIGHT, 190));
+        let (left, right) = (pane.x as f32 + 4.0, pane.right() as f32 - 4.0);
+        for (index, (name, ms)) in rows.into_iter().enumerate() {
+            let y = pane.y as f32 + line * (index as f32 + 1.0);
+            lettering.write(canvas, name, style, Align::Left, left, y);
+            lettering.write(canvas, &format!("{ms:.2} ms"), style, Align::Right, right, y);
         }
+        let y = pane.y as f32 + line * (rows.len() as f32 + 1.0);
+        lettering.write(canvas, &format!("tick {}", subject.moment.tick), style, Align::Left, left, y);
     }
 }
 
-/// Draws the overlay.
-pub fn draw(
-    canvas: &mut Canvas,
-    lettering: &mut Lettering,
-    outlines: &Outlines,
-    table: &Table,
-    placement: &Placement,
-    moment: &Snapshot,
-    debug: &Debug,
-) {
-    outlines.draw(canvas);
-    let px_per_m = f64::from(placement.table.width) / table.layout.size_m.x;
-    let corner = DVec2::new(f64::from(placement.table.x), f64::from(placement.table.y));
-    let screen = |point_m: DVec2| corner + point_m * px_per_m;
-    for ball in moment.pose.balls.iter().filter(|ball| !ball.held) {
-        let radius_px = BALL_RADIUS_MM / 1000.0 * px_per_m;
-        let speed = ball.velocity.length();
-        canvas.outline(&Shape::disc(screen(ball.center), radius_px), 1.0, RAY, 255);
-        if let Some(ray) = Ray::towards(ball.center, ball.center + ball.velocity).filter(|_| speed > 0.02) {
-            if let Some(hit) = first_hit(&table.layout, &ray) {
-                let there = screen(ray.at(hit.distance));
-                canvas.shape(&Shape::capsule(screen(ball.center), there, 0.4), RAY, 150);
-                canvas.outline(&Shape::disc(there, radius_px), 1.0, RAY, 150);
-                let foot = there - hit.normal * radius_px;
-                canvas.shape(&Shape::capsule(foot, foot + hit.normal * 18.0, 0.7), AMBER, 220);
-            }
-            // A tenth of a second of its way.
-            let tip = screen(ball.center + ball.velocity * 0.1);
-            canvas.shape(&Shape::capsule(screen(ball.center), tip, 1.2), RAY, 255);
-        }
-        let style = style(placement, IVORY);
-        let label = screen(ball.center);
-        let right_half = label.x > corner.x + f64::from(placement.table.width) * 0.5;
-        let (align, aside) = if right_half { (Align::Right, -1.0) } else { (Align::Left, 1.0) };
-        let x = label.x + aside * (radius_px + 3.0);
-        lettering.write(canvas, &format!("{speed:.2} m/s"), style, align, x as f32, label.y as f32 + 3.0);
+impl Subject<'_> {
+    fn px_per_m(&self) -> f64 {
+        f64::from(self.placement.table.width) / self.table.layout.size_m.x
     }
-    for touch in &debug.touches {
-        let point = screen(touch.contact.point);
+
+    /// Where a point of the table, m, is on the screen.
+    fn screen(&self, point_m: DVec2) -> DVec2 {
+        let corner = DVec2::new(f64::from(self.placement.table.x), f64::from(self.placement.table.y));
+        corner + point_m * self.px_per_m()
+    }
+
+    fn moving_balls(&self) -> impl Iterator<Item = &BallPose> {
+        self.moment.pose.balls.iter().filter(|ball| !ball.held)
+    }
+
+    /// The outline of a shape in metres.
+    fn outline(&self, shape_m: Shape, color: u32, alpha: u32) -> Mark {
+        let shape = moved(shape_m.scaled(self.px_per_m()), self.screen(DVec2::ZERO));
+        Mark { shape, line: Some(1.0), color, alpha }
+    }
+
+    /// Everything that moves: parts, balls, their rays, and what they have touched.
+    fn marks(&self, debug: &Debug) -> Vec<Mark> {
+        let pose = &self.moment.pose;
+        let parts = &self.table.layout.parts;
+        let mut marks: Vec<Mark> = parts
+            .iter()
+            .enumerate()
+            .flat_map(|(index, part)| moving(index, part, pose))
+            .map(|(shape, color)| self.outline(shape, color, 200))
+            .collect();
+        for ball in self.moving_balls() {
+            marks.push(self.outline(Shape::disc(ball.center, BALL_RADIUS_M), RAY, 255));
+            self.add_ray(ball, &mut marks);
+        }
+        debug.touches.iter().for_each(|touch| self.add_touch(touch, &mut marks));
+        marks
+    }
+
+    /// The ball's way as the simulation and the light know it: a ray to the first hit, the ball there, and the normal.
+    fn add_ray(&self, ball: &BallPose, marks: &mut Vec<Mark>) {
+        let slow = ball.velocity.length() < 0.02;
+        let Some(ray) = Ray::towards(ball.center, ball.center + ball.velocity).filter(|_| !slow) else { return };
+        if let Some(hit) = first_hit(&self.table.layout, &self.moment.pose, ball, &ray) {
+            let there = ray.at(hit.distance);
+            marks.push(line(self.screen(ball.center), self.screen(there), 1.0, RAY, 170));
+            marks.push(self.outline(Shape::disc(there, BALL_RADIUS_M), RAY, 170));
+            let foot = self.screen(there - hit.normal * BALL_RADIUS_M);
+            marks.push(line(foot, foot + hit.normal * 18.0, 1.6, AMBER, 230));
+        }
+        // A tenth of a second of its way.
+        let tip = self.screen(ball.center + ball.velocity * 0.1);
+        marks.push(line(self.screen(ball.center), tip, 2.4, RAY, 255));
+    }
+
+    fn add_touch(&self, touch: &Touch, marks: &mut Vec<Mark>) {
+        let point = self.screen(touch.contact.point);
         let alpha = (255.0 * (1.0 - touch.age).clamp(0.0, 1.0)) as u32;
         let length = 8.0 + 12.0 * touch.contact.speed_m_s.abs().min(5.0);
-        canvas.shape(&Shape::disc(point, 2.5), AMBER, alpha);
-        canvas.shape(&Shape::capsule(point, point + touch.contact.normal * length, 0.7), AMBER, alpha);
+        marks.push(Mark { shape: Shape::disc(point, 2.5), line: None, color: AMBER, alpha });
+        marks.push(line(point, point + touch.contact.normal * length, 1.4, AMBER, alpha));
     }
-    figures(canvas, lettering, placement, moment, &debug.times);
-}
 
-fn style(placement: &Placement, color: u32) -> Style {
-    let size_px = (placement.table.width as f32 / 34.0).clamp(7.0, 18.0);
-    Style { family: Family::Plain, size_px, tracking: 0.0, color, alpha: 255 }
-}
-
-fn figures(canvas: &mut Canvas, lettering: &mut Lettering, placement: &Placement, moment: &Snapshot, times: &Times) {
-    let style = style(placement, IVORY);
-    let rows = [
-        ("stage", times.stage_ms),
-        ("light", times.light_ms),
-        ("tone", times.tone_ms),
-        ("hud", times.hud_ms),
-        ("present", times.present_ms),
-        ("between", times.between_ms),
-    ];
-    let line = style.size_px * 1.25;
-    let (width, height) = (style.size_px * 11.5, line * (rows.len() as f32 + 1.6));
-    let pane = Rect::new(placement.table.x, placement.table.y, width as i32, height as i32);
-    canvas.fill(pane, NIGHT, 190);
-    let (left, right) = (pane.x as f32 + 4.0, pane.right() as f32 - 4.0);
-    for (index, (name, ms)) in rows.into_iter().enumerate() {
-        let y = pane.y as f32 + line * (index as f32 + 1.0);
-        lettering.write(canvas, name, style, Align::Left, left, y);
-        lettering.write(canvas, &format!("{ms:.2} ms"), style, Align::Right, right, y);
+    fn tell_speed(&self, canvas: &mut Canvas, lettering: &mut Lettering, ball: &BallPose) {
+        let (label, table) = (self.screen(ball.center), self.placement.table);
+        let right_half = label.x > f64::from(table.x) + f64::from(table.width) * 0.5;
+        let (align, aside) = if right_half { (Align::Right, -1.0) } else { (Align::Left, 1.0) };
+        let x = label.x + aside * (BALL_RADIUS_M * self.px_per_m() + 3.0);
+        let text = format!("{:.2} m/s", ball.velocity.length());
+        lettering.write(canvas, &text, self.style(), align, x as f32, label.y as f32 + 3.0);
     }
-    let y = pane.y as f32 + line * (rows.len() as f32 + 1.0);
-    lettering.write(canvas, &format!("tick {}", moment.tick), style, Align::Left, left, y);
+
+    fn style(&self) -> Style {
+        let size_px = (self.placement.table.width as f32 / 34.0).clamp(7.0, 18.0);
+        Style { family: Family::Plain, size_px, tracking: 0.0, color: IVORY, alpha: 255 }
+    }
 }
 
-/// Where a ball that flies along `ray` first meets something that stands: the same rays, the same shapes, grown by
-/// the ball's radius.
-fn first_hit(layout: &Layout, ray: &Ray) -> Option<Hit> {
-    let radius_m = BALL_RADIUS_MM / 1000.0;
-    let solids = shapes(layout).filter(|(_, color)| *color == SOLID);
-    solids.fold(None, |nearest, (shape, _)| Hit::nearer(nearest, shape.inflated(radius_m).cast(ray)))
+impl Mark {
+    fn draw(&self, layer: &mut Layer) {
+        match (self.line, self.shape.core) {
+            (Some(width), Core::Segment(segment)) if self.shape.radius <= 0.0 => {
+                layer.line(segment.a, segment.b, width, self.color, self.alpha);
+            }
+            (Some(width), _) => layer.outline(&self.shape, width, self.color, self.alpha),
+            (None, _) => layer.shape(&self.shape, self.color, self.alpha),
+        }
+    }
 }
 
-/// Every shape of a layout, m, with the colour of what it does.
-fn shapes(layout: &Layout) -> impl Iterator<Item = (Shape, u32)> + '_ {
-    layout.parts.iter().flat_map(|part| match &part.kind {
+/// Draws marks in a layer that is no larger than they need.
+fn lay(canvas: &mut Canvas, table: Rect, marks: &[Mark]) {
+    let bounds = |mark: &Mark| mark.shape.bounds().grown(mark.line.unwrap_or(0.0) + 1.0);
+    let Some(all) = marks.iter().map(bounds).reduce(Bounds::union) else { return };
+    let (x, y) = (all.min.x.floor() as i32, all.min.y.floor() as i32);
+    let rect = Rect::new(x, y, all.max.x.ceil() as i32 - x, all.max.y.ceil() as i32 - y).clipped(table);
+    let mut layer = Layer::new(rect);
+    marks.iter().for_each(|mark| mark.draw(&mut layer));
+    layer.lay(canvas);
+}
+
+/// A straight line in pixels.
+fn line(a: DVec2, b: DVec2, width: f64, color: u32, alpha: u32) -> Mark {
+    Mark { shape: Shape::capsule(a, b, 0.0), line: Some(width), color, alpha }
+}
+
+/// The shape, elsewhere.
+fn moved(shape: Shape, by: DVec2) -> Shape {
+    let circle = |circle: Circle| Circle { center: circle.center + by, ..circle };
+    let core = match shape.core {
+        Core::Point(center) => Core::Point(center + by),
+        Core::Segment(segment) => Core::Segment(geometry::Segment { a: segment.a + by, b: segment.b + by }),
+        Core::Arc(arc) => {
+            let start_rad = trig::angle(arc.middle()) - arc.half_angle();
+            Core::Arc(geometry::Arc::new(circle(arc.circle()), start_rad, 2.0 * arc.half_angle()))
+        }
+        Core::Taper(taper) => Core::Taper(Taper { a: circle(taper.a), b: circle(taper.b) }),
+    };
+    Shape { core, ..shape }
+}
+
+/// Where a ball that flies along `ray` first meets something solid: the same rays, the same shapes, grown by the
+/// ball's radius.
+fn first_hit(layout: &Layout, pose: &Pose, ball: &BallPose, ray: &Ray) -> Option<Hit> {
+    let still = layout.parts.iter().flat_map(|part| standing(&part.kind));
+    let moving = layout.parts.iter().enumerate().flat_map(|(index, part)| moving(index, part, pose));
+    let others = pose.balls.iter().filter(|other| other.id != ball.id);
+    let balls = others.map(|other| Shape::disc(other.center, BALL_RADIUS_M));
+    let solids = still.chain(moving).filter(|(_, color)| *color == SOLID).map(|(shape, _)| shape);
+    let cast = |shape: Shape| shape.inflated(BALL_RADIUS_M).cast(ray);
+    solids.chain(balls).map(cast).fold(None, Hit::nearer)
+}
+
+/// The shapes of a part that stand still, m, with the colour of what they do.
+fn standing(part: &Kind) -> Vec<(Shape, u32)> {
+    let thin = |segment: geometry::Segment| Shape::capsule(segment.a, segment.b, 0.0005);
+    match part {
         Kind::Wall(wall) => wall.shapes.iter().map(|&shape| (shape, SOLID)).collect(),
         Kind::Bumper(bumper) => vec![(Shape::disc(bumper.circle.center, bumper.circle.radius), SOLID)],
         Kind::Slingshot(sling) => vec![(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), SOLID)],
         Kind::Target(target) => vec![(target.shape, SOLID)],
-        Kind::DropTarget(target) => vec![(target.shape, SENSOR)],
         Kind::Rollover(rollover) => vec![(rollover.zone, SENSOR)],
-        Kind::Gate(gate) => vec![(Shape::capsule(gate.segment.a, gate.segment.b, 0.0005), SENSOR)],
-        Kind::Spinner(spinner) => vec![(Shape::capsule(spinner.segment.a, spinner.segment.b, 0.0005), SENSOR)],
+        Kind::Gate(gate) => vec![(thin(gate.segment), SENSOR)],
+        Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
         Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
         Kind::Drain(drain) => vec![(drain.zone, SENSOR)],
-        Kind::Flipper(_) | Kind::Plunger(_) => Vec::new(),
-    })
+        Kind::Flipper(_) | Kind::Plunger(_) | Kind::DropTarget(_) => Vec::new(),
+    }
+}
+
+/// The shapes of a part that moves, m, where they are in a pose.
+fn moving(index: usize, part: &Part, pose: &Pose) -> Vec<(Shape, u32)> {
+    let value = |parts: &[(physics::PartId, f64)]| {
+        parts.iter().find(|(id, _)| usize::from(id.0) == index).map(|(_, value)| *value)
+    };
+    match &part.kind {
+        Kind::Flipper(flipper) => {
+            let angle = value(&pose.flippers_rad).unwrap_or(flipper.rest_rad);
+            let center = flipper.base.center + trig::direction(angle) * flipper.length_m;
+            let taper = Taper { a: flipper.base, b: Circle { center, radius: flipper.tip_radius_m } };
+            vec![(Shape { core: Core::Taper(taper), radius: 0.0 }, SOLID)]
+        }
+        Kind::DropTarget(target) => {
+            let up = value(&pose.drop_targets).is_none_or(|height| height > 0.5);
+            vec![(target.shape, if up { SOLID } else { SENSOR })]
+        }
+        Kind::Plunger(plunger) => {
+            let tip = plunger.tip - plunger.way * (plunger.stroke_m * pose.plunger);
+            let half = plunger.way.perp() * plunger.half_width_m;
+            vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shape_that_is_moved_keeps_its_surface() {
+        let by = DVec2::new(7.0, -3.0);
+        let circle = Circle { center: DVec2::new(10.0, 20.0), radius: 8.0 };
+        let cores = [
+            Core::Point(circle.center),
+            Core::Segment(geometry::Segment { a: DVec2::ZERO, b: circle.center }),
+            Core::Arc(geometry::Arc::new(circle, 0.4, -2.0)),
+            Core::Taper(Taper { a: circle, b: Circle { center: DVec2::new(40.0, 22.0), radius: 3.0 } }),
+        ];
+        for shape in cores.map(|core| Shape { core, radius: 1.5 }) {
+            for point in [DVec2::new(3.0, 4.0), DVec2::new(-12.0, 30.0), DVec2::new(25.0, 21.0)] {
+                let (there, here) = (moved(shape, by).distance(point + by).0, shape.distance(point).0);
+                assert!((there - here).abs() < 1e-9, "{shape:?} {point}");
+            }
+        }
+    }
 }

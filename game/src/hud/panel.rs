@@ -1,13 +1,14 @@
 //! What is written around the dot-matrix display: players, ball, what has been collected, and the keys.
 
 use super::canvas::{Canvas, Color, Rect};
+use super::layer::{Kept, Layer};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::programme::grouped;
 use super::{AMBER, BRASS, Badge, Chrome, IVORY, MIST, keys};
 use crate::Table;
 use crate::picture::placement::{Placement, Side, title_height};
 use crate::simulation::{Display, Snapshot};
-use geometry::{DVec2, Shape};
+use geometry::DVec2;
 
 /// Everything that the panel says; it is drawn again only when this changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +40,8 @@ impl Words {
 }
 
 /// Draws the words where `placement` has room for them.
-pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, placement: &Placement, words: &Words) {
-    let mut page = Page { canvas, lettering };
+pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, lines: &mut Lines, placement: &Placement, words: &Words) {
+    let mut page = Page { canvas, lettering, lines };
     match placement.side {
         Side::Band(left, right) if placement.pitch == 0 => page.tiny(left, right, &words.display),
         Side::Band(left, right) => {
@@ -51,9 +52,14 @@ pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, placement: &Placemen
     }
 }
 
+/// The spectral lines, each kept until it grows: its colour, what has been collected, and of how many.
+#[derive(Default)]
+pub struct Lines([Kept<(Color, i64, i64)>; MOST_ROWS]);
+
 struct Page<'a, 'b> {
     canvas: &'a mut Canvas<'b>,
     lettering: &'a mut Lettering,
+    lines: &'a mut Lines,
 }
 
 fn label(size_px: f32) -> Style {
@@ -130,31 +136,12 @@ impl Page<'_, '_> {
             }
             let height = (each * 2 / 5).clamp(2, 12);
             let line = Rect::new(row.x + left, row.y + (each - height) / 2, row.width - left, height);
-            self.spectral_line(line, hue(name), *done, *of);
-        }
-    }
-
-    fn spectral_line(&mut self, line: Rect, color: Color, done: i64, of: i64) {
-        let (of, done) = (of.max(1), done.clamp(0, of.max(1)));
-        // More parts than this are too narrow to be told apart: then it is one.
-        let parts = if of * 5 > i64::from(line.width) { 1 } else { of };
-        if done == of {
-            let (left, right) = (f64::from(line.x), f64::from(line.right()));
-            let (y, radius) = (f64::from(line.y) + f64::from(line.height) * 0.5, f64::from(line.height) * 0.5);
-            let whole = Shape::capsule(DVec2::new(left + radius, y), DVec2::new(right - radius, y), radius);
-            self.canvas.halo(&whole, f64::from(line.height) * 1.2, color, 130);
-        }
-        for part in 0..parts {
-            let at = |part: i64| line.x + (i64::from(line.width) * part / parts) as i32;
-            let gap = if part + 1 < parts { 2 } else { 0 };
-            let cell = Rect::new(at(part), line.y, at(part + 1) - at(part) - gap, line.height);
-            self.canvas.fill(cell, color, 38);
-            let lit = if parts == 1 {
-                i64::from(cell.width) * done / of
-            } else {
-                i64::from(cell.width) * i64::from(part < done)
-            };
-            self.canvas.fill(Rect { width: lit as i32, ..cell }, color, 255);
+            let (color, of, done) = (hue(name), (*of).max(1), (*done).clamp(0, (*of).max(1)));
+            // The light of a whole line stays between the edges that everything in the panel shares.
+            let pane = Rect { x: line.x, width: line.width, ..line.grown(line.height * 2) };
+            self.lines.0[index].lay(self.canvas, pane, (color, done, of), |layer| {
+                spectral_line(layer, line, color, done, of);
+            });
         }
     }
 
@@ -215,7 +202,13 @@ impl Page<'_, '_> {
 
     fn rule(&mut self, room: &mut Rect, unit: f32) {
         let row = take(room, (unit * 1.2) as i32);
-        self.canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), BRASS, 110);
+        self.hairline(Rect::new(row.x, row.y + row.height / 2, row.width, 1));
+    }
+
+    fn hairline(&mut self, rect: Rect) {
+        let mut layer = Layer::new(rect);
+        layer.fill(rect, BRASS, 110);
+        layer.lay(self.canvas);
     }
 
     /// The keys, at the foot of the panel, if there is room.
@@ -226,13 +219,33 @@ impl Page<'_, '_> {
             return;
         }
         let top = room.bottom() - needed;
-        self.canvas.fill(Rect::new(room.x, top, room.width, 1), BRASS, 110);
+        self.hairline(Rect::new(room.x, top, room.width, 1));
         for (index, (keys, action)) in keys.iter().enumerate() {
             let y = top + line * (index as i32 + 1) + line / 2;
             let style = Style { tracking: 0.02, ..label(unit * 0.78) };
             self.text(keys, Style { color: BRASS, ..style }, Align::Left, room.x, y, room.width / 2);
             self.text(action, style, Align::Right, room.right(), y, room.width / 2);
         }
+    }
+}
+
+/// A line of the spectrum in as many parts as there are things to collect; it shines when it is whole.
+fn spectral_line(layer: &mut Layer, line: Rect, color: Color, done: i64, of: i64) {
+    // More parts than this are too narrow to be told apart: then it is one.
+    let parts = if of * 5 > i64::from(line.width) { 1 } else { of };
+    if done == of {
+        let (y, end) = (f64::from(line.y) + f64::from(line.height) * 0.5, f64::from(line.height) * 0.5);
+        let (a, b) = (DVec2::new(f64::from(line.x) + end, y), DVec2::new(f64::from(line.right()) - end, y));
+        layer.halo(a, b, f64::from(line.height) * 1.7, color, 180);
+    }
+    for part in 0..parts {
+        let at = |part: i64| line.x + (i64::from(line.width) * part / parts) as i32;
+        let gap = if part + 1 < parts { 2 } else { 0 };
+        let cell = Rect::new(at(part), line.y, at(part + 1) - at(part) - gap, line.height);
+        layer.fill(cell, color, 38);
+        let lit =
+            if parts == 1 { i64::from(cell.width) * done / of } else { i64::from(cell.width) * i64::from(part < done) };
+        layer.fill(Rect { width: lit as i32, ..cell }, color, 255);
     }
 }
 

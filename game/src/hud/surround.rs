@@ -3,44 +3,37 @@
 //! Blue-black, a few stars, and beside the table the graduated brass scale of an instrument.
 
 use super::canvas::{Canvas, Color, Rect};
+use super::layer::Layer;
+use super::matrix;
 use super::{BRASS, IVORY};
-use crate::picture::placement::{Placement, Side};
-use geometry::{DVec2, Shape};
+use crate::picture::placement::Placement;
 
 const ZENITH: Color = 0x0c_1220;
 const HORIZON: Color = 0x05_070c;
+const DUSK: Color = 0x1b_2a4a;
 const WELL: Color = 0x02_0306;
 
 /// Draws all that lies around the table and behind the display.
 pub fn draw(canvas: &mut Canvas, placement: &Placement) {
     let whole = Rect::new(0, 0, placement.width as i32, placement.height as i32);
-    canvas.gradient(whole, ZENITH, HORIZON);
-    stars(canvas, whole);
-    let unit = f64::from(placement.table.height) / 1000.0;
-    canvas.halo(&outline_of(placement.table), 60.0 * unit, 0x1b_2a4a, 70);
-    scale(canvas, placement);
-    canvas.fill(placement.table.grown(frame_width(placement)), BRASS, 90);
-    canvas.fill(placement.table.grown(frame_width(placement) - 1), WELL, 255);
-    if let Side::Panel(panel) = placement.side {
-        let x = panel.x - (panel.x - placement.table.right()) / 2;
-        canvas.fill(Rect::new(x, panel.y, 1, panel.height), BRASS, 0);
-    }
+    let mut layer = Layer::new(whole);
+    layer.gradient(whole, ZENITH, HORIZON);
+    stars(&mut layer, whole);
+    let table = placement.table;
+    layer.glow(table.centred(table.width * 9 / 4, table.height * 3 / 2), DUSK, 130);
+    scale(&mut layer, placement);
+    layer.fill(table.grown(frame_width(placement)), BRASS, 90);
+    layer.fill(table.grown(frame_width(placement) - 1), WELL, 255);
+    matrix::housing(&mut layer, placement.matrix);
+    layer.lay(canvas);
 }
 
 fn frame_width(placement: &Placement) -> i32 {
     if placement.table.height > 300 { 3 } else { 1 }
 }
 
-fn outline_of(rect: Rect) -> Shape {
-    // A capsule down the table's middle: the halo needs no corners.
-    let half = f64::from(rect.width) * 0.5;
-    let x = f64::from(rect.x) + half;
-    let (top, bottom) = (f64::from(rect.y) + half, f64::from(rect.bottom()) - half);
-    Shape::capsule(DVec2::new(x, top), DVec2::new(x, bottom.max(top + 1.0)), half)
-}
-
 /// Stars in places that only depend on the size, each about as far from the next as chance has it.
-fn stars(canvas: &mut Canvas, whole: Rect) {
+fn stars(layer: &mut Layer, whole: Rect) {
     let cell = 46;
     for row in 0..=whole.height / cell {
         for column in 0..=whole.width / cell {
@@ -49,10 +42,10 @@ fn stars(canvas: &mut Canvas, whole: Rect) {
             let brightness = (seed >> 16) & 0xff;
             let alpha = 14 + brightness * brightness / 900;
             let (x, y) = (column * cell + x, row * cell + y);
-            canvas.dot(x, y, IVORY, alpha);
+            layer.fill(Rect::new(x, y, 1, 1), IVORY, alpha);
             if brightness > 238 {
                 let glint = [(1, 0), (-1, 0), (0, 1), (0, -1)];
-                glint.iter().for_each(|(dx, dy)| canvas.dot(x + dx, y + dy, IVORY, alpha / 3));
+                glint.iter().for_each(|(dx, dy)| layer.fill(Rect::new(x + dx, y + dy, 1, 1), IVORY, alpha / 3));
             }
         }
     }
@@ -67,7 +60,7 @@ fn scatter(seed: u32) -> u32 {
 }
 
 /// Graduations along both sides of the table: two hundred parts, every fifth and tenth longer.
-fn scale(canvas: &mut Canvas, placement: &Placement) {
+fn scale(layer: &mut Layer, placement: &Placement) {
     let table = placement.table;
     let divisions = 200;
     if table.height < 2 * divisions {
@@ -82,7 +75,7 @@ fn scale(canvas: &mut Canvas, placement: &Placement) {
             _ => (long / 3, 46),
         };
         let gap = frame_width(placement) + 2;
-        canvas.fill(Rect::new(table.x - gap - length, y, length, 1), BRASS, alpha);
-        canvas.fill(Rect::new(table.right() + gap, y, length, 1), BRASS, alpha);
+        layer.fill(Rect::new(table.x - gap - length, y, length, 1), BRASS, alpha);
+        layer.fill(Rect::new(table.right() + gap, y, length, 1), BRASS, alpha);
     }
 }

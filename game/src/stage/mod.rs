@@ -32,7 +32,14 @@ pub const BALL_RADIUS_MM: f64 = physics::BALL_RADIUS_M * MM_PER_M;
 const SUNK: f64 = 0.9;
 
 /// How much of a lamp's light comes out through the cap above it.
-const CAP_GLOW: f32 = 0.22;
+const CAP_GLOW: f32 = 0.09;
+
+/// How much of the light that falls on what stands around a bulb comes back: it is translucent, and the bulb is so near
+/// that its art would drown in white.
+const FROSTED_SCATTER: f32 = 0.3;
+
+/// How much of its gloss is left, for the same reason.
+const FROSTED_GLOSS: f32 = 0.3;
 
 /// What is printed on a table, at one view's resolution.
 pub struct Printed {
@@ -67,6 +74,8 @@ struct Actor {
     motion: Motion,
     /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
     bulb: Option<usize>,
+    /// A bulb is inside it or under it.
+    frosted: bool,
 }
 
 impl Stage {
@@ -121,8 +130,8 @@ impl Actor {
         let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
-        let bulb = if highest { table.lamps.iter().position(inside) } else { None };
-        Some(Actor { solid, motion, bulb })
+        let within = table.lamps.iter().position(inside);
+        Some(Actor { solid, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
     }
 
     fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
@@ -133,6 +142,10 @@ impl Actor {
         }
         let mut finish = placed.finish;
         finish.emission = std::array::from_fn(|i| finish.emission[i] + finish.albedo[i] * glow[i]);
+        if self.frosted {
+            finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
+            finish.gloss *= FROSTED_GLOSS;
+        }
         scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
     }
 }
