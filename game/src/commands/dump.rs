@@ -7,9 +7,12 @@ use crate::cli::DumpArgs;
 use crate::hud::Chrome;
 use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
+use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
 use tracer::Frame;
 
 /// Writes the frames that the arguments ask for.
@@ -21,17 +24,23 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
+    let (width, height) = out.size(args);
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");
-    for (number, tick) in ticks.into_iter().enumerate() {
-        replay.seek(tick);
-        let moment = replay.simulation().snapshot();
-        let (width, height) = out.size(args);
-        let frame = picture.draw(Moment::at(&moment), width, height, &Chrome::default())?;
-        if !out.write(number, frame)? {
-            break;
+    // One frame is written while the next is drawn, and one waits at most.
+    thread::scope(|threads| {
+        let (drawn, waiting) = mpsc::sync_channel::<Frame>(1);
+        let writer = threads.spawn(|| write_all(&mut out, waiting, &bar));
+        for tick in ticks {
+            replay.seek(tick);
+            let moment = replay.simulation().snapshot();
+            let frame = picture.draw(Moment::at(&moment), width, height, &Chrome::default())?;
+            if drawn.send(frame.clone()).is_err() {
+                break;
+            }
         }
-        bar.inc(1);
-    }
+        drop(drawn);
+        writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })?;
     bar.finish_and_clear();
     match replay.difference() {
         Some(difference) => Err(Failure::new(format!(
@@ -40,6 +49,17 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
         ))),
         None => Ok(()),
     }
+}
+
+/// Writes frames in the order in which they come, until there are no more or nobody reads on.
+fn write_all(out: &mut Out, frames: Receiver<Frame>, bar: &ProgressBar) -> Result<(), Failure> {
+    for (number, frame) in frames.into_iter().enumerate() {
+        if !out.write(number, &frame)? {
+            break;
+        }
+        bar.inc(1);
+    }
+    Ok(())
 }
 
 /// The tick of each frame: whole frames a second from the start, the last one not after the end.

@@ -18,6 +18,8 @@ fn encode(frame: &Frame, file: &mut impl Write) -> io::Result<()> {
     let mut encoder = png::Encoder::new(file, frame.width as u32, frame.height as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
+    // A fifteenth of the time that the smallest files take, for files that are a little larger.
+    encoder.set_compression(png::Compression::Fast);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header().map_err(system)?;
     writer.write_image_data(&frame.to_rgb8()).map_err(system)?;
