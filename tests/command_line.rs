@@ -1,6 +1,9 @@
 //! The command line as a newcomer meets it: every mistake is one sentence, and nothing is lost by it.
 
+use game::recording::{Header, Writer};
+use game::simulation::Hashes;
 use std::fs;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -157,6 +160,24 @@ fn a_changed_table_is_told_with_the_recording() {
     fs::remove_file(folder.0.join("table.svg")).expect("the drawing goes");
     let said = sentence(&["verify", &recording]);
     assert!(said.contains("game-1.caustic: the table ") && said.contains("cannot be read"), "{said}");
+}
+
+#[test]
+fn recordings_of_other_versions_are_told_with_the_version() {
+    let folder = Folder::new("versions");
+    let file = folder.path("old.caustic");
+    let header =
+        Header { simulation_version: 999, table: "spectrum".into(), folder: String::new(), table_hash: 0, seed: 1 };
+    let recording = Writer::new(Cursor::new(Vec::new()), &header).expect("memory");
+    let none = Hashes { balls: 0, mechanisms: 0, rules: 0, lamps: 0 };
+    let mut bytes = recording.finish(0, none, 0).expect("memory").into_inner();
+    fs::write(&file, &bytes).expect("a file");
+    let said = sentence(&["verify", &file]);
+    assert!(said.contains("old.caustic: it was recorded with simulation version 999"), "{said}");
+    bytes[8] = 200;
+    fs::write(&file, &bytes).expect("a file");
+    let said = sentence(&["replay", &file]);
+    assert!(said.contains("old.caustic: it is written in format version 200"), "{said}");
 }
 
 #[test]

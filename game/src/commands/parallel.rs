@@ -13,7 +13,7 @@ pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
         .build()
-        .map_err(|error| Failure::new(format!("cannot start threads: {error}; ask for fewer with --threads")))
+        .map_err(|_| Failure::new("the system does not give that many threads; ask for fewer with --threads"))
 }
 
 /// A bar of `length` steps on standard error; none is drawn when that is not a terminal.

@@ -80,7 +80,8 @@ impl Header {
 
     fn another(&self, table: &Table) -> Failure {
         Failure::new(format!(
-            "it was played on another table: {} has changed since (its hash was {:016x}, now it is {:016x})",
+            "it was played on another table: {} has changed since (its hash was \
+             {:016x}, now it is {:016x}); it plays again with the table's files as they were",
             self.table, self.table_hash, table.hash
         ))
     }

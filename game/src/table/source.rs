@@ -2,6 +2,7 @@
 //!
 //! Refuses to know what the text means.
 
+use crate::failure::because;
 use std::fmt;
 use std::io::Read;
 use std::path::Path;
@@ -48,10 +49,12 @@ impl Source {
         let fail = |why: String| Mistake::of_file(path.display(), why);
         let file = std::fs::File::open(path).map_err(|error| match error.kind() {
             std::io::ErrorKind::NotFound => fail("there is no such file, and a table needs it".to_string()),
-            _ => fail(format!("it cannot be opened: {error}")),
+            _ => fail(format!("it cannot be opened: {}", because(&error))),
         })?;
         let mut bytes = Vec::new();
-        file.take(limit + 1).read_to_end(&mut bytes).map_err(|error| fail(format!("it cannot be read: {error}")))?;
+        file.take(limit + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|error| fail(format!("it cannot be read: {}", because(&error))))?;
         if bytes.len() as u64 > limit {
             return Err(fail(format!("it is larger than {} kB, the most that a table may have", limit / 1024)));
         }

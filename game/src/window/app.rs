@@ -4,14 +4,14 @@ use super::clock::{Clock, Speed};
 use super::keys::{Act, Held, Meaning, meaning};
 use super::painter::{Order, Painter};
 use super::reload::Reload;
+use super::screenshot::Screenshot;
 use super::session::{Cover, Session, chrome, complaint, snapshots, title};
 use super::surface::Surface;
-use super::{Look, Wake, opening, screenshot, surface};
+use super::{Look, Wake, opening, surface};
 use crate::hud::Times;
 use crate::picture::Picture;
 use crate::{Buttons, Failure, Table};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use tracer::Frame;
 use winit::application::ApplicationHandler;
@@ -50,8 +50,7 @@ pub struct App {
     /// Something has changed since the last picture was ordered.
     dirty: bool,
     notice: Option<(String, Instant)>,
-    news: Receiver<String>,
-    news_in: Sender<String>,
+    saving: Screenshot,
     shown: Frame,
     used: Frame,
     times: Times,
@@ -64,7 +63,6 @@ pub struct App {
 impl App {
     /// An application that has no window yet.
     pub fn new(session: Session, picture: Picture, look: Look, proxy: EventLoopProxy<Wake>) -> App {
-        let (news_in, news) = channel();
         let now = now();
         let reload = match &session {
             Session::Game(game) if !game.is_bound_to_table() => Some(Reload::new(&picture.table().dir)),
@@ -90,8 +88,7 @@ impl App {
             focused: false,
             dirty: true,
             notice: None,
-            news,
-            news_in,
+            saving: Screenshot::default(),
             shown: Frame::default(),
             used: Frame::default(),
             times: Times::default(),
@@ -289,15 +286,15 @@ impl App {
     }
 
     fn screenshot(&mut self) {
-        let (news, proxy) = (self.news_in.clone(), self.proxy.clone());
-        if !screenshot::save(self.shown.clone(), news, move || wake(&proxy)) {
-            self.tell("The system gives no thread to save the picture with.".to_string());
+        let proxy = self.proxy.clone();
+        if let Err(failure) = self.saving.save(&self.shown, move || wake(&proxy)) {
+            self.tell(failure.to_string());
         }
     }
 
     /// Takes what other threads have done.
     fn collect(&mut self) {
-        while let Ok(text) = self.news.try_recv() {
+        if let Some(text) = self.saving.news() {
             self.tell(text);
         }
         if self.notice.as_ref().is_some_and(|(_, until)| now() > *until) {

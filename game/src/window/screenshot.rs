@@ -3,21 +3,48 @@
 use crate::Failure;
 use crate::picture::save_png;
 use std::path::PathBuf;
-use std::sync::mpsc::Sender;
+use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;
 use tracer::Frame;
 
-/// Saves `frame` on a thread of its own, sends a sentence that says where, and calls `wake`; `false` if the system
-/// gives no thread.
-pub fn save(frame: Frame, news: Sender<String>, wake: impl FnOnce() + Send + 'static) -> bool {
-    let save = move || {
-        let saved = path().and_then(|path| save_png(&frame, &path).map(|()| path));
-        let text = saved.map_or_else(|failure| failure.to_string(), |path| format!("Saved as {}", path.display()));
-        // When the window is closed meanwhile, nobody reads it.
-        let _ = news.send(text);
-        wake();
-    };
-    std::thread::Builder::new().name("screenshot".to_string()).spawn(save).is_ok()
+/// The picture that is being saved, on a thread of its own: the game never waits for a file, but for the one that was
+/// not quite written when the window is closed.
+#[derive(Default)]
+pub struct Screenshot(Option<JoinHandle<String>>);
+
+impl Screenshot {
+    /// Begins to save `frame` and calls `wake` when that is done; nothing while another picture is being saved.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub fn save(&mut self, frame: &Frame, wake: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+        if self.0.is_some() {
+            return Ok(());
+        }
+        let frame = frame.clone();
+        let work = move || {
+            let saved = path().and_then(|path| save_png(&frame, &path).map(|()| path));
+            wake();
+            saved.map_or_else(|failure| failure.to_string(), |path| format!("Saved as {}", path.display()))
+        };
+        let thread = Builder::new().name("screenshot".to_string()).spawn(work);
+        self.0 = Some(thread.map_err(|_| Failure::new("The system gives no thread to save the picture with."))?);
+        Ok(())
+    }
+
+    /// Where the picture was saved, or why it was not, once that is known.
+    pub fn news(&mut self) -> Option<String> {
+        self.0.take_if(|thread| thread.is_finished())?.join().ok()
+    }
+}
+
+impl Drop for Screenshot {
+    fn drop(&mut self) {
+        if let Some(thread) = self.0.take() {
+            // Whoever asked for it sees the file; there is no window any more to tell it in.
+            let _ = thread.join();
+        }
+    }
 }
 
 /// A new file in the folder of pictures, or beside the recordings where there is no such folder.
