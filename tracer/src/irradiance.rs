@@ -17,7 +17,8 @@ pub(crate) struct Beam {
     x: f32,
     y: f32,
     height_square: f32,
-    reach_square: f32,
+    /// One over the square of the reach.
+    fade: f32,
     color: [f32; 3],
 }
 
@@ -31,7 +32,7 @@ impl Beam {
             x: from_tile.x as f32,
             y: from_tile.y as f32,
             height_square: (height * height) as f32,
-            reach_square: (lamp.reach_mm * lamp.reach_mm) as f32,
+            fade: (1.0 / (lamp.reach_mm * lamp.reach_mm)) as f32,
             color: lamp.color.map(|c| c * reference as f32),
         }
     }
@@ -63,7 +64,7 @@ clones! {
 /// Irradiance before colour and visibility: see [`Lamp`].
 #[inline(always)]
 fn falloff(square: f32, beam: &Beam) -> f32 {
-    let rest = max(1.0 - square / beam.reach_square, 0.0);
+    let rest = max(1.0 - square * beam.fade, 0.0);
     rest * rest / (square + beam.height_square)
 }
 

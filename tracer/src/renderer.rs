@@ -5,6 +5,7 @@ use crate::ball::{Glint, Patch, Table};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
+use crate::glare::Source;
 use crate::lanes::Path;
 use crate::memory::{Past, TileMemory};
 use crate::monte_carlo::Sampling;
@@ -114,7 +115,13 @@ impl Renderer {
         self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
         self.render_balls(scene, radiance);
         let (width, height, stride) = (radiance.width(), radiance.height(), radiance.stride());
-        radiance.glare.gather(self.path, &radiance.planes, stride, width, height);
+        let tile = |row: usize, column: usize| {
+            &self.past.bands[row / (BLOCK / TILE)][row % (BLOCK / TILE) * (stride / TILE) + column]
+        };
+        if self.past.bands.iter().flatten().any(|tile| tile.fresh) {
+            let source = Source { planes: &radiance.planes, stride, width, height };
+            radiance.glare.gather(self.path, source, |row, column| tile(row, column).fresh);
+        }
         self.picture.1 += 1;
         radiance.drawn = Some(self.picture);
         if sampling.is_some() {

@@ -55,8 +55,8 @@ fn develop_row(
 ) {
     let stride = radiance.stride();
     let room = stride + 2 * STEP;
-    let Some(finest) = radiance.glare.finest() else { return };
-    for (source, target) in finest.planes.iter().zip(glare.iter_mut()) {
+    let Some((finest, planes)) = radiance.glare.finest() else { return };
+    for (source, target) in planes.into_iter().zip(glare.iter_mut()) {
         target.resize(room, 0.0);
         stretch(path, source, finest, y, target);
     }
