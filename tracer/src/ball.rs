@@ -13,10 +13,10 @@ use rayon::prelude::*;
 const CHROME: Rgb = [0.86, 0.88, 0.90];
 
 /// The sky of a night room, where no panel is.
-const ROOM: Rgb = [0.050, 0.056, 0.076];
+const ROOM: Rgb = [0.115, 0.125, 0.155];
 
 /// The soft panel overhead.
-const PANEL: Rgb = [0.95, 0.92, 0.86];
+const PANEL: Rgb = [1.75, 1.70, 1.60];
 
 /// A lamp's glint is at most this often its colour.
 const GLINT: f32 = 14.0;
@@ -136,7 +136,7 @@ impl Mirror<'_> {
         for channel in 0..3 {
             let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
             let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
-            let rim = 0.10 * grazing * (1.0 + self.arriving[channel]);
+            let rim = 0.20 * grazing * (1.0 + self.arriving[channel]);
             pixel[channel] = light[channel] * mirrors * (1.0 - 0.6 * scratch) + matt * scratch * nz + rim;
         }
         pixel
