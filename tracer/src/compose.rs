@@ -4,8 +4,9 @@ use crate::albedo::{self, Albedo};
 use crate::changes::CONTACT_RADII;
 use crate::irradiance::Light;
 use crate::lanes::{LANES, clamp, clones, max};
+use crate::layer::TopLayer;
 use crate::points::{Plane, TILE};
-use crate::tile::{Stage, TopLayer, Workspace};
+use crate::tile::{Stage, Workspace};
 use crate::{Finish, Rgb, Scene};
 use geometry::DVec2;
 

@@ -3,8 +3,8 @@
 
 use crate::irradiance::Normals;
 use crate::lanes::{LANES, Lanes};
+use crate::layer::TopLayer;
 use crate::points::{Plane, Points, TILE};
-use crate::tile::TopLayer;
 
 /// The surfaces of one tile.
 #[derive(Clone, Debug, Default)]

@@ -7,20 +7,19 @@ use crate::albedo::Albedo;
 use crate::candidates::{Candidates, Cone};
 use crate::changes::Changes;
 use crate::coverage::{Edge, Form};
-use crate::irradiance::{Beam, DARKNESS, Light, Normals, light_floor, light_top};
-use crate::lanes::{LANES, Lanes, Path, clamp, max};
+use crate::gaze::Gaze;
+use crate::irradiance::{Beam, DARKNESS, Light, light_floor, light_top};
+use crate::lanes::{LANES, Lanes, Path, clamp};
+use crate::layer::{TopLayer, UNSEEN};
 use crate::memory::{Sight, TileMemory};
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
 use crate::silhouette::Silhouettes;
 use crate::surfaces::{Surface, Surfaces};
-use crate::visibility::{Intervals, Source, visible_fraction};
-use crate::{Group, Lamp, Scene, monte_carlo};
+use crate::visibility::Intervals;
+use crate::{Lamp, Scene};
 use geometry::{Bounds, DVec2};
-
-/// Below this much of a pixel, nobody sees it.
-const UNSEEN: f32 = 1.0 / 1024.0;
 
 /// Everything that the tiles of one picture have in common.
 pub(crate) struct Stage<'a> {
@@ -83,33 +82,6 @@ pub(crate) struct Workspace {
     pub(crate) printed: Albedo,
     /// The tile's radiance, when it is done.
     pub out: Light,
-}
-
-/// The part of one top that a tile shows.
-pub(crate) struct TopLayer {
-    pub form: usize,
-    pub points: Points,
-    pub coverage: Plane,
-    pub normals: Normals,
-    pub diffuse: Light,
-    pub mirrored: Light,
-    /// The art printed on it.
-    pub print: Light,
-}
-
-impl TopLayer {
-    fn new() -> TopLayer {
-        let zero = [[0.0; LANES]; TILE];
-        TopLayer {
-            form: 0,
-            points: Points::none(),
-            coverage: zero,
-            normals: Normals { x: zero, y: zero, z: zero },
-            diffuse: DARKNESS,
-            mirrored: DARKNESS,
-            print: DARKNESS,
-        }
-    }
 }
 
 impl Workspace {
@@ -395,69 +367,6 @@ impl Place {
         let half = TILE as f64 * 0.5;
         let middle_mm = view.origin_mm + (DVec2::new(x as f64, y as f64) + DVec2::splat(half)) * view.mm_per_px;
         Place { x, y, middle_mm, bounds: Bounds::of(middle_mm, middle_mm).grown((half + 1.0) * view.mm_per_px) }
-    }
-}
-
-impl TopLayer {
-    /// Packs the pixels that the outline covers and nothing above hides.
-    fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
-        self.points.count = 0;
-        let per_mm = 1.0 / mm_per_px;
-        for row in 0..TILE {
-            for i in 0..LANES {
-                let distance = edge.distance[row][i];
-                let coverage = clamp(0.5 - distance * per_mm, 0.0, 1.0) * opacity;
-                let rest = remaining[row][i];
-                if coverage * rest < UNSEEN {
-                    continue;
-                }
-                remaining[row][i] = rest * (1.0 - coverage);
-                let at = self.points.count;
-                self.points.push_pixel(row * LANES + i, mm_per_px);
-                let (block, lane) = (at / LANES, at % LANES);
-                // A quarter of a circle: upright at the edge, level at the bevel's inner end.
-                let lean = 0.96 * clamp(1.0 + distance / bevel_mm, 0.0, 1.0);
-                self.coverage[block][lane] = coverage;
-                self.normals.x[block][lane] = edge.away_x[row][i] * lean;
-                self.normals.y[block][lane] = edge.away_y[row][i] * lean;
-                self.normals.z[block][lane] = max(1.0 - lean * lean, 0.0).sqrt();
-            }
-        }
-        self.points.pad();
-    }
-}
-
-/// One lamp, looked at from one tile.
-struct Gaze<'a, 'b> {
-    stage: &'a Stage<'a>,
-    near: &'b Candidates,
-    lamp: &'a Lamp,
-    middle: DVec2,
-    corner: (usize, usize),
-    between: &'b mut Obstruction,
-    room: &'b mut Intervals,
-    fraction: &'b mut Plane,
-}
-
-impl Gaze<'_, '_> {
-    /// Finds how much of the lamp each point sees, past everything but one group.
-    fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
-        if let Some(sampling) = &self.stage.sampling {
-            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
-            return Verdict::Mixed;
-        }
-        let verdict = self.between.gather(self.near, self.stage.silhouettes, self.middle, without);
-        if verdict == Verdict::Mixed {
-            let from_tile = self.lamp.center_mm - self.middle;
-            let source =
-                Source { x: from_tile.x as f32, y: from_tile.y as f32, radius: self.lamp.radius_mm.max(0.0) as f32 };
-            self.room.reserve(self.between.intervals());
-            let Gaze { stage, between, room, fraction, .. } = self;
-            visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);
-        }
-        verdict
     }
 }
 

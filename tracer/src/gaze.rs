@@ -1,0 +1,43 @@
+//! How much of one lamp the points of one tile see.
+
+use crate::candidates::Candidates;
+use crate::obstruction::{Obstruction, Verdict};
+use crate::points::{Plane, Points};
+use crate::tile::Stage;
+use crate::visibility::{Intervals, Source, visible_fraction};
+use crate::{Group, Lamp, monte_carlo};
+use geometry::DVec2;
+
+/// One lamp, looked at from one tile.
+pub(crate) struct Gaze<'a, 'b> {
+    pub stage: &'a Stage<'a>,
+    pub near: &'b Candidates,
+    pub lamp: &'a Lamp,
+    pub middle: DVec2,
+    pub corner: (usize, usize),
+    pub between: &'b mut Obstruction,
+    pub room: &'b mut Intervals,
+    pub fraction: &'b mut Plane,
+}
+
+impl Gaze<'_, '_> {
+    /// Finds how much of the lamp each point sees, past everything but one group.
+    pub fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
+        if let Some(sampling) = &self.stage.sampling {
+            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
+            let occluders = &self.stage.scene.occluders;
+            sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
+            return Verdict::Mixed;
+        }
+        let verdict = self.between.gather(self.near, self.stage.silhouettes, self.middle, without);
+        if verdict == Verdict::Mixed {
+            let from_tile = self.lamp.center_mm - self.middle;
+            let source =
+                Source { x: from_tile.x as f32, y: from_tile.y as f32, radius: self.lamp.radius_mm.max(0.0) as f32 };
+            self.room.reserve(self.between.intervals());
+            let Gaze { stage, between, room, fraction, .. } = self;
+            visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);
+        }
+        verdict
+    }
+}
