@@ -120,6 +120,9 @@ pub struct Finish {
     pub emission: Rgb,
     /// How much of it there is: 1 is solid, 0 is not there (a drop target that has fallen).
     pub opacity: f32,
+    /// How much of the light below it comes through, in the colour of its albedo: 0 for wood, most of it for a printed
+    /// plastic.
+    pub translucency: f32,
 }
 
 /// A surface's form in cross section.
@@ -178,6 +181,8 @@ pub struct Floor {
     pub floor: Vec<[u8; 4]>,
     /// Plastics and caps above it: transparent where there is none.
     pub tops: Vec<[u8; 4]>,
+    /// Which way the floor leans: the horizontal part of its unit normal, x and y, 127 is 1. Empty for a flat floor.
+    pub normals: Vec<[i8; 2]>,
 }
 
 impl Mask {
@@ -194,5 +199,6 @@ impl Floor {
         (self.width, self.height) == (scene.view.width, scene.view.height)
             && self.floor.len() == pixels
             && self.tops.len() == pixels
+            && (self.normals.is_empty() || self.normals.len() == pixels)
     }
 }

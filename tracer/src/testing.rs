@@ -76,7 +76,7 @@ pub fn roll(scene: &mut Scene, by_mm: DVec2) {
 
 /// Floor art and inserts for `view`.
 pub fn props(view: &View) -> Props {
-    let mut floor = Floor { width: view.width, height: view.height, floor: Vec::new(), tops: Vec::new() };
+    let mut floor = Floor { width: view.width, height: view.height, floor: Vec::new(), ..Floor::default() };
     for y in 0..view.height {
         for x in 0..view.width {
             let at = view.table_from_pixel(x, y);
@@ -148,6 +148,7 @@ const METAL: Finish = Finish {
     art: false,
     emission: [0.0; 3],
     opacity: 1.0,
+    translucency: 0.0,
 };
 const RUBBER: Finish = Finish { albedo: [0.82, 0.80, 0.76], gloss: 0.25, ..METAL };
 const WOOD: Finish = Finish { albedo: [0.10, 0.09, 0.10], gloss: 0.35, profile: Profile::Bevel(2.0), ..METAL };

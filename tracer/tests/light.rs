@@ -10,7 +10,7 @@ const SIDE: usize = 96;
 
 fn white() -> Floor {
     let pixels = vec![[255; 4]; SIDE * SIDE];
-    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels }
+    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new() }
 }
 
 /// 96 x 96 mm around the origin, one lamp 60 mm above the middle of the view.
@@ -154,6 +154,7 @@ fn a_top_is_not_darkened_by_its_own_group() {
         art: false,
         emission: [0.0; 3],
         opacity: 1.0,
+        translucency: 0.0,
     };
     scene.tops.push(Top { outline: Outline::Shape(shape), group: Group(3), finish });
     let open = rendered(&scene);
@@ -179,6 +180,7 @@ fn a_flat_white_top_is_as_bright_as_a_white_floor() {
         art: false,
         emission: [0.0; 3],
         opacity: 1.0,
+        translucency: 0.0,
     };
     let outline = [(-15.0, 0.0), (15.0, 0.0), (15.0, 25.0), (-15.0, 25.0)].map(|(x, y)| DVec2::new(x, y));
     scene.tops.push(Top { outline: Outline::Polygon(outline.to_vec()), group: Group(3), finish });
@@ -226,6 +228,7 @@ fn degenerate_scenes_give_numbers() {
             art: true,
             emission: [0.0; 3],
             opacity: 0.5,
+            translucency: 0.0,
         };
         scene.tops.push(Top { outline: Outline::Shape(shape), group: Group(group as u16), finish });
         scene.tops.push(Top { outline: Outline::Polygon(vec![at; group]), group: Group(1), finish });

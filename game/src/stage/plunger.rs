@@ -20,7 +20,7 @@ const RUBBER: Finish = finish([0.06, 0.06, 0.07], 0.15);
 const WIRE: Finish = finish([0.42, 0.41, 0.38], 0.7);
 
 const fn finish(albedo: [f32; 3], gloss: f32) -> Finish {
-    Finish { albedo, profile: Profile::Dome, gloss, art: false, emission: [0.0; 3], opacity: 1.0 }
+    Finish { albedo, profile: Profile::Dome, gloss, art: false, emission: [0.0; 3], opacity: 1.0, translucency: 0.0 }
 }
 
 /// Where a plunger's rod slides.

@@ -32,6 +32,8 @@ pub(super) struct FinishWords {
     pub gloss: Option<f32>,
     pub profile: Option<Profile>,
     pub opacity: Option<f32>,
+    /// How much of the light below comes through.
+    pub translucency: Option<f32>,
     /// sRGB.
     pub emission: Option<[u8; 3]>,
     pub emission_power: Option<f32>,

@@ -98,7 +98,7 @@ fn plastic(thing: &Thing) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String> {
 /// How a thing looks: what its finish says, else its class's usual form, in the colour that it is drawn in.
 fn finish(thing: &Thing, numbers: &Numbers) -> Finish {
     let words = numbers.finish(thing.class, &thing.name).cloned().unwrap_or_default();
-    let FinishWords { albedo, gloss, profile, opacity, emission, emission_power } = words;
+    let FinishWords { albedo, gloss, profile, opacity, translucency, emission, emission_power } = words;
     let (usual_profile, usual_gloss) = usual(thing.class);
     let art = thing.class == Class::Plastic;
     // A plastic's colours are in its art, which the albedo multiplies.
@@ -111,6 +111,7 @@ fn finish(thing: &Thing, numbers: &Numbers) -> Finish {
         art,
         emission: emission.map_or([0.0; 3], |color| linear(color).map(|light| light * power)),
         opacity: opacity.unwrap_or(1.0),
+        translucency: translucency.unwrap_or(0.0),
     }
 }
 

@@ -157,13 +157,16 @@ impl Reader<'_> {
                 "albedo" => finish.albedo = self.color("albedo", value),
                 "gloss" => finish.gloss = self.number("gloss", value, 0.0..=1.0).map(|x| x as f32),
                 "opacity" => finish.opacity = self.number("opacity", value, 0.0..=1.0).map(|x| x as f32),
+                "translucency" => {
+                    finish.translucency = self.number("translucency", value, 0.0..=1.0).map(|x| x as f32);
+                }
                 "emission" => finish.emission = self.color("emission", value),
                 "emission_power" => {
                     finish.emission_power = self.number("emission_power", value, 0.0..=100.0).map(|x| x as f32);
                 }
                 "profile" => finish.profile = self.profile(value),
                 other => {
-                    let known = "albedo, gloss, profile, opacity, emission, emission_power";
+                    let known = "albedo, gloss, profile, opacity, translucency, emission, emission_power";
                     self.unknown(key.span().start, other, known);
                 }
             }
