@@ -16,7 +16,7 @@ use rayon::ThreadPool;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;
-use tracer::{Frame, Radiance, Renderer, View, tone};
+use tracer::{Film, Frame, Renderer, Step, View};
 
 /// The factor from the table's light to the film's; the same for every picture, so that a lamp that goes out makes the
 /// table darker.
@@ -59,8 +59,8 @@ struct Scenery {
     placement: Placement,
     view: View,
     printed: Printed,
-    radiance: Radiance,
-    playfield: Frame,
+    /// The playfield.
+    film: Film,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
     shift: (i32, i32),
 }
@@ -109,20 +109,29 @@ impl Picture {
         if let Some(scenery) = &mut self.scenery {
             let scene = self.stage.scene(&self.table, &moment, scenery.view, &scenery.printed);
             let staged = now();
-            let (renderer, radiance) = (&mut self.renderer, &mut scenery.radiance);
+            let (renderer, film, times) = (&mut self.renderer, &mut scenery.film, &mut self.times);
+            times.stage_ms = ms(start, staged);
+            let mut last = staged;
+            let mut clock = |step: Step| {
+                let now = now();
+                let time_ms = match step {
+                    Step::Prepared => &mut times.prepare_ms,
+                    Step::Shaded => &mut times.shadows_ms,
+                    Step::Mirrored => &mut times.balls_ms,
+                    Step::Glared => &mut times.glare_ms,
+                    Step::Developed => &mut times.develop_ms,
+                };
+                *time_ms = ms(last, now);
+                last = now;
+            };
             self.pool.install(|| match self.reference {
-                Some(sampling) => renderer.render_monte_carlo(&scene, sampling, radiance),
-                None => renderer.render(&scene, radiance),
+                Some(sampling) => renderer.draw_monte_carlo(&scene, sampling, EXPOSURE, film),
+                None => renderer.draw_watched(&scene, EXPOSURE, film, &mut clock),
             });
-            let lit = now();
-            self.pool.install(|| tone::map(radiance, EXPOSURE, &mut scenery.playfield));
-            self.times.stage_ms = ms(start, staged);
-            self.times.light_ms = ms(staged, lit);
-            self.times.tone_ms = ms(lit, now());
         }
-        let toned = now();
+        let drawn = now();
         self.compose(&moment, chrome);
-        self.times.hud_ms = ms(toned, now());
+        self.times.hud_ms = ms(drawn, now());
         Ok(&self.frame)
     }
 
@@ -137,8 +146,7 @@ impl Picture {
         // The new art may lie in memory where the old art lay.
         self.renderer.forget();
         self.hud.fit(placement, &mut self.frame);
-        let (radiance, playfield) = (Radiance::new(view.width, view.height), Frame::new(view.width, view.height));
-        self.scenery = Some(Scenery { placement, view, printed, radiance, playfield, shift: (0, 0) });
+        self.scenery = Some(Scenery { placement, view, printed, film: Film::default(), shift: (0, 0) });
         Ok(())
     }
 
@@ -153,7 +161,7 @@ impl Picture {
         }
         let place: Rect = scenery.placement.table.moved(shift.0, shift.1);
         let mut canvas = Canvas::new(&mut self.frame);
-        canvas.within(scenery.placement.well).copy(&scenery.playfield, place, (0, 0));
+        canvas.within(scenery.placement.well).copy(scenery.film.frame(), place, (0, 0));
         self.hud.draw_around(&self.table, moment, chrome, &mut self.frame);
         self.hud.draw_over(&self.table, moment, chrome, &mut self.frame);
     }

@@ -4,7 +4,10 @@
 //! lit already; rays that go up meet the lamps, or a dim room with one soft panel overhead, so that a ball has a bright
 //! spot and a rim even where no lamp reaches it. Scratches turn with the ball.
 
+use crate::glare::{Level, STEP};
+use crate::irradiance::Light;
 use crate::lanes::{clamp, max};
+use crate::points::TILE;
 use crate::{Ball, Lamp, Rgb, View};
 use geometry::DVec2;
 use rayon::prelude::*;
@@ -51,12 +54,12 @@ pub(crate) struct Patch {
     pixels: Vec<[f32; 4]>,
 }
 
-/// The lit table below the balls.
+/// The lit table below the balls, in the cells of the glare: a ball shows it so small that they are fine enough.
 #[derive(Clone, Copy)]
 pub(crate) struct Table<'a> {
     pub view: &'a View,
-    pub planes: &'a [Vec<f32>; 3],
-    pub stride: usize,
+    pub level: &'a Level,
+    pub planes: [&'a [f32]; 3],
     pub ambient: Rgb,
 }
 
@@ -86,17 +89,39 @@ impl Patch {
         });
     }
 
-    /// Puts the ball on the picture.
-    pub fn blend(&self, planes: &mut [Vec<f32>; 3], stride: usize) {
-        if self.width == 0 {
-            return;
-        }
-        for (row, pixels) in self.pixels.chunks(self.width).enumerate() {
-            let start = (self.y + row) * stride + self.x;
-            for (column, pixel) in pixels.iter().enumerate() {
-                for (plane, light) in planes.iter_mut().zip(pixel) {
-                    let out = &mut plane[start + column];
+    /// Puts the ball on a tile of the picture, given by its upper left pixel.
+    pub fn blend(&self, x: usize, y: usize, tile: &mut Light) {
+        let height = self.pixels.len().checked_div(self.width).unwrap_or(0);
+        for line in self.y.max(y)..(self.y + height).min(y + TILE) {
+            for column in self.x.max(x)..(self.x + self.width).min(x + TILE) {
+                let pixel = &self.pixels[(line - self.y) * self.width + column - self.x];
+                for (plane, light) in tile.iter_mut().zip(pixel) {
+                    let out = &mut plane[line - y][column - x];
                     *out += (light - *out) * pixel[3];
+                }
+            }
+        }
+    }
+
+    /// The upper left pixels of the tiles that the ball is on.
+    pub fn tiles(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let height = self.pixels.len().checked_div(self.width).unwrap_or(0);
+        let first = |at: usize| at / TILE * TILE;
+        let (x, y, right, bottom) = (first(self.x), first(self.y), self.x + self.width, self.y + height);
+        let rows = if height == 0 { y..y } else { y..bottom };
+        rows.step_by(TILE).flat_map(move |y| (x..right).step_by(TILE).map(move |x| (x, y)))
+    }
+
+    /// Puts the ball into the means of the picture's cells: rows of cells without the upper border.
+    pub fn blend_means(&self, level: &Level, planes: [&mut [f32]; 3]) {
+        for (row, pixels) in self.pixels.chunks(self.width.max(1)).enumerate() {
+            let line = (self.y + row) / STEP * level.stride + 1;
+            for (column, pixel) in pixels.iter().enumerate() {
+                // A pixel is a sixteenth of its cell; pixel after pixel, what is there gives way.
+                let part = pixel[3] * (1.0 / (STEP * STEP) as f32);
+                let at = line + (self.x + column) / STEP;
+                for channel in 0..3 {
+                    planes[channel][at] += (pixel[channel] - planes[channel][at]) * part;
                 }
             }
         }
@@ -159,22 +184,24 @@ impl Mirror<'_> {
         [0, 1, 2].map(|channel| floor[channel] + (sky[channel] - floor[channel]) * far * far)
     }
 
-    /// The light of the floor at a point, between the four nearest pixels.
+    /// The light of the floor at a point, between the four nearest cells.
     fn floor(&self, point_mm: DVec2) -> Rgb {
-        let Table { view, planes, stride, .. } = self.table;
-        let place = view.screen_from_table(point_mm) - DVec2::splat(0.5);
-        let (right, bottom) = ((view.width - 1) as f64, (view.height - 1) as f64);
+        let Table { view, level, planes, .. } = self.table;
+        let place = view.screen_from_table(point_mm) * (1.0 / STEP as f64) - DVec2::splat(0.5);
+        let (right, bottom) = ((level.width - 1) as f64, (level.height - 1) as f64);
         let outside = (-place.x).max(place.x - right).max(-place.y).max(place.y - bottom).max(0.0);
-        let fade = (1.0 - outside * view.mm_per_px * 0.05).max(0.0) as f32;
+        let fade = (1.0 - outside * STEP as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
         let (x, y) = (place.x.clamp(0.0, right), place.y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
         let (across, down) = ((x - left as f64) as f32, (y - top as f64) as f32);
-        let next_x = (left + 1).min(view.width - 1);
-        let next_y = (top + 1).min(view.height - 1);
+        let next_x = (left + 1).min(level.width - 1);
+        let next_y = (top + 1).min(level.height - 1);
         [0, 1, 2].map(|channel: usize| {
-            let plane = &planes[channel];
+            let plane = planes[channel];
             let blend = |row: usize| {
-                let (a, b) = (plane[row * stride + left], plane[row * stride + next_x]);
+                // The plane has a border of one cell.
+                let row = (row + 1) * level.stride + 1;
+                let (a, b) = (plane[row + left], plane[row + next_x]);
                 a + (b - a) * across
             };
             let (above, below) = (blend(top), blend(next_y));

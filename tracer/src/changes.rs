@@ -27,10 +27,10 @@ struct Inlay {
 
 impl Inlay {
     fn new(glow: &Glow) -> Inlay {
-        let Mask { x, y, width, coverage } = glow.mask;
+        let &Mask { x, y, width, .. } = glow.mask;
         let height = glow.mask.height();
-        let mask = (coverage.as_ptr() as usize, coverage.len());
-        Inlay { mask, color: glow.color, pixels: [*x, *y, x + width, y + height] }
+        let mask = glow.mask.place();
+        Inlay { mask, color: glow.color, pixels: [x, y, x + width, y + height] }
     }
 }
 
@@ -50,7 +50,7 @@ pub(crate) struct Changes {
     balls: Vec<Ball>,
     ambient: Rgb,
     view: Option<View>,
-    art: [usize; 6],
+    art: [usize; 8],
     /// The glows of this picture, kept for the next.
     next: Vec<Inlay>,
     /// Whether all is different.
@@ -61,7 +61,7 @@ pub(crate) struct Changes {
     glows: Vec<[usize; 4]>,
     /// Where a ball is or was, and how far it darkens the floor.
     contacts: Vec<(DVec2, f64)>,
-    /// Where tops are or were that do not look as they did.
+    /// Where tops are whose own light is not what it was.
     pub tops: Vec<Bounds>,
 }
 
@@ -72,7 +72,8 @@ impl Changes {
     pub fn turn_page(&mut self, scene: &Scene, number: impl FnMut(&Lamp) -> usize) {
         let floor = scene.floor;
         let (below, above) = (floor.floor.as_ptr() as usize, floor.tops.as_ptr() as usize);
-        let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len()];
+        let (leans, gloss) = (floor.normals.as_ptr() as usize, floor.gloss.to_bits() as usize);
+        let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len(), leans, gloss];
         self.everything = self.art != art || self.ambient != scene.ambient || self.view != Some(scene.view);
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
         self.compare_lamps(scene, number);
@@ -134,9 +135,11 @@ impl Changes {
     }
 
     /// Whether the tile at `place` may look different; `memory` is what it saw in the last picture and still sees.
-    pub fn reach(&self, place: &Place, mm_per_px: f64, memory: &TileMemory) -> bool {
-        let &Place { x, y, middle_mm, ref bounds } = place;
-        let radius = TILE as f64 * mm_per_px + MARGIN_MM;
+    pub fn reach(&self, place: &Place, memory: &mut TileMemory) -> bool {
+        let &Place { x, y, middle_mm, radius_mm, ref bounds } = place;
+        let radius = radius_mm * std::f64::consts::SQRT_2 + MARGIN_MM;
+        let shines = self.tops.iter().any(|top| top.overlaps(bounds));
+        memory.base.holds &= !shines;
         let within = |&(center, reach): &(DVec2, f64)| {
             let square = (reach + radius) * (reach + radius);
             // What is not a number is near.
@@ -144,7 +147,8 @@ impl Changes {
         };
         let seen = |flash: &Flash| !flash.number.is_some_and(|number| memory.is_dark(number));
         self.everything
-            || self.tops.iter().any(|top| top.overlaps(bounds))
+            || shines
+            || !memory.base.holds
             || self.contacts.iter().any(within)
             || self.flashes.iter().any(|flash| within(&flash.circle) && seen(flash))
             || self

@@ -1,51 +1,105 @@
-//! What the eye sees of a tile whose light is found: the floor with its glowing inserts, and the tops over it.
+//! The tile's pictures that no lamp above the floor makes: light from everywhere, light of its own, inserts that glow.
 
-use crate::albedo::{self, Albedo};
+use crate::albedo;
 use crate::changes::CONTACT_RADII;
-use crate::irradiance::Light;
-use crate::lanes::{LANES, clamp, clones, max};
+use crate::irradiance::{DARKNESS, light_floor_ambient, light_top_ambient};
+use crate::lanes::{LANES, max};
 use crate::layer::TopLayer;
-use crate::points::{Plane, TILE};
-use crate::tile::{Stage, Workspace};
-use crate::{Finish, Rgb, Scene};
-use geometry::DVec2;
+use crate::points::TILE;
+use crate::tile::{Place, Stage, Workspace, scatter};
+use crate::Mask;
 
 impl Workspace {
-    /// Puts the lit floor into `out`.
-    pub(crate) fn compose_floor(&mut self, stage: &Stage, x: usize, y: usize, middle: DVec2, layers: usize) {
+    /// Reads the art of the tile, and how its floor leans, for the surfaces that were recalled.
+    pub(crate) fn read_art(&mut self, stage: &Stage, place: &Place, layers: usize) {
         let scene = stage.scene;
-        let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
         let floor = scene.floor;
+        let &Place { x, y, .. } = place;
+        let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
         if floor.fits(scene) {
             albedo::read_opaque(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
+            self.art.repeat_edges(width, height);
             if self.tops[..layers].iter().any(|top| scene.tops[top.form].finish.art) {
                 albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
+                self.printed.repeat_edges(width, height);
             }
         } else {
             self.art.color = [[[0.5; LANES]; TILE]; 3];
             self.printed.alpha = [[0.0; LANES]; TILE];
         }
-        if !self.whole {
-            for (spread, light) in self.spread.iter_mut().zip(&self.floor_light) {
-                *spread = [[0.0; LANES]; TILE];
-                for (point, &pixel) in self.floor.pixel[..self.floor.count].iter().enumerate() {
-                    let pixel = usize::from(pixel);
-                    spread[pixel / LANES][pixel % LANES] = light[point / LANES][point % LANES];
+        let leans = floor.fits(scene) && !floor.normals.is_empty();
+        self.pack_floor(leans.then_some((floor.normals.as_slice(), floor.width)), place, width, height);
+        for layer in &mut self.tops[..layers] {
+            if scene.tops[layer.form].finish.art {
+                layer.take_print(&self.printed);
+            } else {
+                layer.surface.albedo = [[[1.0; LANES]; TILE]; 3];
+            }
+        }
+    }
+
+    /// Packs the floor's art, weight and normals at its points.
+    fn pack_floor(&mut self, normals: Option<(&[[i8; 2]], usize)>, place: &Place, width: usize, height: usize) {
+        let ground = &mut self.ground;
+        ground.leans = false;
+        let count = if self.whole { TILE * LANES } else { self.floor.count };
+        if self.whole {
+            ground.albedo.copy_from_slice(&self.art.color);
+            ground.weight.copy_from_slice(&self.remaining);
+        } else {
+            for (at, &pixel) in self.floor.pixel[..count].iter().enumerate() {
+                let (row, i) = (usize::from(pixel) / LANES, usize::from(pixel) % LANES);
+                let (block, lane) = (at / LANES, at % LANES);
+                ground.weight[block][lane] = self.remaining[row][i];
+                for (packed, art) in ground.albedo.iter_mut().zip(&self.art.color) {
+                    packed[block][lane] = art[row][i];
                 }
             }
         }
-        let light = if self.whole { &self.floor_light } else { &self.spread };
-        reflect(stage.path, &self.art.color, light, scene.ambient, &mut self.out);
-        self.add_contact_shadows(stage, middle);
-        self.add_glows(scene, x, y);
+        let blocks = count.div_ceil(LANES);
+        for plane in [&mut ground.normals.x, &mut ground.normals.y] {
+            plane[..blocks].fill([0.0; LANES]);
+        }
+        ground.normals.z[..blocks].fill([1.0; LANES]);
+        let Some((normals, stride)) = normals else { return };
+        for at in 0..count {
+            let pixel = if self.whole { at } else { usize::from(self.floor.pixel[at]) };
+            let (row, column) = ((pixel / LANES).min(height - 1), (pixel % LANES).min(width - 1));
+            let [x, y] = normals[(place.y + row) * stride + place.x + column];
+            if x != 0 || y != 0 {
+                let (x, y) = (f32::from(x) * (1.0 / 127.0), f32::from(y) * (1.0 / 127.0));
+                let (block, lane) = (at / LANES, at % LANES);
+                ground.normals.x[block][lane] = x;
+                ground.normals.y[block][lane] = y;
+                ground.normals.z[block][lane] = max(1.0 - x * x - y * y, 0.0).sqrt();
+                ground.leans = true;
+            }
+        }
     }
 
-    /// Darkens the floor where a ball hides the sky: a sphere that rests on it, seen from the floor, hides the part
-    /// `(r / s)^2 cos`, s being the distance of its middle.
-    fn add_contact_shadows(&mut self, stage: &Stage, middle: DVec2) {
+    /// Puts the tile in the light from everywhere, with the light of tops of their own, into [`Workspace::picture`].
+    pub(crate) fn light_from_everywhere(&mut self, stage: &Stage, layers: usize) {
+        let (path, ambient) = (stage.path, stage.scene.ambient);
+        if self.whole {
+            light_floor_ambient(path, TILE, &self.ground, ambient, &mut self.picture);
+        } else {
+            self.picture = DARKNESS;
+            light_floor_ambient(path, self.floor.blocks(), &self.ground, ambient, &mut self.packed);
+            scatter(&self.floor, &self.packed, &mut self.picture);
+        }
+        for TopLayer { form, points, surface } in &self.tops[..layers] {
+            let finish = &stage.scene.tops[*form].finish;
+            light_top_ambient(path, points.blocks(), surface, finish, ambient, &mut self.packed);
+            scatter(points, &self.packed, &mut self.picture);
+        }
+    }
+
+    /// Darkens what is in [`Workspace::out`] where a ball hides the sky: a sphere that rests on the floor, seen from
+    /// there, hides the part `(r / s)^2 cos`, s being the distance of its middle.
+    pub(crate) fn shade_contacts(&mut self, stage: &Stage, place: &Place) {
         for ball in &stage.scene.balls {
-            let from_tile = ball.center_mm - middle;
-            let reach = ball.radius_mm * CONTACT_RADII + TILE as f64 * stage.scene.view.mm_per_px;
+            let from_tile = ball.center_mm - place.middle_mm;
+            let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
             let near = from_tile.length_squared() < reach * reach;
             if !near {
                 continue;
@@ -65,115 +119,51 @@ impl Workspace {
         }
     }
 
-    /// Adds the inserts that glow, as light through the art that is printed on them.
-    fn add_glows(&mut self, scene: &Scene, x: usize, y: usize) {
-        for glow in &scene.glows {
-            let mask = glow.mask;
-            let columns = mask.x.max(x)..(mask.x + mask.width).min(x + TILE);
-            let lines = mask.y.max(y)..(mask.y + mask.height()).min(y + TILE);
-            for line in lines {
-                for column in columns.clone() {
-                    let coverage = mask.coverage[(line - mask.y) * mask.width + column - mask.x];
-                    if coverage == 0 {
-                        continue;
-                    }
-                    let (row, i) = (line - y, column - x);
-                    let art = [0, 1, 2].map(|channel: usize| self.art.color[channel][row][i]);
-                    let luminance = 0.2126 * art[0] + 0.7152 * art[1] + 0.0722 * art[2];
-                    let strength = f32::from(coverage) * (1.0 / 255.0);
-                    for channel in 0..3 {
-                        let through = 0.15 + 0.45 * luminance + 0.4 * art[channel];
-                        self.out[channel][row][i] += glow.color[channel] * strength * through;
-                    }
+    /// Puts the light of an insert, of the colour white, through the art that is printed on it, into
+    /// [`Workspace::picture`].
+    pub(crate) fn glow(&mut self, place: &Place, mask: &Mask) {
+        self.picture = DARKNESS;
+        let &Place { x, y, .. } = place;
+        let columns = mask.x.max(x)..(mask.x + mask.width).min(x + TILE);
+        let lines = mask.y.max(y)..(mask.y + mask.height()).min(y + TILE);
+        for line in lines {
+            for column in columns.clone() {
+                let coverage = mask.coverage[(line - mask.y) * mask.width + column - mask.x];
+                if coverage == 0 {
+                    continue;
+                }
+                let (row, i) = (line - y, column - x);
+                let art = [0, 1, 2].map(|channel: usize| self.art.color[channel][row][i]);
+                let luminance = 0.2126 * art[0] + 0.7152 * art[1] + 0.0722 * art[2];
+                let strength = f32::from(coverage) * (1.0 / 255.0) * self.remaining[row][i];
+                for channel in 0..3 {
+                    let through = 0.15 + 0.45 * luminance + 0.4 * art[channel];
+                    self.picture[channel][row][i] = strength * through;
                 }
             }
         }
     }
+}
 
-    /// Puts a top over what is in `out`.
-    pub(crate) fn compose_top(&mut self, stage: &Stage, layer: usize) {
-        let layer = &mut self.tops[layer];
-        let finish = &stage.scene.tops[layer.form].finish;
-        if finish.art {
-            layer.take_print(&self.printed);
-        }
-        let TopLayer { points, normals, diffuse, mirrored, print, .. } = layer;
-        let print = finish.art.then_some(&*print);
-        shine(stage.path, points.blocks(), finish, stage.scene.ambient, &normals.z, print, mirrored, diffuse);
-        for point in 0..points.count {
-            let (block, lane) = (point / LANES, point % LANES);
-            let pixel = usize::from(points.pixel[point]);
-            let (row, i) = (pixel / LANES, pixel % LANES);
-            let coverage = layer.coverage[block][lane];
-            for channel in 0..3 {
-                let out = &mut self.out[channel][row][i];
-                *out += (layer.diffuse[channel][block][lane] - *out) * coverage;
+impl albedo::Albedo {
+    /// Beyond the picture's edge, tiles show what is at the edge.
+    fn repeat_edges(&mut self, width: usize, height: usize) {
+        for plane in self.color.iter_mut().chain([&mut self.alpha]) {
+            for row in 0..TILE {
+                if row >= height {
+                    plane[row] = plane[height - 1];
+                }
+                let last = plane[row][width - 1];
+                plane[row][width..].fill(last);
             }
         }
     }
 }
 
-clones! {
-    /// What the floor sends on of the light that arrives and of the light from everywhere.
-    fn reflect(albedo: &Light, light: &Light, ambient: Rgb, out: &mut Light) = reflect_lanes;
-}
-
-#[inline(always)]
-fn reflect_lanes(albedo: &Light, light: &Light, ambient: Rgb, out: &mut Light) {
-    for channel in 0..3 {
-        for row in 0..TILE {
-            for i in 0..LANES {
-                out[channel][row][i] = albedo[channel][row][i] * (light[channel][row][i] + ambient[channel]);
-            }
-        }
-    }
-}
-
-clones! {
-    /// What a top sends on, in place of the diffuse light that arrives.
-    fn shine(
-        blocks: usize, finish: &Finish, ambient: Rgb, up: &Plane, print: Option<&Light>, mirrored: &Light,
-        diffuse: &mut Light,
-    ) = shine_lanes;
-}
-
-#[inline(always)]
-fn shine_lanes(
-    blocks: usize,
-    finish: &Finish,
-    ambient: Rgb,
-    up: &Plane,
-    print: Option<&Light>,
-    mirrored: &Light,
-    diffuse: &mut Light,
-) {
-    let gloss = clamp(finish.gloss, 0.0, 1.0);
-    for channel in 0..3 {
-        let (albedo, emission, ambient) = (finish.albedo[channel], finish.emission[channel], ambient[channel]);
-        for block in 0..blocks {
-            let art = print.map_or([1.0; LANES], |print| print[channel][block]);
-            let (up, mirrored, light) = (&up[block], &mirrored[channel][block], &mut diffuse[channel][block]);
-            for i in 0..LANES {
-                let albedo = albedo * art[i];
-                // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
-                let tint = 0.3 + (albedo - 0.3) * gloss;
-                let scattered = albedo * (1.0 - 0.4 * gloss) * (light[i] + ambient * (0.5 + 0.5 * up[i]));
-                light[i] = scattered + 2.5 * gloss * tint * mirrored[i] + emission * art[i];
-            }
-        }
-    }
-}
-
-impl TopLayer {
-    /// Packs the art at the layer's points: white where nothing is printed.
-    fn take_print(&mut self, printed: &Albedo) {
-        for point in 0..self.points.count {
-            let pixel = usize::from(self.points.pixel[point]);
-            let (row, i) = (pixel / LANES, pixel % LANES);
-            let alpha = printed.alpha[row][i];
-            for (print, color) in self.print.iter_mut().zip(&printed.color) {
-                print[point / LANES][point % LANES] = 1.0 + (color[row][i] - 1.0) * alpha;
-            }
-        }
-    }
+/// Whether a ball stands so near that it darkens the tile.
+pub(crate) fn has_contacts(stage: &Stage, place: &Place) -> bool {
+    stage.scene.balls.iter().any(|ball| {
+        let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
+        ball.center_mm.distance_squared(place.middle_mm) < reach * reach
+    })
 }

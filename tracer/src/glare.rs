@@ -17,11 +17,20 @@ const LEVELS: usize = 5;
 const WEIGHTS: [f32; LEVELS] = [0.34, 0.26, 0.19, 0.13, 0.08];
 
 /// The glare of a picture.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pyramid {
     levels: Vec<Level>,
     /// Red, green, blue: the planes of every level.
     channels: [Vec<Planes>; 3],
+    /// The glare that was taken before this one.
+    before: [Vec<f32>; 3],
+}
+
+/// The same glare, whatever was there before.
+impl PartialEq for Pyramid {
+    fn eq(&self, other: &Pyramid) -> bool {
+        self.levels == other.levels && self.channels == other.channels
+    }
 }
 
 /// The size of a level, whose planes have one cell of border on every side.
@@ -52,19 +61,6 @@ impl Planes {
     }
 }
 
-/// The picture that the glare is taken of.
-#[derive(Clone, Copy)]
-pub(crate) struct Source<'a> {
-    /// Red, green, blue.
-    pub planes: &'a [Vec<f32>; 3],
-    /// Numbers from row to row.
-    pub stride: usize,
-    /// Pixels across.
-    pub width: usize,
-    /// Pixels down.
-    pub height: usize,
-}
-
 impl Pyramid {
     /// Makes room for the glare of a picture of this size.
     pub fn resize(&mut self, width: usize, height: usize) {
@@ -76,6 +72,7 @@ impl Pyramid {
             size = (width.div_ceil(2), height.div_ceil(2));
         }
         self.channels = [0; 3].map(|_| self.levels.iter().map(Planes::new).collect());
+        self.before = [0; 3].map(|_| self.channels[0].first().map_or(Vec::new(), |finest| finest.glare.clone()));
     }
 
     /// The finest level, which holds the sum.
@@ -85,93 +82,68 @@ impl Pyramid {
         Some((self.levels.first()?, planes.map(|planes| planes.glare.as_slice())))
     }
 
-    /// Takes the glare of a picture, in which only those tiles are new that `is_fresh`, asked for their row and column,
-    /// says to be.
-    pub fn gather(&mut self, path: Path, source: Source, is_fresh: impl Fn(usize, usize) -> bool + Sync) {
+    /// The picture's own light in the finest level, with its border.
+    pub fn means(&self) -> Option<(&Level, [&[f32]; 3])> {
+        let [red, green, blue] = &self.channels;
+        let planes = [red.first()?, green.first()?, blue.first()?];
+        Some((self.levels.first()?, planes.map(|planes| planes.means.as_slice())))
+    }
+
+    /// The same, to be written: rows of [`Level::stride`] cells, the first cell of each being border.
+    pub fn means_mut(&mut self) -> Option<(Level, [&mut [f32]; 3])> {
+        let level = *self.levels.first()?;
+        let [red, green, blue] = &mut self.channels;
+        let planes = [red.first_mut()?, green.first_mut()?, blue.first_mut()?];
+        let rows = level.stride..(level.height + 1) * level.stride;
+        Some((level, planes.map(|planes| &mut planes.means[rows.clone()])))
+    }
+
+    /// Takes the glare of the picture whose means were written.
+    pub fn gather(&mut self, path: Path) {
         let levels = &self.levels;
-        self.channels.par_iter_mut().zip(source.planes).for_each(|(channel, light)| {
+        self.channels.par_iter_mut().zip(&mut self.before).for_each(|(channel, before)| {
             if let (Some(level), Some(planes)) = (levels.first(), channel.first_mut()) {
-                shrink(path, light, source, &mut planes.means, level, &is_fresh);
+                border(&mut planes.means, level);
+                std::mem::swap(before, &mut planes.glare);
             }
             for at in 1..levels.len() {
                 let (finer, coarser) = channel.split_at_mut(at);
-                descend(&finer[at - 1].means, &levels[at - 1], &mut coarser[0].means, &levels[at]);
+                descend(path, &finer[at - 1].means, &levels[at - 1], &mut coarser[0].means, &levels[at]);
+                border(&mut coarser[0].means, &levels[at]);
             }
             for at in (0..levels.len()).rev() {
                 let (finer, coarser) = channel.split_at_mut(at + 1);
                 let Planes { means, scratch, glare } = &mut finer[at];
                 smooth(path, means, scratch, glare, &levels[at], WEIGHTS[at]);
                 if let Some(coarse) = coarser.first() {
-                    ascend(glare, &levels[at], &coarse.glare, &levels[at + 1]);
+                    ascend(path, glare, &levels[at], &coarse.glare, &levels[at + 1]);
                 }
                 border(glare, &levels[at]);
             }
         });
     }
-}
 
-/// Takes the means of the new tiles of one channel.
-fn shrink(
-    path: Path,
-    light: &[f32],
-    source: Source,
-    means: &mut [f32],
-    level: &Level,
-    is_fresh: impl Fn(usize, usize) -> bool + Sync,
-) {
-    let Source { stride, width, height, .. } = source;
-    let cells = &mut means[level.stride..(level.height + 1) * level.stride];
-    cells.par_chunks_mut(level.stride * (TILE / STEP)).enumerate().for_each(|(tile_row, cells)| {
-        let columns = width.div_ceil(TILE);
-        let mut column = 0;
-        while column < columns {
-            let from = column;
-            while column < columns && is_fresh(tile_row, column) {
-                column += 1;
-            }
-            let pixels = from * TILE..(column * TILE).min(width);
-            if pixels.is_empty() {
-                column += 1;
-                continue;
-            }
-            for (row, cells) in cells.chunks_mut(level.stride).enumerate() {
-                let top = tile_row * TILE + row * STEP;
-                let rows = [0, 1, 2, 3].map(|k| {
-                    let y = (top + k).min(height - 1);
-                    &light[y * stride..y * stride + stride][pixels.clone()]
-                });
-                quarter(path, rows, &mut cells[1 + from * (TILE / STEP)..]);
-            }
-            column += 1;
-        }
-    });
-    border(means, level);
+    /// Whether the glare of a tile, given by its upper left pixel, is another than before it was taken last.
+    pub fn differs(&self, x: usize, y: usize) -> bool {
+        let Some(level) = self.levels.first() else { return false };
+        let columns = x / STEP..(x / STEP + TILE / STEP + 2).min(level.width + 2);
+        (y / STEP..(y / STEP + TILE / STEP + 2).min(level.height + 2)).any(|row| {
+            let cells = row * level.stride + columns.start..row * level.stride + columns.end;
+            let same = |(channel, before): (&Vec<Planes>, &Vec<f32>)| {
+                channel.first().is_some_and(|finest| finest.glare[cells.clone()] == before[cells.clone()])
+            };
+            !self.channels.iter().zip(&self.before).all(same)
+        })
+    }
 }
 
 clones! {
-    fn quarter(rows: [&[f32]; 4], target: &mut [f32]) = quarter_row;
+    /// Halves a level.
+    fn descend(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) = descend_plane;
 }
 
-/// Means of 4 x 4 pixels.
 #[inline(always)]
-fn quarter_row(rows: [&[f32]; 4], target: &mut [f32]) {
-    let width = rows[0].len();
-    let cells = width / STEP;
-    let whole = |row: &[f32], at: usize| (row[at] + row[at + 1]) + (row[at + 2] + row[at + 3]);
-    for cell in 0..cells {
-        let at = cell * STEP;
-        let sum = (whole(rows[0], at) + whole(rows[1], at)) + (whole(rows[2], at) + whole(rows[3], at));
-        target[cell] = sum * (1.0 / 16.0);
-    }
-    if !width.is_multiple_of(STEP) {
-        let columns = cells * STEP..width;
-        let count = (columns.len() * 4) as f32;
-        target[cells] = rows.iter().map(|row| row[columns.clone()].iter().sum::<f32>()).sum::<f32>() / count;
-    }
-}
-
-/// Halves a level.
-fn descend(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) {
+fn descend_plane(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) {
     for y in 0..coarser.height {
         for x in 0..coarser.width {
             let top = (1 + 2 * y) * finer.stride + 1 + 2 * x;
@@ -180,7 +152,6 @@ fn descend(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) {
             target[(1 + y) * coarser.stride + 1 + x] = sum * 0.25;
         }
     }
-    border(target, coarser);
 }
 
 /// Repeats the edge cells outwards.
@@ -222,8 +193,13 @@ fn smooth_plane(source: &[f32], scratch: &mut [f32], target: &mut [f32], level: 
     }
 }
 
-/// Adds the coarser level, stretched to twice its size.
-fn ascend(plane: &mut [f32], &Level { width, height, stride }: &Level, source: &[f32], coarse: &Level) {
+clones! {
+    /// Adds the coarser level, stretched to twice its size.
+    fn ascend(plane: &mut [f32], level: &Level, source: &[f32], coarse: &Level) = ascend_plane;
+}
+
+#[inline(always)]
+fn ascend_plane(plane: &mut [f32], &Level { width, height, stride }: &Level, source: &[f32], coarse: &Level) {
     for y in 0..height {
         let (near, far) = neighbours(y);
         let (near, far) = (&source[near * coarse.stride..], &source[far * coarse.stride..]);

@@ -1,8 +1,8 @@
-//! What a lamp's light does at points of a tile: how much arrives, and how a tilted surface answers.
+//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
 
-use crate::Lamp;
-use crate::lanes::{LANES, Lanes, clones, max};
+use crate::lanes::{LANES, Lanes, clamp, clones, max};
 use crate::points::{Plane, Points, TILE};
+use crate::{Finish, Lamp};
 use geometry::DVec2;
 
 /// Three planes of light: red, green, blue.
@@ -11,7 +11,7 @@ pub(crate) type Light = [Plane; 3];
 /// No light.
 pub(crate) const DARKNESS: Light = [[[0.0; LANES]; TILE]; 3];
 
-/// A lamp as the points of one tile see it.
+/// A lamp of the colour white as the points of one tile see it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Beam {
     x: f32,
@@ -19,21 +19,18 @@ pub(crate) struct Beam {
     height_square: f32,
     /// One over the square of the reach.
     fade: f32,
-    color: [f32; 3],
 }
 
 impl Beam {
-    /// The lamp's light for a tile round `middle_mm`.
+    /// The lamp for a tile round `middle_mm`.
     pub fn new(lamp: &Lamp, middle_mm: DVec2) -> Beam {
         let from_tile = lamp.center_mm - middle_mm;
         let height = lamp.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM);
-        let reference = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM;
         Beam {
             x: from_tile.x as f32,
             y: from_tile.y as f32,
             height_square: (height * height) as f32,
             fade: (1.0 / (lamp.reach_mm * lamp.reach_mm)) as f32,
-            color: lamp.color.map(|c| c * reference as f32),
         }
     }
 }
@@ -49,81 +46,198 @@ pub(crate) struct Normals {
     pub z: Plane,
 }
 
-clones! {
-    /// Adds the beam's light on a flat floor, seen as far as `fraction` says.
-    pub(crate) fn light_floor(points: &Points, beam: Beam, fraction: &[Lanes], light: &mut Light) = light_floor_lanes;
+/// What a layer is at its points.
+#[derive(Clone, Debug)]
+pub(crate) struct Surface {
+    /// How much of a pixel each point is.
+    pub weight: Plane,
+    /// Reflectance, linear; a top's is multiplied by that of its finish.
+    pub albedo: Light,
+    /// Which way it leans.
+    pub normals: Normals,
+    /// Whether it leans anywhere.
+    pub leans: bool,
+}
+
+impl Surface {
+    /// Nothing.
+    pub fn none() -> Surface {
+        let zero = [[0.0; LANES]; TILE];
+        let normals = Normals { x: zero, y: zero, z: [[1.0; LANES]; TILE] };
+        Surface { weight: zero, albedo: DARKNESS, normals, leans: false }
+    }
 }
 
 clones! {
-    /// Adds the beam's light on a leaning surface: diffuse and mirrored.
+    /// The floor's picture in the beam's light, which its points see as far as `fraction` says; `gloss` is 0 to 1.
+    pub(crate) fn light_floor(
+        points: &Points, floor: &Surface, beam: Beam, fraction: &[Lanes], gloss: f32, out: &mut Light,
+    ) = light_floor_lanes;
+}
+
+clones! {
+    /// A top's picture in the beam's light.
     pub(crate) fn light_top(
-        points: &Points, normals: &Normals, beam: Beam, fraction: &[Lanes], diffuse: &mut Light, mirrored: &mut Light,
+        points: &Points, top: &Surface, finish: &Finish, beam: Beam, fraction: &[Lanes], out: &mut Light,
     ) = light_top_lanes;
 }
 
-/// Irradiance before colour and visibility: see [`Lamp`].
+/// What arrives at a flat floor, from the square of the distance in the plane: see [`Lamp`].
 #[inline(always)]
 fn falloff(square: f32, beam: &Beam) -> f32 {
+    const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
     let rest = max(1.0 - square * beam.fade, 0.0);
-    rest * rest / (square + beam.height_square)
+    REFERENCE * (rest * rest / (square + beam.height_square))
+}
+
+/// How much of the way to a lamp counts as its height: lamps far away are not quite in the horizon, or a lean of one
+/// degree would be night.
+const LIFT: f32 = 0.3;
+
+/// How a leaning surface answers a lamp.
+struct Answer {
+    /// Times what a flat floor scatters: 1 for a flat one.
+    matt: f32,
+    /// The cosine of the angle between normal and half vector (J. Blinn, 1977), squared.
+    cosine_square: f32,
 }
 
 #[inline(always)]
-fn light_floor_lanes(points: &Points, beam: Beam, fraction: &[Lanes], light: &mut Light) {
+fn answer([ux, uy]: [f32; 2], square: f32, beam: &Beam, [nx, ny, nz]: [f32; 3]) -> Answer {
+    let up_square = beam.height_square + LIFT * square;
+    let length = (square + up_square).sqrt();
+    let up = up_square.sqrt();
+    let across = nx * ux + ny * uy;
+    let half = max(across + nz * (up + length), 0.0);
+    Answer { matt: max(across + nz * up, 0.0) / up, cosine_square: half * half / (2.0 * length * (length + up)) }
+}
+
+/// To the 16th.
+#[inline(always)]
+fn power_16(x: f32) -> f32 {
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let x8 = x4 * x4;
+    x8 * x8
+}
+
+/// How bright the gloss of a floor of gloss 1 is, seen straight on.
+const COAT: f32 = 1.6;
+
+#[inline(always)]
+fn light_floor_lanes(
+    points: &Points,
+    floor: &Surface,
+    beam: Beam,
+    fraction: &[Lanes],
+    gloss: f32,
+    out: &mut Light,
+) {
+    let leans = floor.leans || gloss > 0.0;
+    let coat = COAT * clamp(gloss, 0.0, 1.0);
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
-        let mut arriving = [0.0; LANES];
+        let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
+        let weight = &floor.weight[block];
+        let (mut matt, mut shine) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-            arriving[i] = falloff(ux * ux + uy * uy, &beam) * seen[i];
+            let square = ux * ux + uy * uy;
+            matt[i] = weight[i] * (falloff(square, &beam) * seen[i]);
         }
-        for (plane, color) in light.iter_mut().zip(beam.color) {
+        if leans {
             for i in 0..LANES {
-                plane[block][i] += color * arriving[i];
+                let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
+                let square = ux * ux + uy * uy;
+                let answer = answer([ux, uy], square, &beam, [nx[i], ny[i], nz[i]]);
+                // To the 64th: a coat of lacquer.
+                let c = power_16(answer.cosine_square);
+                shine[i] = coat * matt[i] * (c * c);
+                matt[i] *= answer.matt;
+            }
+        }
+        for (out, albedo) in out.iter_mut().zip(&floor.albedo) {
+            for i in 0..LANES {
+                out[block][i] = albedo[block][i] * matt[i] + shine[i];
             }
         }
     }
 }
 
-/// How much of the way to a lamp counts as its height above a top: lamps far away are not quite in the horizon, or a
-/// lean of one degree would be night.
-const LIFT: f32 = 0.3;
-
 #[inline(always)]
 fn light_top_lanes(
     points: &Points,
-    normals: &Normals,
+    top: &Surface,
+    finish: &Finish,
     beam: Beam,
     fraction: &[Lanes],
-    diffuse: &mut Light,
-    mirrored: &mut Light,
+    out: &mut Light,
 ) {
+    let gloss = clamp(finish.gloss, 0.0, 1.0);
+    let through = clamp(finish.translucency, 0.0, 1.0);
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
-        let (nx, ny, nz) = (&normals.x[block], &normals.y[block], &normals.z[block]);
-        let (mut matt, mut gloss) = ([0.0; LANES], [0.0; LANES]);
+        let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
+        let weight = &top.weight[block];
+        let (mut above, mut shine, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
             let square = ux * ux + uy * uy;
-            let arriving = falloff(square, &beam) * seen[i];
-            let up_square = beam.height_square + LIFT * square;
-            let length = (square + up_square).sqrt();
-            let up = up_square.sqrt();
-            let across = nx[i] * ux + ny[i] * uy;
-            // A flat top answers as the floor does: 1.
-            matt[i] = arriving * max(across + nz[i] * up, 0.0) / up;
-            // Blinn's half vector towards an eye straight above, to the 32nd.
-            let half = max(across + nz[i] * (up + length), 0.0);
-            let cosine_square = half * half / (2.0 * length * (length + up));
-            let c4 = cosine_square * cosine_square;
-            let c8 = c4 * c4;
-            let c16 = c8 * c8;
-            gloss[i] = arriving * c16 * c16;
+            let arriving = weight[i] * (falloff(square, &beam) * seen[i]);
+            let answer = answer([ux, uy], square, &beam, [nx[i], ny[i], nz[i]]);
+            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * answer.matt;
+            shine[i] = 2.5 * gloss * arriving * power_16(answer.cosine_square);
+            below[i] = through * arriving;
         }
-        for (channel, color) in beam.color.into_iter().enumerate() {
+        for (channel, out) in out.iter_mut().enumerate() {
+            let (own, art) = (finish.albedo[channel], &top.albedo[channel][block]);
             for i in 0..LANES {
-                diffuse[channel][block][i] += color * matt[i];
-                mirrored[channel][block][i] += color * gloss[i];
+                let albedo = own * art[i];
+                // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
+                let tint = 0.3 + (albedo - 0.3) * gloss;
+                // Light from below passes the ink, light from above meets it and comes back through it.
+                let ink = albedo * (0.3 + 0.7 * albedo);
+                out[block][i] = albedo * above[i] + tint * shine[i] + ink * below[i];
+            }
+        }
+    }
+}
+
+clones! {
+    /// The floor's picture in the light from everywhere.
+    pub(crate) fn light_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light)
+        = light_floor_ambient_lanes;
+}
+
+#[inline(always)]
+fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light) {
+    for channel in 0..3 {
+        for block in 0..blocks {
+            for i in 0..LANES {
+                out[channel][block][i] =
+                    floor.weight[block][i] * (floor.albedo[channel][block][i] * ambient[channel]);
+            }
+        }
+    }
+}
+
+clones! {
+    /// A top's picture in the light from everywhere, with the light of its own.
+    pub(crate) fn light_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light)
+        = light_top_ambient_lanes;
+}
+
+#[inline(always)]
+fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light) {
+    let gloss = clamp(finish.gloss, 0.0, 1.0);
+    for channel in 0..3 {
+        let scattered = (1.0 - 0.4 * gloss) * finish.albedo[channel] * ambient[channel];
+        let emission = finish.emission[channel];
+        for block in 0..blocks {
+            let (art, up, weight) = (&top.albedo[channel][block], &top.normals.z[block], &top.weight[block]);
+            for i in 0..LANES {
+                let light = scattered * (0.5 + 0.5 * up[i]) + emission;
+                out[channel][block][i] = weight[i] * art[i] * light;
             }
         }
     }

@@ -1,7 +1,8 @@
 //! The part of one top that a tile shows, and how its pixels are found.
 
+use crate::albedo::Albedo;
 use crate::coverage::Edge;
-use crate::irradiance::{DARKNESS, Light, Normals};
+use crate::irradiance::Surface;
 use crate::lanes::{LANES, clamp, max};
 use crate::points::{Plane, Points, TILE};
 
@@ -12,33 +13,20 @@ pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
 pub(crate) struct TopLayer {
     pub form: usize,
     pub points: Points,
-    pub coverage: Plane,
-    pub normals: Normals,
-    pub diffuse: Light,
-    pub mirrored: Light,
-    /// The art printed on it.
-    pub print: Light,
+    pub surface: Surface,
 }
 
 impl TopLayer {
     /// Nothing yet.
     pub fn new() -> TopLayer {
-        let zero = [[0.0; LANES]; TILE];
-        TopLayer {
-            form: 0,
-            points: Points::none(),
-            coverage: zero,
-            normals: Normals { x: zero, y: zero, z: zero },
-            diffuse: DARKNESS,
-            mirrored: DARKNESS,
-            print: DARKNESS,
-        }
+        TopLayer { form: 0, points: Points::none(), surface: Surface::none() }
     }
 
     /// Packs the pixels that the outline covers and nothing above hides.
     pub fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
         self.points.count = 0;
         let per_mm = 1.0 / mm_per_px;
+        let Surface { weight, normals, .. } = &mut self.surface;
         for row in 0..TILE {
             for i in 0..LANES {
                 let distance = edge.distance[row][i];
@@ -53,12 +41,24 @@ impl TopLayer {
                 let (block, lane) = (at / LANES, at % LANES);
                 // A quarter of a circle: upright at the edge, level at the bevel's inner end.
                 let lean = 0.96 * clamp(1.0 + distance / bevel_mm, 0.0, 1.0);
-                self.coverage[block][lane] = coverage;
-                self.normals.x[block][lane] = edge.away_x[row][i] * lean;
-                self.normals.y[block][lane] = edge.away_y[row][i] * lean;
-                self.normals.z[block][lane] = max(1.0 - lean * lean, 0.0).sqrt();
+                weight[block][lane] = coverage * rest;
+                normals.x[block][lane] = edge.away_x[row][i] * lean;
+                normals.y[block][lane] = edge.away_y[row][i] * lean;
+                normals.z[block][lane] = max(1.0 - lean * lean, 0.0).sqrt();
             }
         }
         self.points.pad();
+    }
+
+    /// Packs the art at the layer's points: white where nothing is printed.
+    pub fn take_print(&mut self, printed: &Albedo) {
+        for point in 0..self.points.count {
+            let pixel = usize::from(self.points.pixel[point]);
+            let (row, i) = (pixel / LANES, pixel % LANES);
+            let alpha = printed.alpha[row][i];
+            for (print, color) in self.surface.albedo.iter_mut().zip(&printed.color) {
+                print[point / LANES][point % LANES] = 1.0 + (color[row][i] - 1.0) * alpha;
+            }
+        }
     }
 }

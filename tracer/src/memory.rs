@@ -1,41 +1,64 @@
 //! What was seen in earlier pictures and is still so: most of a table stands still.
 //!
-//! For every tile, lamp and layer the visible fractions are kept. They hold until something that casts shadows moves
-//! between the tile and the lamp, or a top moves in the tile; then they are found anew from nothing, so a picture with
-//! memory has the same bits as one without. A lamp is known by where it is, not by its colour or its place in a list:
-//! one that flashes is remembered while it is dark.
+//! For every tile and lamp the picture of the tile in that lamp's light is kept. It holds until something that casts
+//! shadows moves between the tile and the lamp, or a top moves in the tile; then it is made anew from nothing, so a
+//! picture has the same bits whatever came before it. A lamp is known by where it is, not by its colour or its place in
+//! a list: one that flashes is remembered while it is dark.
 
-use crate::lanes::Lanes;
-use crate::obstruction::Verdict;
+use crate::irradiance::Light;
+use crate::response::{Part, Response};
 use crate::surfaces::Surfaces;
-use crate::{Lamp, Occluder, View};
+use crate::{Lamp, Occluder, Path, Rgb, View};
 use geometry::Bounds;
 
-/// How many lamps are remembered.
-const MOST_LAMPS: usize = 160;
+/// How many lamps are remembered: in a scene of more, every picture is made from nothing.
+pub(crate) const MOST_LAMPS: usize = 160;
 
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
 const MOST_MOVES: usize = 200;
 
-/// What one tile saw of one lamp.
+/// What one tile shows in the light of one lamp.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sight {
     /// Whether what follows still holds.
     pub holds: bool,
-    /// For the floor and then each top: the verdict, and where its fractions begin.
-    pub layers: Vec<(Verdict, usize)>,
-    /// The visible fractions of mixed layers.
-    pub fractions: Vec<Lanes>,
+    /// The tile in that light; nothing where it never was lit.
+    pub response: Option<Box<Response>>,
 }
 
-/// What one tile saw of every known lamp.
+impl Sight {
+    /// What is known to be lit.
+    fn lit(&self) -> Option<&Response> {
+        self.response.as_deref().filter(|response| self.holds && response.lit)
+    }
+
+    /// Keeps a picture; `None` is darkness.
+    pub fn keep(&mut self, path: Path, light: Option<&Light>) {
+        self.holds = true;
+        match (light, &mut self.response) {
+            (Some(light), response) => {
+                response.get_or_insert_with(|| Box::new(Response::dark())).keep(path, light);
+            }
+            (None, Some(response)) => response.lit = false,
+            (None, None) => {}
+        }
+    }
+}
+
+/// What one tile shows under every known lamp.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileMemory {
     sights: Vec<Sight>,
+    /// In the light from everywhere, with the light of tops of their own.
+    pub base: Sight,
+    /// In the light of inserts, known by their masks' places in memory.
+    glows: Vec<((usize, usize), Sight)>,
     /// What it shows.
     pub surfaces: Surfaces,
-    /// Whether this picture's tile was drawn, and not left as it was.
+    /// Whether this picture's tile is another than the last one's.
     pub fresh: bool,
+    /// Whether the film shows the tile as it is now, but for its glare.
+    pub developed: bool,
 }
 
 impl TileMemory {
@@ -47,16 +70,44 @@ impl TileMemory {
         &mut self.sights[lamp]
     }
 
+    /// What an insert's light does in the tile.
+    pub fn glow(&mut self, mask: (usize, usize)) -> &mut Sight {
+        let at = self.glows.iter().position(|glow| glow.0 == mask).unwrap_or_else(|| {
+            self.glows.push((mask, Sight::default()));
+            self.glows.len() - 1
+        });
+        &mut self.glows[at].1
+    }
+
     /// Whether the tile is known to see nothing of a lamp.
     pub fn is_dark(&self, lamp: usize) -> bool {
-        let dark = |sight: &Sight| sight.holds && sight.layers.iter().all(|layer| layer.0 == Verdict::Dark);
-        self.sights.get(lamp).is_some_and(dark)
+        self.sights.get(lamp).is_some_and(|sight| sight.holds && sight.lit().is_none())
+    }
+
+    /// What the tile shows of light from everywhere.
+    pub fn base(&self) -> impl Iterator<Item = Part<'_>> {
+        self.base.lit().map(|base| base.under([1.0; 3])).into_iter()
+    }
+
+    /// What it shows of lamps, given by their numbers, and of inserts, given by their masks, in their colours.
+    pub fn lit<'a>(
+        &'a self,
+        lamps: impl Iterator<Item = (usize, Rgb)> + 'a,
+        glows: impl Iterator<Item = ((usize, usize), Rgb)> + 'a,
+    ) -> impl Iterator<Item = Part<'a>> {
+        let lamp = |(number, color): (usize, Rgb)| self.sights.get(number)?.lit().map(|lit| lit.under(color));
+        let glow = |(mask, color): ((usize, usize), Rgb)| {
+            self.glows.iter().find(|glow| glow.0 == mask)?.1.lit().map(|lit| lit.under(color))
+        };
+        lamps.filter_map(lamp).chain(glows.filter_map(glow))
     }
 
     /// Nothing holds any more.
     pub fn forget(&mut self) {
         self.surfaces.holds = false;
-        for sight in &mut self.sights {
+        self.base.holds = false;
+        self.developed = false;
+        for sight in self.sights.iter_mut().chain(self.glows.iter_mut().map(|glow| &mut glow.1)) {
             sight.holds = false;
         }
     }
@@ -115,6 +166,11 @@ impl Past {
         }
         self.occluders.clear();
         self.occluders.extend_from_slice(occluders);
+    }
+
+    /// Whether any tile is another than in the last picture.
+    pub fn is_fresh(&self) -> bool {
+        self.bands.iter().flatten().any(|tile| tile.fresh)
     }
 
     /// The number of a lamp, which is given one if it is new.

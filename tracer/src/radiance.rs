@@ -63,6 +63,15 @@ impl Radiance {
         self.stride
     }
 
+    /// The tile whose upper left pixel is (`x`, `y`); what is below the picture is left as it is.
+    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::irradiance::Light) {
+        for (plane, tile) in self.planes.iter().zip(light) {
+            for (row, line) in tile.iter_mut().enumerate().take(self.height - y) {
+                line.copy_from_slice(&plane[(y + row) * self.stride + x..][..LANES]);
+            }
+        }
+    }
+
     /// The light at a pixel.
     pub fn pixel(&self, x: usize, y: usize) -> [f32; 3] {
         let at = y * self.stride + x;

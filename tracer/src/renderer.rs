@@ -1,24 +1,26 @@
-//! From a scene to the light that leaves it: prepares what all tiles share, renders the tiles on every core, then the
-//! balls that mirror them, then the glare.
+//! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
+//! then the balls that mirror them, then the glare, then the tiles themselves.
 
 use crate::ball::{Glint, Patch, Table};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
-use crate::glare::Source;
-use crate::lanes::Path;
-use crate::memory::{Past, TileMemory};
+use crate::glare::{Level, Pyramid, STEP};
+use crate::irradiance::{DARKNESS, Light};
+use crate::lanes::{LANES, Path};
+use crate::memory::{MOST_LAMPS, Past};
 use crate::monte_carlo::Sampling;
 use crate::points::{Points, TILE};
+use crate::response::{Means, means_of};
 use crate::silhouette::Silhouettes;
-use crate::tile::{Lit, Stage, Workspace};
-use crate::{Radiance, Scene, Top, exact};
+use crate::tile::{Lit, Place, Stage, Workspace};
+use crate::{Film, Finish, Radiance, Scene, Top, exact, tone};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.
-const BLOCK: usize = 2 * TILE;
+pub(crate) const BLOCK: usize = 2 * TILE;
 
 /// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
 pub struct Renderer {
@@ -35,6 +37,40 @@ pub struct Renderer {
     whole_tile: (f64, Points),
     glints: Vec<Glint>,
     patches: Vec<Patch>,
+    /// The light of pictures that are made from nothing.
+    radiance: Radiance,
+}
+
+/// What the tiles of a picture have in common.
+macro_rules! stage {
+    ($renderer:expr, $scene:expr, $sampling:expr) => {
+        Stage {
+            path: $renderer.path,
+            scene: $scene,
+            silhouettes: &$renderer.silhouettes,
+            lamps: &$renderer.lamps,
+            moved_tops: &$renderer.past.moved_tops,
+            changes: &$renderer.changes,
+            forms: &$renderer.forms,
+            whole_tile: &$renderer.whole_tile.1,
+            sampling: $sampling,
+        }
+    };
+}
+
+/// The steps of [`Renderer::draw`], each named when it is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// What is new in the scene is known.
+    Prepared,
+    /// Shadows and surfaces are found where something has moved.
+    Shaded,
+    /// The balls mirror the table.
+    Mirrored,
+    /// The glare is taken.
+    Glared,
+    /// All lamps are summed up, and the sums are pixels.
+    Developed,
 }
 
 /// How many renderers there have been: a picture knows by it who drew it.
@@ -71,17 +107,98 @@ impl Renderer {
             whole_tile: (0.0, Points::none()),
             glints: Vec::new(),
             patches: Vec::new(),
+            radiance: Radiance::default(),
         }
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        self.render_with(scene, None, radiance);
+        radiance.resize(scene.view.width, scene.view.height);
+        if scene.view.width == 0 || scene.view.height == 0 {
+            return;
+        }
+        let remembers = self.prepare(scene, radiance.drawn == Some(self.picture));
+        if !remembers {
+            return self.render_afresh(scene, None, radiance);
+        }
+        self.look(scene, &mut radiance.glare);
+        self.render_balls(scene, &mut radiance.glare);
+        if self.past.is_fresh() {
+            radiance.glare.gather(self.path);
+        }
+        let stride = radiance.stride();
+        let [red, green, blue] = &mut radiance.planes;
+        let band = stride * BLOCK;
+        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+        let stage = stage!(self, scene, None);
+        let patches = &self.patches;
+        bands.zip(&self.past.bands).enumerate().for_each(|(at, (((red, green), blue), memory))| {
+            WORKSPACE.with_borrow_mut(|workspace| {
+                let mut planes = [red, green, blue];
+                each_tile(scene, at, memory.iter(), |place, memory| {
+                    if memory.fresh {
+                        workspace.compose(&stage, place, memory, patches);
+                        write_planes(&workspace.out, place.x, place.y - at * BLOCK, stride, &mut planes);
+                    }
+                });
+            });
+        });
+        self.picture.1 += 1;
+        radiance.drawn = Some(self.picture);
     }
 
-    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs.
+    /// Renders `scene` and develops it ([`crate::tone::map`]) in one go: the same pixels, several times as fast, since
+    /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
+    pub fn draw(&mut self, scene: &Scene, exposure: f32, film: &mut Film) {
+        self.draw_watched(scene, exposure, film, &mut |_| {});
+    }
+
+    /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
+    pub fn draw_watched(&mut self, scene: &Scene, exposure: f32, film: &mut Film, done: &mut (dyn FnMut(Step) + Send)) {
+        film.resize(scene.view.width, scene.view.height);
+        if scene.view.width == 0 || scene.view.height == 0 {
+            return;
+        }
+        let known = film.drawn == Some((self.picture, exposure));
+        if !self.prepare(scene, known) {
+            return self.draw_afresh(scene, None, exposure, film);
+        }
+        done(Step::Prepared);
+        self.look(scene, &mut film.glare);
+        done(Step::Shaded);
+        self.render_balls(scene, &mut film.glare);
+        done(Step::Mirrored);
+        let fresh = self.past.is_fresh();
+        if fresh {
+            film.glare.gather(self.path);
+        }
+        done(Step::Glared);
+        if fresh {
+            self.develop(scene, exposure, film);
+        }
+        done(Step::Developed);
+        self.picture.1 += 1;
+        film.drawn = Some((self.picture, exposure));
+    }
+
+    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
+    pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.render_slowly(scene, None, radiance);
+    }
+
+    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
+    /// from [`Renderer::render_anew`].
     pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        self.render_with(scene, Some(sampling), radiance);
+        self.render_slowly(scene, Some(sampling), radiance);
+    }
+
+    /// [`Renderer::render_monte_carlo`], developed.
+    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut Film) {
+        film.resize(scene.view.width, scene.view.height);
+        if scene.view.width > 0 && scene.view.height > 0 {
+            self.prepare(scene, false);
+            self.draw_afresh(scene, Some(sampling), exposure, film);
+        }
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
@@ -93,43 +210,111 @@ impl Renderer {
         self.picture.1 += 1;
     }
 
-    fn render_with(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+    fn render_slowly(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
-        if scene.view.width == 0 || scene.view.height == 0 {
-            return;
-        }
-        self.prepare(scene);
-        self.changes.everything |= radiance.drawn != Some(self.picture) || sampling.is_some();
-        let stage = Stage {
-            path: self.path,
-            scene,
-            silhouettes: &self.silhouettes,
-            lamps: &self.lamps,
-            moved_tops: &self.past.moved_tops,
-            changes: &self.changes,
-            forms: &self.forms,
-            whole_tile: &self.whole_tile.1,
-            sampling,
-        };
-        render_tiles(&stage, &mut self.past.bands, radiance);
-        self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
-        self.render_balls(scene, radiance);
-        let (width, height, stride) = (radiance.width(), radiance.height(), radiance.stride());
-        let tile = |row: usize, column: usize| {
-            &self.past.bands[row / (BLOCK / TILE)][row % (BLOCK / TILE) * (stride / TILE) + column]
-        };
-        if self.past.bands.iter().flatten().any(|tile| tile.fresh) {
-            let source = Source { planes: &radiance.planes, stride, width, height };
-            radiance.glare.gather(self.path, source, |row, column| tile(row, column).fresh);
-        }
-        self.picture.1 += 1;
-        radiance.drawn = Some(self.picture);
-        if sampling.is_some() {
-            self.forget();
+        if scene.view.width > 0 && scene.view.height > 0 {
+            self.prepare(scene, false);
+            self.render_afresh(scene, sampling, radiance);
         }
     }
 
-    fn prepare(&mut self, scene: &Scene) {
+    /// Renders a scene that was prepared, and forgets it.
+    fn render_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+        let stride = radiance.stride();
+        let [red, green, blue] = &mut radiance.planes;
+        let band = stride * BLOCK;
+        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+        let stage = stage!(self, scene, sampling);
+        let Some((level, means)) = radiance.glare.means_mut() else { return };
+        bands.zip(means_bands(level, means)).enumerate().for_each(|(at, (((red, green), blue), mut means))| {
+            WORKSPACE.with_borrow_mut(|workspace| {
+                let mut planes = [red, green, blue];
+                let mut block = None;
+                each_tile(scene, at, std::iter::repeat(()), |place, ()| {
+                    workspace.enter_block_at(&stage, place, &mut block);
+                    workspace.render(&stage, place);
+                    let y = place.y - at * BLOCK;
+                    write_planes(&workspace.out, place.x, y, stride, &mut planes);
+                    write_means(&means_of(&workspace.out), place.x, y, &level, &mut means);
+                });
+            });
+        });
+        self.render_balls(scene, &mut radiance.glare);
+        radiance.glare.gather(self.path);
+        for patch in &self.patches {
+            for (x, y) in patch.tiles() {
+                let mut tile = DARKNESS;
+                radiance.read_tile(x, y, &mut tile);
+                patch.blend(x, y, &mut tile);
+                let [red, green, blue] = &mut radiance.planes;
+                write_planes(&tile, x, y, stride, &mut [red, green, blue]);
+            }
+        }
+        radiance.drawn = None;
+        self.forget();
+    }
+
+    /// Draws a scene that was prepared, and forgets it.
+    fn draw_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, exposure: f32, film: &mut Film) {
+        let mut radiance = std::mem::take(&mut self.radiance);
+        radiance.resize(scene.view.width, scene.view.height);
+        self.render_afresh(scene, sampling, &mut radiance);
+        tone::map_on(self.path, &radiance, exposure, &mut film.frame);
+        self.radiance = radiance;
+        film.drawn = None;
+    }
+
+    /// Makes every tile's memory true, and takes the means of those that have changed.
+    fn look(&mut self, scene: &Scene, glare: &mut Pyramid) {
+        let mut bands = std::mem::take(&mut self.past.bands);
+        let stage = stage!(self, scene, None);
+        if let Some((level, means)) = glare.means_mut() {
+            bands.par_iter_mut().zip(means_bands(level, means)).enumerate().for_each(|(at, (memory, mut means))| {
+                WORKSPACE.with_borrow_mut(|workspace| {
+                    let mut block = None;
+                    each_tile(scene, at, memory.iter_mut(), |place, memory| {
+                        workspace.enter_block_at(&stage, place, &mut block);
+                        memory.fresh = workspace.differs(&stage, place, memory);
+                        if memory.fresh {
+                            memory.developed = false;
+                            workspace.remember(&stage, place, memory);
+                            let found = workspace.means(&stage, place, memory);
+                            write_means(&found, place.x, place.y - at * BLOCK, &level, &mut means);
+                        }
+                    });
+                });
+            });
+        }
+        self.past.bands = bands;
+        self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
+    }
+
+    /// Puts the tiles on film that are not there as they should be.
+    fn develop(&mut self, scene: &Scene, exposure: f32, film: &mut Film) {
+        let mut bands = std::mem::take(&mut self.past.bands);
+        let stage = stage!(self, scene, None);
+        let (width, path, patches, glare) = (scene.view.width, self.path, &self.patches, &film.glare);
+        let pixels = film.frame.pixels.par_chunks_mut(width * BLOCK);
+        bands.par_iter_mut().zip(pixels).enumerate().for_each(|(at, (memory, pixels))| {
+            WORKSPACE.with_borrow_mut(|workspace| {
+                let mut tile = [[0; LANES]; TILE];
+                each_tile(scene, at, memory.iter_mut(), |place, memory| {
+                    if memory.developed && !glare.differs(place.x, place.y) {
+                        return;
+                    }
+                    memory.developed = true;
+                    workspace.compose(&stage, place, memory, patches);
+                    tone::develop(path, &workspace.out, glare, exposure, [place.x, place.y], &mut tile);
+                    tone::put(&tile, place.x, width, &mut pixels[(place.y - at * BLOCK) * width..]);
+                });
+            });
+        });
+        self.past.bands = bands;
+    }
+
+    /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
+    /// whether the tiles' memory can be used.
+    fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
         self.silhouettes.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
@@ -157,6 +342,8 @@ impl Renderer {
         if self.whole_tile.0 != scene.view.mm_per_px {
             self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
         }
+        self.changes.everything |= !known;
+        count <= MOST_LAMPS
     }
 
     /// Most tops are where they were in the last frame.
@@ -173,7 +360,7 @@ impl Renderer {
                 self.forms.push(Form::new(top));
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
             } else if stands(&self.tops[at], top) {
-                if self.tops[at].finish != top.finish {
+                if self.tops[at].finish.emission != top.finish.emission {
                     self.changes.tops.extend(self.forms[at].iter().map(|form| form.bounds));
                     self.tops[at].finish = top.finish;
                 }
@@ -187,7 +374,7 @@ impl Renderer {
         self.changes.tops.extend_from_slice(moved);
     }
 
-    fn render_balls(&mut self, scene: &Scene, radiance: &mut Radiance) {
+    fn render_balls(&mut self, scene: &Scene, glare: &mut Pyramid) {
         self.patches.resize_with(scene.balls.len(), Patch::default);
         for (ball, patch) in scene.balls.iter().zip(&mut self.patches) {
             self.glints.clear();
@@ -206,66 +393,65 @@ impl Renderer {
                     arriving[channel] += lamp.color[channel] * falloff * seen as f32;
                 }
             }
-            let table = Table {
-                view: &scene.view,
-                planes: &radiance.planes,
-                stride: radiance.stride(),
-                ambient: scene.ambient,
-            };
-            patch.render(ball, table, &self.glints, arriving);
+            if let Some((level, planes)) = glare.means() {
+                let table = Table { view: &scene.view, level, planes, ambient: scene.ambient };
+                patch.render(ball, table, &self.glints, arriving);
+            }
         }
-        let stride = radiance.stride();
-        for patch in &self.patches {
-            patch.blend(&mut radiance.planes, stride);
+        if let Some((level, mut planes)) = glare.means_mut() {
+            for patch in &self.patches {
+                patch.blend_means(&level, planes.each_mut().map(|plane| &mut **plane));
+            }
         }
     }
 }
 
-/// Whether a top covers what it covered, and leans as it leant; its colours may be others.
+/// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.
 fn stands(old: &Top, new: &Top) -> bool {
-    let (a, b) = (&old.finish, &new.finish);
-    old.outline == new.outline && old.group == new.group && (a.profile, a.opacity) == (b.profile, b.opacity)
+    let finish = Finish { emission: old.finish.emission, ..new.finish };
+    old.outline == new.outline && old.group == new.group && old.finish == finish
 }
 
-fn render_tiles(stage: &Stage, memory: &mut [Vec<TileMemory>], radiance: &mut Radiance) {
-    let stride = radiance.stride();
-    let height = radiance.height();
-    let [red, green, blue] = &mut radiance.planes;
-    let band = stride * BLOCK;
-    let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band)).zip(memory);
-    bands.enumerate().for_each(|(at, (((red, green), blue), memory))| {
-        WORKSPACE.with_borrow_mut(|workspace| {
-            render_band(stage, workspace, at * BLOCK, height, stride, [red, green, blue], memory);
-        });
+/// Calls `work` for every tile of a band of blocks, with what belongs to each: first a block's tiles, then the next's.
+fn each_tile<T>(scene: &Scene, band: usize, items: impl Iterator<Item = T>, mut work: impl FnMut(&Place, T)) {
+    let top = band * BLOCK;
+    let rows = (top..(top + BLOCK).min(scene.view.height)).step_by(TILE);
+    let blocks = (0..scene.view.width).step_by(BLOCK);
+    let places = blocks.flat_map(|left| {
+        let columns = move || (left..(left + BLOCK).min(scene.view.width)).step_by(TILE);
+        rows.clone().flat_map(move |y| columns().map(move |x| (x, y)))
     });
+    for ((x, y), item) in places.zip(items) {
+        work(&Place::new(scene, x, y), item);
+    }
 }
 
-fn render_band(
-    stage: &Stage,
-    workspace: &mut Workspace,
-    top: usize,
-    height: usize,
-    stride: usize,
-    mut planes: [&mut [f32]; 3],
-    memory: &mut [TileMemory],
-) {
-    let bottom = (top + BLOCK).min(height);
-    for left in (0..stage.scene.view.width).step_by(BLOCK) {
-        workspace.enter_block(stage, left, top, BLOCK);
-        for y in (top..bottom).step_by(TILE) {
-            for x in (left..stride.min(left + BLOCK)).step_by(TILE) {
-                let memory = &mut memory[(y - top) / TILE * (stride / TILE) + x / TILE];
-                memory.fresh = workspace.differs(stage, x, y, memory);
-                if !memory.fresh {
-                    continue;
-                }
-                workspace.render(stage, x, y, memory);
-                for (plane, tile) in planes.iter_mut().zip(&workspace.out) {
-                    for (row, line) in tile.iter().enumerate().take(bottom - y) {
-                        plane[(y - top + row) * stride + x..][..TILE].copy_from_slice(line);
-                    }
-                }
-            }
+/// The rows of cells of every band of blocks.
+fn means_bands(
+    level: Level,
+    [red, green, blue]: [&mut [f32]; 3],
+) -> impl IndexedParallelIterator<Item = [&mut [f32]; 3]> {
+    let band = level.stride * (BLOCK / STEP);
+    let rows = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+    rows.map(|((red, green), blue)| [red, green, blue])
+}
+
+/// Writes a tile into a band of planes, as far as they reach.
+fn write_planes(tile: &Light, x: usize, y: usize, stride: usize, planes: &mut [&mut [f32]; 3]) {
+    for (plane, tile) in planes.iter_mut().zip(tile) {
+        for (row, line) in plane[y * stride..].chunks_mut(stride).zip(tile) {
+            row[x..x + TILE].copy_from_slice(line);
+        }
+    }
+}
+
+/// Writes the means of a tile into a band of cells, as far as the level reaches.
+fn write_means(found: &Means, x: usize, y: usize, level: &Level, means: &mut [&mut [f32]; 3]) {
+    const SIDE: usize = TILE / STEP;
+    let count = SIDE.min(level.width - x / STEP);
+    for (plane, found) in means.iter_mut().zip(found) {
+        for (row, cells) in plane[y / STEP * level.stride..].chunks_mut(level.stride).zip(found.chunks(SIDE)) {
+            row[1 + x / STEP..][..count].copy_from_slice(&cells[..count]);
         }
     }
 }

@@ -171,7 +171,7 @@ pub struct Mask {
 
 /// The art of a table at a view's resolution, pixel for pixel, sRGB 8 bit: R, G, B, A premultiplied as tiny-skia
 /// leaves them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Floor {
     /// Pixels across.
     pub width: usize,
@@ -183,12 +183,19 @@ pub struct Floor {
     pub tops: Vec<[u8; 4]>,
     /// Which way the floor leans: the horizontal part of its unit normal, x and y, 127 is 1. Empty for a flat floor.
     pub normals: Vec<[i8; 2]>,
+    /// Strength of the highlights on the floor's lacquer: 0 is matt, 1 is a mirror's.
+    pub gloss: f32,
 }
 
 impl Mask {
     /// Whole rows of pixels.
     pub fn height(&self) -> usize {
         self.coverage.len().checked_div(self.width).unwrap_or(0)
+    }
+
+    /// What a renderer knows it by: where it is in memory, and how much there is.
+    pub(crate) fn place(&self) -> (usize, usize) {
+        (self.coverage.as_ptr() as usize, self.coverage.len())
     }
 }
 

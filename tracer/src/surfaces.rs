@@ -1,7 +1,7 @@
 //! What a tile shows, kept from picture to picture: which pixels of the floor and of every top, how much of them, and
 //! which way they lean. It holds until a top moves in the tile.
 
-use crate::irradiance::Normals;
+use crate::irradiance::{Normals, Surface};
 use crate::lanes::{LANES, Lanes};
 use crate::layer::TopLayer;
 use crate::points::{Plane, Points, TILE};
@@ -15,39 +15,41 @@ pub(crate) struct Surfaces {
     pub whole: bool,
     /// The floor's pixels, if they are not all.
     pub floor: Vec<u8>,
+    /// How much of each pixel of the tile is floor; empty if all of all.
+    pub floor_weight: Vec<Lanes>,
     /// The tops, the highest first.
-    pub tops: Vec<Surface>,
+    pub tops: Vec<Patch>,
 }
 
 /// What a tile shows of a top.
 #[derive(Clone, Debug)]
-pub(crate) struct Surface {
+pub(crate) struct Patch {
     form: usize,
     pixel: Vec<u8>,
-    coverage: Vec<Lanes>,
+    weight: Vec<Lanes>,
     normals: [Vec<Lanes>; 3],
 }
 
-impl Surface {
+impl Patch {
     /// Keeps what a layer shows.
-    pub fn new(layer: &TopLayer) -> Surface {
-        let TopLayer { form, points, coverage, normals, .. } = layer;
+    pub fn new(layer: &TopLayer) -> Patch {
+        let TopLayer { form, points, surface: Surface { weight, normals, .. } } = layer;
         let packed = |plane: &Plane| plane[..points.blocks()].to_vec();
-        Surface {
+        Patch {
             form: *form,
             pixel: points.pixel[..points.count].to_vec(),
-            coverage: packed(coverage),
+            weight: packed(weight),
             normals: [packed(&normals.x), packed(&normals.y), packed(&normals.z)],
         }
     }
 
     /// Makes a layer show it again.
     pub fn unpack(&self, mm_per_px: f32, layer: &mut TopLayer) {
-        let TopLayer { form, points, coverage, normals, .. } = layer;
+        let TopLayer { form, points, surface: Surface { weight, normals, .. } } = layer;
         let Normals { x, y, z } = normals;
         *form = self.form;
         points.take(&self.pixel, mm_per_px);
-        for (plane, packed) in [coverage, x, y, z].into_iter().zip([&self.coverage].into_iter().chain(&self.normals)) {
+        for (plane, packed) in [weight, x, y, z].into_iter().zip([&self.weight].into_iter().chain(&self.normals)) {
             plane[..packed.len()].copy_from_slice(packed);
         }
     }

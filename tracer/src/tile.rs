@@ -1,4 +1,4 @@
-//! One tile of the picture: what is seen at its pixels, and the light there.
+//! One tile of the picture: what is seen at its pixels, and what each lamp's light makes of it.
 //!
 //! The highest top is looked at first, so that nothing is lit that is hidden. Lamps are the outer loop: what stands
 //! between a lamp and the tile is found once, and serves the floor and every top in the tile.
@@ -6,19 +6,22 @@
 use crate::albedo::Albedo;
 use crate::candidates::{Candidates, Cone};
 use crate::changes::Changes;
+use crate::compose::has_contacts;
 use crate::coverage::{Edge, Form};
 use crate::gaze::Gaze;
-use crate::irradiance::{Beam, DARKNESS, Light, light_floor, light_top};
+use crate::irradiance::{Beam, DARKNESS, Light, Surface, light_floor, light_top};
 use crate::lanes::{LANES, Lanes, Path, clamp};
 use crate::layer::{TopLayer, UNSEEN};
-use crate::memory::{Sight, TileMemory};
+use crate::memory::TileMemory;
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
+use crate::renderer::BLOCK;
+use crate::response::{CELLS, Means, combine, combine_means, means_of};
 use crate::silhouette::Silhouettes;
-use crate::surfaces::{Surface, Surfaces};
+use crate::surfaces::{Patch, Surfaces};
 use crate::visibility::Intervals;
-use crate::{Lamp, Scene};
+use crate::{Lamp, Rgb, Scene, ball};
 use geometry::{Bounds, DVec2};
 
 /// Everything that the tiles of one picture have in common.
@@ -40,6 +43,18 @@ pub(crate) struct Stage<'a> {
     pub sampling: Option<Sampling>,
 }
 
+impl Stage<'_> {
+    /// The lamps that shine, by their numbers in the tiles' memory, with their colours.
+    pub fn colors(&self) -> impl Iterator<Item = (usize, Rgb)> {
+        self.lamps.iter().map(|lit| (lit.number, lit.lamp.color))
+    }
+
+    /// The inserts that glow, by their masks' places in memory, with their colours.
+    pub fn glows(&self) -> impl Iterator<Item = ((usize, usize), Rgb)> {
+        self.scene.glows.iter().map(|glow| (glow.mask.place(), glow.color))
+    }
+}
+
 /// A lamp that shines.
 pub(crate) struct Lit {
     /// The lamp.
@@ -54,7 +69,7 @@ pub(crate) struct Lit {
     pub number: usize,
 }
 
-/// What a thread needs to render tiles; kept, so that nothing is allocated once it is warm.
+/// What a thread needs to make tiles; kept, so that nothing is allocated once it is warm.
 pub(crate) struct Workspace {
     block: (DVec2, f64),
     /// Whether the block's own lists are made.
@@ -65,22 +80,25 @@ pub(crate) struct Workspace {
     lit: Vec<usize>,
     /// The lamps before which something has moved.
     stirred: Vec<usize>,
-    pub(crate) forms: Vec<usize>,
+    forms: Vec<usize>,
     between: Obstruction,
     room: Intervals,
     fraction: Plane,
     /// Whether the floor's points are every pixel of the tile.
     pub(crate) whole: bool,
     pub(crate) floor: Points,
-    pub(crate) floor_light: Light,
-    /// The floor's light at every pixel.
-    pub(crate) spread: Light,
+    pub(crate) ground: Surface,
     pub(crate) tops: Vec<TopLayer>,
     edge: Edge,
-    remaining: Plane,
+    /// How much of each pixel is floor.
+    pub(crate) remaining: Plane,
     pub(crate) art: Albedo,
     pub(crate) printed: Albedo,
-    /// The tile's radiance, when it is done.
+    /// The light of one layer, packed.
+    pub(crate) packed: Light,
+    /// The tile in the light of one lamp.
+    pub(crate) picture: Light,
+    /// The tile under all lamps, where that is what is made.
     pub out: Light,
 }
 
@@ -102,19 +120,29 @@ impl Workspace {
             fraction: zero,
             whole: true,
             floor: Points::none(),
-            floor_light: DARKNESS,
-            spread: DARKNESS,
+            ground: Surface::none(),
             tops: Vec::new(),
             edge: Edge::none(),
             remaining: zero,
             art: Albedo::none(),
             printed: Albedo::none(),
+            packed: DARKNESS,
+            picture: DARKNESS,
             out: DARKNESS,
         }
     }
 
+    /// Makes ready for the block of tiles that `place` is in, unless it is `last` and has been entered.
+    pub fn enter_block_at(&mut self, stage: &Stage, place: &Place, last: &mut Option<(usize, usize)>) {
+        let block = (place.x / BLOCK * BLOCK, place.y / BLOCK * BLOCK);
+        if *last != Some(block) {
+            *last = Some(block);
+            self.enter_block(stage, block.0, block.1, BLOCK);
+        }
+    }
+
     /// Makes ready for the tiles of a block of the screen, from (`x`, `y`) on, `side` pixels wide and high.
-    pub fn enter_block(&mut self, stage: &Stage, x: usize, y: usize, side: usize) {
+    fn enter_block(&mut self, stage: &Stage, x: usize, y: usize, side: usize) {
         let view = &stage.scene.view;
         let half = side as f64 * 0.5 * view.mm_per_px;
         let corner = view.origin_mm + DVec2::new(x as f64, y as f64) * view.mm_per_px;
@@ -137,8 +165,11 @@ impl Workspace {
         }
     }
 
-    /// Finds what all tiles of the block that are drawn have in common.
+    /// Finds what all tiles of the block that are made have in common.
     fn enter(&mut self, stage: &Stage) {
+        if self.entered {
+            return;
+        }
         self.entered = true;
         let (middle, radius) = self.block;
         let half = radius / std::f64::consts::SQRT_2;
@@ -154,45 +185,135 @@ impl Workspace {
         self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
     }
 
-    /// Whether the tile whose upper left pixel is (`x`, `y`) may look different from the last picture's; forgets what
-    /// was seen there and no longer holds.
-    pub fn differs(&mut self, stage: &Stage, x: usize, y: usize, memory: &mut TileMemory) -> bool {
-        let place = Place::new(stage, x, y);
+    /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
+    pub fn differs(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) -> bool {
         if stage.moved_tops.iter().any(|moved| moved.overlaps(&place.bounds)) {
             memory.forget();
         }
-        let mm_per_px = stage.scene.view.mm_per_px;
-        let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * mm_per_px;
         let mut differs = false;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
-            let cone = Cone::new(lamp, place.middle_mm, radius);
+            let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
             if !cone.beyond(lamp.reach_mm) && self.moved[at].classified_any(stage.path, &cone) {
                 memory.sight(*number).holds = false;
                 differs = true;
             }
         }
-        differs || stage.changes.reach(&place, mm_per_px, memory)
+        differs || stage.changes.reach(place, memory)
     }
 
-    /// Renders the tile whose upper left pixel is (`x`, `y`) into `out`.
-    pub fn render(&mut self, stage: &Stage, x: usize, y: usize, memory: &mut TileMemory) {
-        if !self.entered {
-            self.enter(stage);
+    /// Makes anew what is not remembered of the tile.
+    pub fn remember(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) {
+        self.enter(stage);
+        let mut layers = None;
+        if !memory.base.holds {
+            let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+            self.light_from_everywhere(stage, layers);
+            memory.base.keep(stage.path, Some(&self.picture));
         }
-        let place = Place::new(stage, x, y);
-        let layers = if memory.surfaces.holds {
-            self.recall_surfaces(stage, &memory.surfaces)
+        for index in 0..self.lit.len() {
+            let at = self.lit[index];
+            let Lit { lamp, lost, number, .. } = &stage.lamps[at];
+            if !place.is_reached(lamp) {
+                continue;
+            }
+            let sight = memory.sight(*number);
+            sight.holds &= !lost;
+            if !sight.holds {
+                let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+                let lit = self.light(stage, at, place, layers);
+                memory.sight(*number).keep(stage.path, lit.then_some(&self.picture));
+            }
+        }
+        for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
+            if !memory.glow(glow.mask.place()).holds {
+                layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+                self.glow(place, glow.mask);
+                memory.glow(glow.mask.place()).keep(stage.path, Some(&self.picture));
+            }
+        }
+    }
+
+    /// The means of the cells of a tile whose memory is true.
+    pub fn means(&mut self, stage: &Stage, place: &Place, memory: &TileMemory) -> Means {
+        let mut means = [[0.0; CELLS]; 3];
+        if has_contacts(stage, place) {
+            self.compose(stage, place, memory, &[]);
+            return means_of(&self.out);
+        }
+        combine_means(memory.base().chain(memory.lit(stage.colors(), stage.glows())), &mut means);
+        means
+    }
+
+    /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
+    pub fn compose(&mut self, stage: &Stage, place: &Place, memory: &TileMemory, balls: &[ball::Patch]) {
+        self.out = DARKNESS;
+        if has_contacts(stage, place) {
+            combine(stage.path, memory.base(), &mut self.out);
+            self.shade_contacts(stage, place);
+            combine(stage.path, memory.lit(stage.colors(), stage.glows()), &mut self.out);
         } else {
-            let layers = self.find_surfaces(stage, &place);
-            self.keep_surfaces(layers, &mut memory.surfaces);
-            layers
-        };
-        self.light_surfaces(stage, place.middle_mm, layers, (x, y), memory);
-        self.compose_floor(stage, x, y, place.middle_mm, layers);
-        for layer in (0..layers).rev() {
-            self.compose_top(stage, layer);
+            combine(stage.path, memory.base().chain(memory.lit(stage.colors(), stage.glows())), &mut self.out);
         }
+        for ball in balls {
+            ball.blend(place.x, place.y, &mut self.out);
+        }
+    }
+
+    /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
+    pub fn render(&mut self, stage: &Stage, place: &Place) {
+        self.enter(stage);
+        let layers = self.recall(stage, place, &mut Surfaces::default());
+        self.light_from_everywhere(stage, layers);
+        self.out = self.picture;
+        self.shade_contacts(stage, place);
+        for index in 0..self.lit.len() {
+            let at = self.lit[index];
+            let lamp = &stage.lamps[at].lamp;
+            if place.is_reached(lamp) && self.light(stage, at, place, layers) {
+                self.add_picture(lamp.color);
+            }
+        }
+        for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
+            self.glow(place, glow.mask);
+            self.add_picture(glow.color);
+        }
+    }
+
+    fn add_picture(&mut self, color: Rgb) {
+        for (channel, color) in color.into_iter().enumerate() {
+            for (out, light) in self.out[channel].iter_mut().zip(&self.picture[channel]) {
+                for i in 0..LANES {
+                    out[i] += light[i] * color;
+                }
+            }
+        }
+    }
+
+    /// The tile's surfaces with their art, from memory if that holds; says how many tops there are.
+    fn recall(&mut self, stage: &Stage, place: &Place, kept: &mut Surfaces) -> usize {
+        if !kept.holds {
+            let layers = self.find_surfaces(stage, place);
+            self.keep_surfaces(layers, kept);
+        }
+        let mm_per_px = stage.scene.view.mm_per_px as f32;
+        self.whole = kept.whole;
+        if !self.whole {
+            self.floor.take(&kept.floor, mm_per_px);
+        }
+        if kept.floor_weight.is_empty() {
+            self.remaining = [[1.0; LANES]; TILE];
+        } else {
+            self.remaining.copy_from_slice(&kept.floor_weight);
+        }
+        if self.tops.len() < kept.tops.len() {
+            self.tops.resize_with(kept.tops.len(), TopLayer::new);
+        }
+        for (patch, layer) in kept.tops.iter().zip(&mut self.tops) {
+            patch.unpack(mm_per_px, layer);
+        }
+        self.read_art(stage, place, kept.tops.len());
+        kept.tops.len()
     }
 
     fn keep_surfaces(&self, layers: usize, kept: &mut Surfaces) {
@@ -202,23 +323,12 @@ impl Workspace {
         if !self.whole {
             kept.floor.extend_from_slice(&self.floor.pixel[..self.floor.count]);
         }
+        kept.floor_weight.clear();
+        if layers > 0 {
+            kept.floor_weight.extend_from_slice(&self.remaining);
+        }
         kept.tops.clear();
-        kept.tops.extend(self.tops[..layers].iter().map(Surface::new));
-    }
-
-    fn recall_surfaces(&mut self, stage: &Stage, kept: &Surfaces) -> usize {
-        let mm_per_px = stage.scene.view.mm_per_px as f32;
-        self.whole = kept.whole;
-        if !self.whole {
-            self.floor.take(&kept.floor, mm_per_px);
-        }
-        if self.tops.len() < kept.tops.len() {
-            self.tops.resize_with(kept.tops.len(), TopLayer::new);
-        }
-        for (surface, layer) in kept.tops.iter().zip(&mut self.tops) {
-            surface.unpack(mm_per_px, layer);
-        }
-        kept.tops.len()
+        kept.tops.extend(self.tops[..layers].iter().map(Patch::new));
     }
 
     /// Packs what is seen of every top, the highest first, and of the floor; says how many tops there are.
@@ -257,63 +367,50 @@ impl Workspace {
         layers
     }
 
-    fn light_surfaces(
-        &mut self,
-        stage: &Stage,
-        middle: DVec2,
-        layers: usize,
-        corner: (usize, usize),
-        memory: &mut TileMemory,
-    ) {
-        darken(&mut self.floor_light, if self.whole { TILE } else { self.floor.blocks() });
-        for layer in &mut self.tops[..layers] {
-            darken(&mut layer.diffuse, layer.points.blocks());
-            darken(&mut layer.mirrored, layer.points.blocks());
-        }
-        let radius = TILE as f64 * 0.5 * std::f64::consts::SQRT_2 * stage.scene.view.mm_per_px;
-        for index in 0..self.lit.len() {
-            let at = self.lit[index];
-            let Lit { lamp, lost, number, .. } = &stage.lamps[at];
-            let reach = lamp.reach_mm + radius + 0.01;
-            if lamp.center_mm.distance_squared(middle) > reach * reach {
-                continue;
-            }
-            let sight = memory.sight(*number);
-            sight.holds &= !lost;
-            if !sight.holds || stage.sampling.is_some() {
-                self.look(stage, at, &Cone::new(lamp, middle, radius), middle, layers, corner, sight);
-            }
-            let beam = Beam::new(lamp, middle);
-            let fractions = |layer: usize, points: &Points, ones: &'static [Lanes; TILE]| match sight.layers[layer] {
-                (Verdict::Dark, _) => None,
-                (Verdict::Lit, _) => Some(&ones[..points.blocks()]),
-                (Verdict::Mixed, from) => Some(&sight.fractions[from..from + points.blocks()]),
-            };
-            let floor = if self.whole { stage.whole_tile } else { &self.floor };
-            if let Some(fraction) = fractions(0, floor, &ALL) {
-                light_floor(stage.path, floor, beam, fraction, &mut self.floor_light);
-            }
-            for (at, layer) in self.tops[..layers].iter_mut().enumerate() {
-                let TopLayer { points, normals, diffuse, mirrored, .. } = layer;
-                if let Some(fraction) = fractions(at + 1, points, &ALL) {
-                    light_top(stage.path, points, normals, beam, fraction, diffuse, mirrored);
+    /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::picture`]; says whether there is
+    /// any.
+    fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> bool {
+        let lamp = &stage.lamps[at].lamp;
+        self.look_at(stage, at, place);
+        let beam = Beam::new(lamp, place.middle_mm);
+        let mut lit = false;
+        if self.whole || self.floor.count > 0 {
+            let verdict = self.sees(stage, at, place, None);
+            if verdict != Verdict::Dark {
+                lit = true;
+                let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
+                let (points, out) = if self.whole {
+                    (stage.whole_tile, &mut self.picture)
+                } else {
+                    (&self.floor, &mut self.packed)
+                };
+                light_floor(stage.path, points, &self.ground, beam, fraction, stage.scene.floor.gloss, out);
+                if !self.whole {
+                    self.picture = DARKNESS;
+                    scatter(&self.floor, &self.packed, &mut self.picture);
                 }
             }
         }
+        for layer in 0..layers {
+            let verdict = self.sees(stage, at, place, Some(layer));
+            if verdict == Verdict::Dark {
+                continue;
+            }
+            if !lit {
+                lit = true;
+                self.picture = DARKNESS;
+            }
+            let TopLayer { form, points, surface } = &self.tops[layer];
+            let finish = &stage.scene.tops[*form].finish;
+            let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
+            light_top(stage.path, points, surface, finish, beam, fraction, &mut self.packed);
+            scatter(points, &self.packed, &mut self.picture);
+        }
+        lit
     }
 
-    /// Finds how much of a lamp each point of each layer sees.
-    #[allow(clippy::too_many_arguments)]
-    fn look(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        cone: &Cone,
-        middle: DVec2,
-        layers: usize,
-        corner: (usize, usize),
-        sight: &mut Sight,
-    ) {
+    /// Finds what may stand between a lamp and the tile.
+    fn look_at(&mut self, stage: &Stage, at: usize, place: &Place) {
         let Lit { lamp, candidates, .. } = &stage.lamps[at];
         let near = &mut self.near[at];
         if !self.is_near[at] {
@@ -321,28 +418,34 @@ impl Workspace {
             candidates.narrow(stage.path, &around, near, Some((lamp, stage.silhouettes)));
             self.is_near[at] = true;
         }
-        near.classify(stage.path, cone);
-        sight.holds = true;
-        sight.layers.clear();
-        sight.fractions.clear();
+        near.classify(stage.path, &Cone::new(lamp, place.middle_mm, place.radius_mm));
+    }
+
+    /// Finds how much of a lamp that was looked at each point of the floor or of a top sees.
+    fn sees(&mut self, stage: &Stage, at: usize, place: &Place, layer: Option<usize>) -> Verdict {
+        let floor = if self.whole { stage.whole_tile } else { &self.floor };
+        let top = |layer: usize| (&self.tops[layer].points, Some(stage.scene.tops[self.tops[layer].form].group));
+        let (points, without) = layer.map_or((floor, None), top);
         let mut gaze = Gaze {
             stage,
-            near,
-            lamp,
-            middle,
-            corner,
+            near: &self.near[at],
+            lamp: &stage.lamps[at].lamp,
+            middle: place.middle_mm,
+            corner: (place.x, place.y),
             between: &mut self.between,
             room: &mut self.room,
             fraction: &mut self.fraction,
         };
-        let floor = (if self.whole { stage.whole_tile } else { &self.floor }, None);
-        let tops = self.tops[..layers].iter().map(|top| (&top.points, Some(stage.scene.tops[top.form].group)));
-        for (points, without) in std::iter::once(floor).chain(tops) {
-            let verdict = if points.count == 0 { Verdict::Dark } else { gaze.sees(points, without) };
-            sight.layers.push((verdict, sight.fractions.len()));
-            if verdict == Verdict::Mixed {
-                sight.fractions.extend_from_slice(&gaze.fraction[..points.blocks()]);
-            }
+        gaze.sees(points, without)
+    }
+}
+
+/// Adds the light of packed points to the pixels that they are.
+pub(crate) fn scatter(points: &Points, packed: &Light, picture: &mut Light) {
+    for (plane, packed) in picture.iter_mut().zip(packed) {
+        for (at, &pixel) in points.pixel[..points.count].iter().enumerate() {
+            let pixel = usize::from(pixel);
+            plane[pixel / LANES][pixel % LANES] += packed[at / LANES][at % LANES];
         }
     }
 }
@@ -356,26 +459,35 @@ pub(crate) struct Place {
     pub y: usize,
     /// Its middle on the table, mm.
     pub middle_mm: DVec2,
+    /// From there to its corners, mm.
+    pub radius_mm: f64,
     /// A box around it, mm.
     pub bounds: Bounds,
 }
 
 impl Place {
     /// The tile whose upper left pixel is (`x`, `y`).
-    fn new(stage: &Stage, x: usize, y: usize) -> Place {
-        let view = &stage.scene.view;
+    pub fn new(scene: &Scene, x: usize, y: usize) -> Place {
+        let view = &scene.view;
         let half = TILE as f64 * 0.5;
         let middle_mm = view.origin_mm + (DVec2::new(x as f64, y as f64) + DVec2::splat(half)) * view.mm_per_px;
-        Place { x, y, middle_mm, bounds: Bounds::of(middle_mm, middle_mm).grown((half + 1.0) * view.mm_per_px) }
+        let radius_mm = half * std::f64::consts::SQRT_2 * view.mm_per_px;
+        let bounds = Bounds::of(middle_mm, middle_mm).grown((half + 1.0) * view.mm_per_px);
+        Place { x, y, middle_mm, radius_mm, bounds }
     }
-}
 
-/// Makes the first blocks of a layer dark.
-fn darken(light: &mut Light, blocks: usize) {
-    for plane in light {
-        plane[..blocks].fill([0.0; LANES]);
+    /// Whether a lamp's light may come here.
+    fn is_reached(&self, lamp: &Lamp) -> bool {
+        let reach = lamp.reach_mm + self.radius_mm + 0.01;
+        lamp.center_mm.distance_squared(self.middle_mm) <= reach * reach
+    }
+
+    /// Whether a mask covers any of the tile's pixels.
+    pub fn is_touched(&self, mask: &crate::Mask) -> bool {
+        let (right, bottom) = (mask.x + mask.width, mask.y + mask.height());
+        mask.x < self.x + TILE && right > self.x && mask.y < self.y + TILE && bottom > self.y
     }
 }
 
 /// All of a lamp, for every point.
-static ALL: Plane = [[1.0; LANES]; TILE];
+static ALL: [Lanes; TILE] = [[1.0; LANES]; TILE];

@@ -4,17 +4,21 @@
 //! curve looks at the strongest channel and scales all three alike, so that a red lamp stays red however bright; only
 //! far beyond white does it pale.
 
-use crate::glare::{Level, STEP};
+use crate::glare::{Level, Pyramid, STEP};
+use crate::irradiance::{DARKNESS, Light};
 use crate::lanes::{LANES, Lanes, Path, clamp, clones, max};
+use crate::points::TILE;
 use crate::{Frame, Radiance, dither};
 use rayon::prelude::*;
-use std::cell::RefCell;
 
 /// How much of the light the eye scatters.
 const GLARE: f32 = 0.09;
 
-/// Rows that one task develops.
-const ROWS: usize = 16;
+/// Cells of glare that a tile's pixels lie between, along a side.
+const CELLS: usize = TILE / STEP + 2;
+
+/// The pixels of a tile.
+pub(crate) type Pixels = [[u32; LANES]; TILE];
 
 /// Turns light into pixels; `exposure` is the factor by which the light is multiplied first, 1 is plain.
 ///
@@ -31,78 +35,72 @@ pub fn map_on(path: Path, radiance: &Radiance, exposure: f32, frame: &mut Frame)
     if width == 0 || height == 0 {
         return;
     }
-    frame.pixels.par_chunks_mut(width * ROWS).enumerate().for_each(|(band, pixels)| {
-        GLARE_ROW.with_borrow_mut(|glare| {
-            for (row, pixels) in pixels.chunks_mut(width).enumerate() {
-                develop_row(path, radiance, exposure, band * ROWS + row, glare, pixels);
-            }
-        });
+    frame.pixels.par_chunks_mut(width * TILE).enumerate().for_each(|(band, pixels)| {
+        let mut light = DARKNESS;
+        let mut tile = [[0; LANES]; TILE];
+        for x in (0..width).step_by(TILE) {
+            radiance.read_tile(x, band * TILE, &mut light);
+            develop(path, &light, &radiance.glare, exposure, [x, band * TILE], &mut tile);
+            put(&tile, x, width, pixels);
+        }
     });
 }
 
-thread_local! {
-    /// One row of glare at the picture's own resolution.
-    static GLARE_ROW: RefCell<[Vec<f32>; 3]> = const { RefCell::new([Vec::new(), Vec::new(), Vec::new()]) };
+/// Copies a developed tile into rows of pixels `width` wide, as far as they reach.
+pub(crate) fn put(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
+    for (row, line) in pixels.chunks_mut(width).zip(tile) {
+        let count = LANES.min(width - x);
+        row[x..x + count].copy_from_slice(&line[..count]);
+    }
 }
 
-fn develop_row(
+/// Develops the tile whose upper left pixel is `corner`.
+pub(crate) fn develop(
     path: Path,
-    radiance: &Radiance,
+    light: &Light,
+    glare: &Pyramid,
     exposure: f32,
-    y: usize,
-    glare: &mut [Vec<f32>; 3],
-    pixels: &mut [u32],
+    corner: [usize; 2],
+    pixels: &mut Pixels,
 ) {
-    let stride = radiance.stride();
-    let room = stride + 2 * STEP;
-    let Some((finest, planes)) = radiance.glare.finest() else { return };
-    for (source, target) in planes.into_iter().zip(glare.iter_mut()) {
-        target.resize(room, 0.0);
-        stretch(path, source, finest, y, target);
-    }
-    let light = [0, 1, 2].map(|channel| &radiance.planes[channel][y * stride..(y + 1) * stride]);
-    let glare = [0, 1, 2].map(|channel| &glare[channel][..stride]);
-    develop(path, light, glare, exposure, y, pixels);
-}
-
-clones! {
-    fn stretch(source: &[f32], level: &Level, y: usize, target: &mut [f32]) = stretch_row;
-}
-
-/// The row of the finest glare level that belongs to row `y` of the picture, stretched by [`STEP`].
-#[inline(always)]
-fn stretch_row(source: &[f32], level: &Level, y: usize, target: &mut [f32]) {
-    let place = (y as f32 + 0.5) / STEP as f32 + 0.5;
-    let part = place - place.floor();
-    let near = place as usize;
-    let near = &source[near * level.stride..][..level.width + 2];
-    let far_at = (place as usize + 1).min(level.height + 1);
-    let far = &source[far_at * level.stride..][..level.width + 2];
-    let cells = target.chunks_exact_mut(STEP).zip(0..level.width);
-    for (out, x) in cells {
-        let blend = |at: usize| near[at] + (far[at] - near[at]) * part;
-        let (left, here, right) = (blend(x), blend(x + 1), blend(x + 2));
-        out[0] = 0.375 * left + 0.625 * here;
-        out[1] = 0.125 * left + 0.875 * here;
-        out[2] = 0.875 * here + 0.125 * right;
-        out[3] = 0.625 * here + 0.375 * right;
+    if let Some((level, planes)) = glare.finest() {
+        develop_tile(path, light, level, planes, exposure, corner, pixels);
     }
 }
 
 clones! {
-    fn develop(light: [&[f32]; 3], glare: [&[f32]; 3], exposure: f32, y: usize, pixels: &mut [u32]) = develop_lanes;
+    fn develop_tile(
+        light: &Light, level: &Level, glare: [&[f32]; 3], exposure: f32, corner: [usize; 2], pixels: &mut Pixels,
+    ) = develop_lanes;
 }
 
 #[inline(always)]
-fn develop_lanes(light: [&[f32]; 3], glare: [&[f32]; 3], exposure: f32, y: usize, pixels: &mut [u32]) {
+fn develop_lanes(
+    light: &Light,
+    level: &Level,
+    glare: [&[f32]; 3],
+    exposure: f32,
+    [x, y]: [usize; 2],
+    pixels: &mut Pixels,
+) {
     let noise = dither::thresholds();
-    for (block, out) in pixels.chunks_mut(LANES).enumerate() {
-        let at = block * LANES;
+    let mut stretched = [[[0.0; LANES]; CELLS]; 3];
+    for (plane, stretched) in glare.into_iter().zip(&mut stretched) {
+        for (row, stretched) in stretched.iter_mut().enumerate() {
+            let row = (y / STEP + row).min(level.height + 1) * level.stride;
+            stretch(&plane[row..row + level.width + 2], x / STEP, stretched);
+        }
+    }
+    for row in 0..TILE {
+        // Half a cell down from the border's middle: between which cells, and how far.
+        let (near, part) = ((row + 2) / STEP, ((row + 2) % STEP) as f32 * 0.25 + 0.125);
         let mut levels: [Lanes; 3] = [[0.0; LANES]; 3];
         for channel in 0..3 {
-            let (light, glare) = (&light[channel][at..at + LANES], &glare[channel][at..at + LANES]);
+            let (light, above, below) =
+                (&light[channel][row], &stretched[channel][near], &stretched[channel][near + 1]);
             for i in 0..LANES {
-                levels[channel][i] = exposure * (light[i] + (glare[i] - light[i]) * GLARE);
+                let glare = above[i] + (below[i] - above[i]) * part;
+                levels[channel][i] = exposure * (light[i] + (glare - light[i]) * GLARE);
             }
         }
         let [red, green, blue] = &mut levels;
@@ -112,14 +110,31 @@ fn develop_lanes(light: [&[f32]; 3], glare: [&[f32]; 3], exposure: f32, y: usize
         }
         let mut packed = [0u32; LANES];
         for (channel, level) in levels.iter().enumerate() {
-            let row = (y + 21 * channel) % dither::SIZE * dither::SIZE;
-            let column = (at + LANES * channel) % dither::SIZE;
-            let noise = &noise[row + column..row + column + LANES];
+            let line = (y + row + 21 * channel) % dither::SIZE * dither::SIZE;
+            let column = (x + LANES * channel) % dither::SIZE;
+            let noise = &noise[line + column..line + column + LANES];
             for i in 0..LANES {
                 packed[i] = packed[i] << 8 | rounded(level[i] * 255.0 + noise[i]);
             }
         }
-        out.copy_from_slice(&packed[..out.len()]);
+        pixels[row] = packed;
+    }
+}
+
+/// A row of cells, from the one before `cell` on, at the picture's resolution.
+#[inline(always)]
+fn stretch(row: &[f32], cell: usize, out: &mut Lanes) {
+    let last = row.len() - 1;
+    let mut cells = [0.0; CELLS];
+    for (at, value) in cells.iter_mut().enumerate() {
+        *value = row[(cell + at).min(last)];
+    }
+    for at in 0..TILE / STEP {
+        let [left, here, right] = [cells[at], cells[at + 1], cells[at + 2]];
+        out[at * STEP] = 0.375 * left + 0.625 * here;
+        out[at * STEP + 1] = 0.125 * left + 0.875 * here;
+        out[at * STEP + 2] = 0.875 * here + 0.125 * right;
+        out[at * STEP + 3] = 0.625 * here + 0.375 * right;
     }
 }
 
@@ -136,9 +151,13 @@ fn rounded(value: f32) -> u32 {
 fn film([r, g, b]: [f32; 3]) -> [f32; 3] {
     let strongest = max(max(r, g), max(b, 1e-5));
     let m = strongest * 0.72;
-    let curve = clamp((m * (2.51 * m + 0.03)) / (m * (2.43 * m + 0.59) + 0.14), 0.0, 1.0);
-    let scale = curve / strongest;
-    let pale = 0.7 * m / (m + 14.0);
+    let (above, below) = (m * (2.51 * m + 0.03), m * (2.43 * m + 0.59) + 0.14);
+    let white = m + 14.0;
+    // One division for three: over the curve, over the strongest and over where light pales.
+    let over = 1.0 / (below * white * strongest);
+    let scale = above * white * over;
+    let curve = scale * strongest;
+    let pale = 0.7 * m * (below * strongest * over);
     let bleach = |c: f32| {
         let kept = c * scale;
         kept + (curve - kept) * pale

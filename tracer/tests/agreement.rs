@@ -10,7 +10,7 @@ const SIDE: usize = 160;
 
 fn white() -> Floor {
     let pixels = vec![[255; 4]; SIDE * SIDE];
-    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new() }
+    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new(), gloss: 0.0 }
 }
 
 /// A few lamps, and occluders of every kind thrown in among them: some overlap, some hold a lamp.

@@ -10,7 +10,7 @@ const SIDE: usize = 96;
 
 fn white() -> Floor {
     let pixels = vec![[255; 4]; SIDE * SIDE];
-    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new() }
+    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new(), gloss: 0.0 }
 }
 
 /// 96 x 96 mm around the origin, one lamp 60 mm above the middle of the view.

@@ -16,10 +16,16 @@ use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Part, Pose};
 pub struct Times {
     /// From the moment to the scene.
     pub stage_ms: f64,
-    /// The light.
-    pub light_ms: f64,
-    /// The tone map.
-    pub tone_ms: f64,
+    /// Finding what is new in the scene.
+    pub prepare_ms: f64,
+    /// Shadows and surfaces, where something has moved.
+    pub shadows_ms: f64,
+    /// The balls.
+    pub balls_ms: f64,
+    /// The glare.
+    pub glare_ms: f64,
+    /// All lamps summed up, developed.
+    pub develop_ms: f64,
     /// The display.
     pub hud_ms: f64,
     /// Handing the picture to the window.
@@ -98,8 +104,11 @@ impl Overlay {
         let (style, table) = (subject.style(), subject.placement.table);
         let rows = [
             ("stage", times.stage_ms),
-            ("light", times.light_ms),
-            ("tone", times.tone_ms),
+            ("prepare", times.prepare_ms),
+            ("shadows", times.shadows_ms),
+            ("balls", times.balls_ms),
+            ("glare", times.glare_ms),
+            ("develop", times.develop_ms),
             ("hud", times.hud_ms),
             ("present", times.present_ms),
             ("between", times.between_ms),

@@ -26,7 +26,7 @@ pub fn floor(table: &Table, view: &View) -> Result<Floor, Failure> {
         || print(table, &table.floor_svg, view, background),
         || print(table, &table.tops_svg, view, Color::TRANSPARENT),
     );
-    Ok(Floor { width: view.width, height: view.height, floor: floor?, tops: tops?, normals: Vec::new() })
+    Ok(Floor { width: view.width, height: view.height, floor: floor?, tops: tops?, ..Floor::default() })
 }
 
 /// The pixels of `view` that each of the table's inserts covers, in the lamps' order; a bulb's mask is empty.
