@@ -47,8 +47,13 @@ fn read_lanes<const OPAQUE: bool>(
     for row in 0..TILE.min(height) {
         let start = (y + row) * stride + x;
         let mut packed = [0i32; LANES];
-        for (packed, pixel) in packed.iter_mut().zip(&pixels[start..start + width]) {
-            *packed = i32::from_le_bytes(*pixel);
+        match pixels[start..start + width].first_chunk::<LANES>() {
+            Some(whole) => packed = whole.map(i32::from_le_bytes),
+            None => {
+                for (packed, pixel) in packed.iter_mut().zip(&pixels[start..start + width]) {
+                    *packed = i32::from_le_bytes(*pixel);
+                }
+            }
         }
         let mut scale: Lanes = [1.0 / 255.0; LANES];
         if !OPAQUE {
@@ -58,12 +63,18 @@ fn read_lanes<const OPAQUE: bool>(
                 scale[i] = 1.0 / max(alpha, 1.0);
             }
         }
-        for channel in 0..3 {
-            let color = &mut out.color[channel][row];
-            for i in 0..LANES {
-                color[i] = linear(((packed[i] >> (8 * channel)) & 255) as f32 * scale[i]);
-            }
-        }
+        // Channel by channel and not in a loop, which the compiler would turn round.
+        let [red, green, blue] = &mut out.color;
+        read_channel::<0>(&packed, &scale, &mut red[row]);
+        read_channel::<8>(&packed, &scale, &mut green[row]);
+        read_channel::<16>(&packed, &scale, &mut blue[row]);
+    }
+}
+
+#[inline(always)]
+fn read_channel<const SHIFT: u32>(packed: &[i32; LANES], scale: &Lanes, out: &mut Lanes) {
+    for i in 0..LANES {
+        out[i] = linear(((packed[i] >> SHIFT) & 255) as f32 * scale[i]);
     }
 }
 

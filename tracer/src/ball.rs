@@ -4,11 +4,13 @@
 //! lit already; rays that go up meet the lamps, or a dim room with one soft panel overhead, so that a ball has a bright
 //! spot and a rim even where no lamp reaches it. Scratches turn with the ball.
 
+use crate::candidates::{Candidates, Cone};
 use crate::glare::{Level, STEP};
 use crate::irradiance::Light;
-use crate::lanes::{clamp, max};
+use crate::lanes::{Path, clamp, max};
 use crate::points::TILE;
-use crate::{Ball, Lamp, Rgb, View};
+use crate::silhouette::Silhouettes;
+use crate::{Ball, Lamp, Rgb, View, exact};
 use geometry::DVec2;
 use rayon::prelude::*;
 
@@ -52,6 +54,13 @@ pub(crate) struct Patch {
     y: usize,
     width: usize,
     pixels: Vec<[f32; 4]>,
+    /// The lamps that the ball sees.
+    glints: Vec<Glint>,
+    /// What arrives from them at its middle.
+    arriving: Rgb,
+    /// What may stand before a lamp, and the parts that it hides: room to work in.
+    near: Candidates,
+    intervals: Vec<(f64, f64)>,
 }
 
 /// The lit table below the balls, in the cells of the glare: a ball shows it so small that they are fine enough.
@@ -64,8 +73,35 @@ pub(crate) struct Table<'a> {
 }
 
 impl Patch {
-    /// Renders a ball that mirrors `table` and `glints` and stands in `arriving` light.
-    pub fn render(&mut self, ball: &Ball, table: Table, glints: &[Glint], arriving: Rgb) {
+    /// Finds which lamps the ball sees, past what may stand before each of them.
+    pub fn look<'a>(
+        &mut self,
+        path: Path,
+        ball: &Ball,
+        lamps: impl Iterator<Item = (&'a Lamp, &'a Candidates)>,
+        all: &Silhouettes,
+    ) {
+        self.glints.clear();
+        self.arriving = [0.0; 3];
+        for (lamp, candidates) in lamps {
+            let falloff = lamp.falloff(ball.center_mm) as f32;
+            if falloff <= 0.0 {
+                continue;
+            }
+            candidates.narrow(path, &Cone::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
+            let (place, group) = (ball.center_mm, Some(ball.group));
+            let seen = exact::visible_fraction_of(all, &self.near, lamp, place, group, &mut self.intervals) as f32;
+            if seen > 0.0 {
+                self.glints.push(Glint::new(lamp, ball, seen));
+            }
+            for channel in 0..3 {
+                self.arriving[channel] += lamp.color[channel] * falloff * seen;
+            }
+        }
+    }
+
+    /// Renders a ball that mirrors `table` and the lamps that it sees.
+    pub fn render(&mut self, ball: &Ball, table: Table) {
         let view = table.view;
         let reach = DVec2::splat(ball.radius_mm + view.mm_per_px);
         let size = DVec2::new(view.width as f64, view.height as f64);
@@ -80,7 +116,7 @@ impl Patch {
             return;
         }
         self.pixels.resize(self.width * height, [0.0; 4]);
-        let mirror = Mirror { ball, table, glints, arriving };
+        let mirror = Mirror { ball, table, glints: &self.glints, arriving: self.arriving };
         let (x, y) = (self.x, self.y);
         self.pixels.par_chunks_mut(self.width).with_min_len(4).enumerate().for_each(|(row, pixels)| {
             for (column, pixel) in pixels.iter_mut().enumerate() {

@@ -35,7 +35,7 @@ impl Inlay {
 }
 
 /// A lamp that does not shine as it did.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Flash {
     circle: (DVec2, f64),
     /// Its number in the tiles' memory, if what is remembered of it counts.
@@ -134,26 +134,56 @@ impl Changes {
         std::mem::swap(&mut self.inlays, &mut self.next);
     }
 
+    /// What may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
+    pub fn near(&self, middle_mm: DVec2, radius_mm: f64, moved_tops: &[Bounds], nearby: &mut Nearby) {
+        let room = radius_mm + MARGIN_MM;
+        let bounds = Bounds::of(middle_mm, middle_mm).grown(room);
+        let overlapping = |list: &[Bounds], near: &mut Vec<Bounds>| {
+            near.clear();
+            near.extend(list.iter().filter(|top| top.overlaps(&bounds)));
+        };
+        overlapping(moved_tops, &mut nearby.moved_tops);
+        overlapping(&self.tops, &mut nearby.tops);
+        nearby.flashes.clear();
+        nearby.flashes.extend(self.flashes.iter().filter(|flash| is_near(&flash.circle, middle_mm, room)));
+        nearby.contacts.clear();
+        nearby.contacts.extend(self.contacts.iter().filter(|circle| is_near(circle, middle_mm, room)));
+        nearby.glows.clear();
+        nearby.glows.extend_from_slice(&self.glows);
+    }
+}
+
+/// The changes that may be seen in one block of tiles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Nearby {
+    /// Where tops have moved.
+    pub moved_tops: Vec<Bounds>,
+    tops: Vec<Bounds>,
+    flashes: Vec<Flash>,
+    contacts: Vec<(DVec2, f64)>,
+    glows: Vec<[usize; 4]>,
+}
+
+impl Nearby {
     /// Whether the tile at `place` may look different; `memory` is what it saw in the last picture and still sees.
     pub fn reach(&self, place: &Place, memory: &mut TileMemory) -> bool {
         let &Place { x, y, middle_mm, radius_mm, ref bounds } = place;
-        let radius = radius_mm * std::f64::consts::SQRT_2 + MARGIN_MM;
+        let room = radius_mm + MARGIN_MM;
         let shines = self.tops.iter().any(|top| top.overlaps(bounds));
         memory.base.holds &= !shines;
-        let within = |&(center, reach): &(DVec2, f64)| {
-            let square = (reach + radius) * (reach + radius);
-            // What is not a number is near.
-            center.distance_squared(middle_mm).partial_cmp(&square) != Some(Ordering::Greater)
-        };
         let seen = |flash: &Flash| !flash.number.is_some_and(|number| memory.is_dark(number));
-        self.everything
-            || shines
-            || !memory.base.holds
-            || self.contacts.iter().any(within)
-            || self.flashes.iter().any(|flash| within(&flash.circle) && seen(flash))
+        !memory.base.holds
+            || self.contacts.iter().any(|circle| is_near(circle, middle_mm, room))
+            || self.flashes.iter().any(|flash| is_near(&flash.circle, middle_mm, room) && seen(flash))
             || self
                 .glows
                 .iter()
                 .any(|&[left, top, right, bottom]| left < x + TILE && right > x && top < y + TILE && bottom > y)
     }
+}
+
+/// Whether a circle comes within `room` of a point; what is not a number is near.
+fn is_near(&(center, radius): &(DVec2, f64), point: DVec2, room: f64) -> bool {
+    let reach = radius + room;
+    center.distance_squared(point).partial_cmp(&(reach * reach)) != Some(Ordering::Greater)
 }

@@ -17,7 +17,7 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
             candidates.set(lamp, &silhouettes);
-            let seen = visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, exclude);
+            let seen = visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, exclude, &mut Vec::new());
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * falloff * seen;
             }
@@ -26,16 +26,17 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
     sum.map(|light| light as f32)
 }
 
-/// How much of `lamp` the point sees past `candidates`, but for one group.
+/// How much of `lamp` the point sees past `candidates`, but for one group; `intervals` is room to work in.
 pub(crate) fn visible_fraction_of(
     all: &Silhouettes,
     candidates: &Candidates,
     lamp: &Lamp,
     point: DVec2,
     without: Option<Group>,
+    intervals: &mut Vec<(f64, f64)>,
 ) -> f64 {
     let chord = Chord::new(lamp, point);
-    let mut intervals = Vec::new();
+    intervals.clear();
     for at in 0..candidates.len() {
         if Some(candidates.group[at]) == without {
             continue;
@@ -54,7 +55,7 @@ pub(crate) fn visible_fraction_of(
             }
         }
     }
-    1.0 - union_length(&mut intervals) / 2.0
+    1.0 - union_length(intervals) / 2.0
 }
 
 /// A lamp's chord seen from a point: the point is the origin, the way to the lamp the first axis.
@@ -155,7 +156,7 @@ fn line_interval(hull: &Taper, x: f64) -> Option<(f64, f64)> {
 
 /// The length of a union of intervals.
 fn union_length(intervals: &mut [(f64, f64)]) -> f64 {
-    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
+    intervals.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let (mut length, mut end) = (0.0, f64::MIN);
     for &(low, high) in intervals.iter() {
         length += (high - low.max(end)).max(0.0);

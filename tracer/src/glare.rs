@@ -10,6 +10,9 @@ use rayon::prelude::*;
 /// How many pixels of the picture, across and down, make one of the finest level.
 pub(crate) const STEP: usize = 4;
 
+/// Cells that can be read from any tile's first on, though the last tiles' rows end sooner.
+pub(crate) const ROOM: usize = 8;
+
 /// Levels, the finest first.
 const LEVELS: usize = 5;
 
@@ -68,7 +71,7 @@ impl Pyramid {
         self.levels.clear();
         for _ in 0..LEVELS {
             let (width, height) = size;
-            self.levels.push(Level { width, height, stride: (width + 2).next_multiple_of(LANES) });
+            self.levels.push(Level { width, height, stride: (width + 2 + ROOM).next_multiple_of(LANES) });
             size = (width.div_ceil(2), height.div_ceil(2));
         }
         self.channels = [0; 3].map(|_| self.levels.iter().map(Planes::new).collect());

@@ -6,9 +6,9 @@
 //! a list: one that flashes is remembered while it is dark.
 
 use crate::irradiance::Light;
-use crate::response::{Part, Response};
+use crate::response::{Gist, Part, Texels};
 use crate::surfaces::Surfaces;
-use crate::{Lamp, Occluder, Path, Rgb, View};
+use crate::{Group, Lamp, Occluder, Path, Rgb, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
@@ -17,31 +17,43 @@ pub(crate) const MOST_LAMPS: usize = 160;
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
 const MOST_MOVES: usize = 200;
 
-/// What one tile shows in the light of one lamp.
+/// What one tile shows in the light of one lamp. What the glare needs is kept here, the rest where it need not be
+/// touched for that.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sight {
     /// Whether what follows still holds.
     pub holds: bool,
+    /// What hides the lamp from all of the tile, if it is one group alone.
+    pub hidden_by: Option<Group>,
+    /// What squares of texels are multiplied by; 0 in darkness.
+    scale: f32,
+    gist: Gist,
     /// The tile in that light; nothing where it never was lit.
-    pub response: Option<Box<Response>>,
+    texels: Option<Box<Texels>>,
 }
 
 impl Sight {
-    /// What is known to be lit.
-    fn lit(&self) -> Option<&Response> {
-        self.response.as_deref().filter(|response| self.holds && response.lit)
+    /// What is known to be lit, in light of this colour.
+    fn lit(&self, color: Rgb) -> Option<Part<'_>> {
+        let texels = self.texels.as_deref().filter(|_| self.is_lit())?;
+        Some(Part { texels, gist: &self.gist, gain: color.map(|channel| channel * self.scale) })
     }
 
-    /// Keeps a picture; `None` is darkness.
-    pub fn keep(&mut self, path: Path, light: Option<&Light>) {
-        self.holds = true;
-        match (light, &mut self.response) {
-            (Some(light), response) => {
-                response.get_or_insert_with(|| Box::new(Response::dark())).keep(path, light);
-            }
-            (None, Some(response)) => response.lit = false,
-            (None, None) => {}
-        }
+    /// Whether it is known to be lit.
+    fn is_lit(&self) -> bool {
+        self.holds && self.scale > 0.0
+    }
+
+    /// Keeps a picture.
+    pub fn keep(&mut self, path: Path, light: &Light) {
+        (self.holds, self.hidden_by) = (true, None);
+        let texels = self.texels.get_or_insert_with(|| Box::new(Texels::dark()));
+        self.scale = texels.keep(path, light, &mut self.gist);
+    }
+
+    /// Keeps in mind that nothing is lit, and what hides the lamp if it is one group alone.
+    pub fn keep_dark(&mut self, hidden_by: Option<Group>) {
+        (self.holds, self.hidden_by, self.scale) = (true, hidden_by, 0.0);
     }
 }
 
@@ -81,12 +93,12 @@ impl TileMemory {
 
     /// Whether the tile is known to see nothing of a lamp.
     pub fn is_dark(&self, lamp: usize) -> bool {
-        self.sights.get(lamp).is_some_and(|sight| sight.holds && sight.lit().is_none())
+        self.sights.get(lamp).is_some_and(|sight| sight.holds && !sight.is_lit())
     }
 
     /// What the tile shows of light from everywhere.
     pub fn base(&self) -> impl Iterator<Item = Part<'_>> {
-        self.base.lit().map(|base| base.under([1.0; 3])).into_iter()
+        self.base.lit([1.0; 3]).into_iter()
     }
 
     /// What it shows of lamps, given by their numbers, and of inserts, given by their masks, in their colours.
@@ -95,10 +107,12 @@ impl TileMemory {
         lamps: impl Iterator<Item = (usize, Rgb)> + 'a,
         glows: impl Iterator<Item = ((usize, usize), Rgb)> + 'a,
     ) -> impl Iterator<Item = Part<'a>> {
-        let lamp = |(number, color): (usize, Rgb)| self.sights.get(number)?.lit().map(|lit| lit.under(color));
+        let lamp = |(number, color): (usize, Rgb)| self.sights.get(number)?.lit(color);
         let glow = |(mask, color): ((usize, usize), Rgb)| {
-            self.glows.iter().find(|glow| glow.0 == mask)?.1.lit().map(|lit| lit.under(color))
+            self.glows.iter().find(|glow| glow.0 == mask)?.1.lit(color)
         };
+        // Few tiles have inserts.
+        let glows = glows.take_while(|_| !self.glows.is_empty());
         lamps.filter_map(lamp).chain(glows.filter_map(glow))
     }
 

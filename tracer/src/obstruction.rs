@@ -55,6 +55,8 @@ pub(crate) struct Obstruction {
     pub ends: Vec<usize>,
     /// The hard pieces.
     pub pieces: Vec<Piece>,
+    /// The group whose chain hides the lamp, where one does.
+    pub hidden_by: Option<Group>,
 }
 
 /// How much of a lamp the points of a tile see.
@@ -81,6 +83,7 @@ impl Obstruction {
         self.elements.clear();
         self.ends.clear();
         self.pieces.clear();
+        self.hidden_by = None;
         let place = Place { all, middle_mm };
         let mut chain = 0u16;
         for at in 0..near.len() {
@@ -92,6 +95,7 @@ impl Obstruction {
             let open = self.ends.last().copied().unwrap_or(0) < self.elements.len();
             if open && (!easy || alone) {
                 if dark(chain) {
+                    self.hidden_by = Some(near.group[at - 1]);
                     return Verdict::Dark;
                 }
                 self.ends.push(self.elements.len());
@@ -115,6 +119,7 @@ impl Obstruction {
         }
         if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
             if dark(chain) {
+                self.hidden_by = near.group.last().copied();
                 return Verdict::Dark;
             }
             self.ends.push(self.elements.len());

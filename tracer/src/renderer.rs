@@ -1,7 +1,7 @@
 //! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
 //! then the balls that mirror them, then the glare, then the tiles themselves.
 
-use crate::ball::{Glint, Patch, Table};
+use crate::ball::{Patch, Table};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
@@ -14,7 +14,7 @@ use crate::points::{Points, TILE};
 use crate::response::{Means, means_of};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Place, Stage, Workspace};
-use crate::{Film, Finish, Radiance, Scene, Top, exact, tone};
+use crate::{Film, Finish, Radiance, Scene, Top, tone};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -35,7 +35,6 @@ pub struct Renderer {
     tops: Vec<Top>,
     forms: Vec<Option<Form>>,
     whole_tile: (f64, Points),
-    glints: Vec<Glint>,
     patches: Vec<Patch>,
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
@@ -105,7 +104,6 @@ impl Renderer {
             tops: Vec::new(),
             forms: Vec::new(),
             whole_tile: (0.0, Points::none()),
-            glints: Vec::new(),
             patches: Vec::new(),
             radiance: Radiance::default(),
         }
@@ -376,27 +374,15 @@ impl Renderer {
 
     fn render_balls(&mut self, scene: &Scene, glare: &mut Pyramid) {
         self.patches.resize_with(scene.balls.len(), Patch::default);
-        for (ball, patch) in scene.balls.iter().zip(&mut self.patches) {
-            self.glints.clear();
-            let mut arriving = [0.0; 3];
-            for Lit { lamp, candidates, .. } in &self.lamps {
-                let falloff = lamp.falloff(ball.center_mm) as f32;
-                if falloff <= 0.0 {
-                    continue;
-                }
-                let seen =
-                    exact::visible_fraction_of(&self.silhouettes, candidates, lamp, ball.center_mm, Some(ball.group));
-                if seen > 0.0 {
-                    self.glints.push(Glint::new(lamp, ball, seen as f32));
-                }
-                for channel in 0..3 {
-                    arriving[channel] += lamp.color[channel] * falloff * seen as f32;
-                }
-            }
-            if let Some((level, planes)) = glare.means() {
-                let table = Table { view: &scene.view, level, planes, ambient: scene.ambient };
-                patch.render(ball, table, &self.glints, arriving);
-            }
+        self.patches.truncate(scene.balls.len());
+        if let Some((level, planes)) = glare.means() {
+            let table = Table { view: &scene.view, level, planes, ambient: scene.ambient };
+            let (path, lamps, all) = (self.path, &self.lamps, &self.silhouettes);
+            self.patches.par_iter_mut().zip(&scene.balls).for_each(|(patch, ball)| {
+                let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.candidates));
+                patch.look(path, ball, lamps, all);
+                patch.render(ball, table);
+            });
         }
         if let Some((level, mut planes)) = glare.means_mut() {
             for patch in &self.patches {
@@ -447,11 +433,14 @@ fn write_planes(tile: &Light, x: usize, y: usize, stride: usize, planes: &mut [&
 
 /// Writes the means of a tile into a band of cells, as far as the level reaches.
 fn write_means(found: &Means, x: usize, y: usize, level: &Level, means: &mut [&mut [f32]; 3]) {
-    const SIDE: usize = TILE / STEP;
-    let count = SIDE.min(level.width - x / STEP);
     for (plane, found) in means.iter_mut().zip(found) {
-        for (row, cells) in plane[y / STEP * level.stride..].chunks_mut(level.stride).zip(found.chunks(SIDE)) {
-            row[1 + x / STEP..][..count].copy_from_slice(&cells[..count]);
+        let rows = plane[y / STEP * level.stride..].chunks_mut(level.stride);
+        for (row, cells) in rows.zip(found.as_chunks::<{ TILE / STEP }>().0) {
+            let row = &mut row[1 + x / STEP..1 + level.width];
+            match row.first_chunk_mut() {
+                Some(whole) => *whole = *cells,
+                None => row.copy_from_slice(&cells[..row.len()]),
+            }
         }
     }
 }

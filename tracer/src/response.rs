@@ -22,85 +22,76 @@ pub(crate) type Means = [[f32; CELLS]; 3];
 const ROWS: usize = 4;
 
 /// Parts that are summed up together.
-const BATCH: usize = 16;
+const BATCH: usize = 8;
 
 /// The steps from dark to the tile's brightest.
 const STEPS: f32 = 65_535.0;
 
-/// A picture of a tile.
-#[derive(Clone, Debug)]
-pub(crate) struct Response {
-    /// Whether there is any light in it.
-    pub lit: bool,
-    /// What a texel's square is multiplied by.
-    scale: f32,
-    /// Red, green, blue, row by row: square roots.
-    texels: Texels,
-    /// The means of the cells, over `scale`.
-    means: Means,
-}
-
-/// Three channels of a tile, each beginning on a cache line of its own.
+/// A picture of a tile: red, green, blue, row by row, as square roots, each channel beginning on a cache line.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-struct Texels([[u16; AREA]; 3]);
+pub(crate) struct Texels([[u16; AREA]; 3]);
 
-/// A response with the colour of what lights it.
+/// The means of a picture's cells, in the unit of the texels' squares over 2^16.
+pub(crate) type Gist = [[u16; CELLS]; 3];
+
+/// A picture with the colour of what lights it.
 #[derive(Clone, Copy)]
 pub(crate) struct Part<'a> {
-    response: &'a Response,
-    gain: [f32; 3],
+    /// The picture.
+    pub texels: &'a Texels,
+    /// Its cells.
+    pub gist: &'a Gist,
+    /// The light's colour, times what squares of texels are to be multiplied by.
+    pub gain: [f32; 3],
 }
 
-impl Response {
+impl Texels {
     /// Darkness.
-    pub fn dark() -> Response {
-        Response {
-            lit: false,
-            scale: 0.0,
-            texels: Texels([[0; AREA]; 3]),
-            means: [[0.0; CELLS]; 3],
-        }
+    pub fn dark() -> Texels {
+        Texels([[0; AREA]; 3])
     }
 
-    /// Keeps a picture: finite, 0 or more.
-    pub fn keep(&mut self, path: Path, light: &Light) {
+    /// Keeps a picture: finite, 0 or more. Returns what squares of texels are to be multiplied by, 0 if it is dark.
+    pub fn keep(&mut self, path: Path, light: &Light, gist: &mut Gist) -> f32 {
         let mut brightest = 0.0;
         find_brightest(path, light, &mut brightest);
-        self.lit = brightest > 0.0;
-        if self.lit {
-            let per_step = brightest.sqrt() / STEPS;
-            self.scale = per_step * per_step;
-            encode(path, light, 1.0 / per_step, &mut self.texels, &mut self.means);
+        if brightest == 0.0 {
+            return 0.0;
         }
-    }
-
-    /// The picture in light of this colour.
-    pub fn under(&self, color: [f32; 3]) -> Part<'_> {
-        Part { response: self, gain: color.map(|channel| channel * self.scale) }
+        let per_step = brightest.sqrt() / STEPS;
+        encode(path, light, 1.0 / per_step, self, gist);
+        per_step * per_step
     }
 }
 
-/// Adds parts up, onto what is in `out`.
-pub(crate) fn combine<'a>(path: Path, mut parts: impl Iterator<Item = Part<'a>>, out: &mut Light) {
+/// Adds parts up, onto what is in `out` if that is to be `kept`.
+pub(crate) fn combine<'a>(path: Path, mut parts: impl Iterator<Item = Part<'a>>, mut kept: bool, out: &mut Light) {
     // Some at a time, so that sums stay in registers and nothing is allocated.
     while let Some(first) = parts.next() {
         let mut batch = [first; BATCH];
         let mut count = 1;
-        for (place, part) in batch[1..].iter_mut().zip(&mut parts) {
-            *place = part;
+        while count < BATCH {
+            let Some(part) = parts.next() else { break };
+            batch[count] = part;
             count += 1;
         }
-        sum(path, &batch[..count], out);
+        sum(path, &batch[..count], kept, out);
+        kept = true;
+    }
+    if !kept {
+        for plane in out {
+            plane.fill([0.0; LANES]);
+        }
     }
 }
 
 /// Adds up the parts' means, onto what is in `out`.
 pub(crate) fn combine_means<'a>(parts: impl Iterator<Item = Part<'a>>, out: &mut Means) {
-    for part in parts {
-        for channel in 0..3 {
+    for Part { gist, gain, .. } in parts {
+        for ((out, means), gain) in out.iter_mut().zip(gist).zip(gain) {
             for cell in 0..CELLS {
-                out[channel][cell] += part.response.means[channel][cell] * part.gain[channel];
+                out[cell] += f32::from(means[cell]) * (gain * 65_536.0);
             }
         }
     }
@@ -142,13 +133,13 @@ fn brightest_lanes(light: &Light, brightest: &mut f32) {
 }
 
 clones! {
-    fn encode(light: &Light, steps: f32, texels: &mut Texels, means: &mut Means) = encode_lanes;
+    fn encode(light: &Light, steps: f32, texels: &mut Texels, gist: &mut Gist) = encode_lanes;
 }
 
 #[inline(always)]
-fn encode_lanes(light: &Light, steps: f32, texels: &mut Texels, means: &mut Means) {
+fn encode_lanes(light: &Light, steps: f32, texels: &mut Texels, gist: &mut Gist) {
     for channel in 0..3 {
-        means[channel] = [0.0; CELLS];
+        let mut means = [0.0; CELLS];
         for row in 0..TILE {
             let (line, out) = (&light[channel][row], &mut texels.0[channel][row * LANES..][..LANES]);
             let mut squares = [0.0; LANES];
@@ -158,27 +149,30 @@ fn encode_lanes(light: &Light, steps: f32, texels: &mut Texels, means: &mut Mean
                 out[i] = step;
                 squares[i] = f32::from(step) * f32::from(step);
             }
-            add_row(row, &squares, &mut means[channel]);
+            add_row(row, &squares, &mut means);
         }
-        for mean in &mut means[channel] {
-            *mean *= 1.0 / (CELL * CELL) as f32;
+        for (gist, mean) in gist[channel].iter_mut().zip(means) {
+            // A square is under 2^32, so what is kept of a mean is under 2^16.
+            *gist = (mean * (1.0 / ((CELL * CELL) as f32 * 65_536.0))) as u16;
         }
     }
 }
 
 clones! {
-    fn sum(parts: &[Part], out: &mut Light) = sum_lanes;
+    fn sum(parts: &[Part], kept: bool, out: &mut Light) = sum_lanes;
 }
 
 #[inline(always)]
-fn sum_lanes(parts: &[Part], out: &mut Light) {
+fn sum_lanes(parts: &[Part], kept: bool, out: &mut Light) {
     for channel in 0..3 {
         for rows in (0..TILE).step_by(ROWS) {
             let mut sums = [[0.0; LANES]; ROWS];
-            sums.copy_from_slice(&out[channel][rows..rows + ROWS]);
+            if kept {
+                sums.copy_from_slice(&out[channel][rows..rows + ROWS]);
+            }
             for part in parts {
                 let gain = part.gain[channel];
-                let texels = &part.response.texels.0[channel][rows * LANES..][..ROWS * LANES];
+                let texels = &part.texels.0[channel][rows * LANES..][..ROWS * LANES];
                 for row in 0..ROWS {
                     for i in 0..LANES {
                         let root = f32::from(texels[row * LANES + i]);

@@ -17,8 +17,33 @@ pub(crate) struct Surfaces {
     pub floor: Vec<u8>,
     /// How much of each pixel of the tile is floor; empty if all of all.
     pub floor_weight: Vec<Lanes>,
-    /// The tops, the highest first.
-    pub tops: Vec<Patch>,
+    /// The tops, the highest first; there may be more, which are not there any more.
+    tops: Vec<Patch>,
+    layers: usize,
+}
+
+impl Surfaces {
+    /// What the tile shows of tops.
+    pub fn tops(&self) -> &[Patch] {
+        &self.tops[..self.layers]
+    }
+
+    /// Keeps what layers show.
+    pub fn keep_tops(&mut self, layers: &[TopLayer]) {
+        self.layers = layers.len();
+        if self.tops.len() < layers.len() {
+            self.tops.resize_with(layers.len(), Patch::empty);
+        }
+        for (patch, layer) in self.tops.iter_mut().zip(layers) {
+            patch.keep(layer);
+        }
+    }
+}
+
+/// Gives a list new contents in its old place.
+fn refill<T: Copy>(list: &mut Vec<T>, contents: &[T]) {
+    list.clear();
+    list.extend_from_slice(contents);
 }
 
 /// What a tile shows of a top.
@@ -31,15 +56,19 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
+    /// Nothing.
+    fn empty() -> Patch {
+        Patch { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: [const { Vec::new() }; 3] }
+    }
+
     /// Keeps what a layer shows.
-    pub fn new(layer: &TopLayer) -> Patch {
+    fn keep(&mut self, layer: &TopLayer) {
         let TopLayer { form, points, surface: Surface { weight, normals, .. } } = layer;
-        let packed = |plane: &Plane| plane[..points.blocks()].to_vec();
-        Patch {
-            form: *form,
-            pixel: points.pixel[..points.count].to_vec(),
-            weight: packed(weight),
-            normals: [packed(&normals.x), packed(&normals.y), packed(&normals.z)],
+        self.form = *form;
+        refill(&mut self.pixel, &points.pixel[..points.count]);
+        let planes: [&Plane; 4] = [weight, &normals.x, &normals.y, &normals.z];
+        for (kept, plane) in [&mut self.weight].into_iter().chain(&mut self.normals).zip(planes) {
+            refill(kept, &plane[..points.blocks()]);
         }
     }
 

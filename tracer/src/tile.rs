@@ -5,7 +5,7 @@
 
 use crate::albedo::Albedo;
 use crate::candidates::{Candidates, Cone};
-use crate::changes::Changes;
+use crate::changes::{Changes, Nearby};
 use crate::compose::has_contacts;
 use crate::coverage::{Edge, Form};
 use crate::gaze::Gaze;
@@ -19,7 +19,7 @@ use crate::points::{AREA, Plane, Points, TILE};
 use crate::renderer::BLOCK;
 use crate::response::{CELLS, Means, combine, combine_means, means_of};
 use crate::silhouette::Silhouettes;
-use crate::surfaces::{Patch, Surfaces};
+use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
 use crate::{Lamp, Rgb, Scene, ball};
 use geometry::{Bounds, DVec2};
@@ -80,6 +80,8 @@ pub(crate) struct Workspace {
     lit: Vec<usize>,
     /// The lamps before which something has moved.
     stirred: Vec<usize>,
+    /// What else is different.
+    nearby: Nearby,
     forms: Vec<usize>,
     between: Obstruction,
     room: Intervals,
@@ -114,6 +116,7 @@ impl Workspace {
             moved: Vec::new(),
             lit: Vec::new(),
             stirred: Vec::new(),
+            nearby: Nearby::default(),
             forms: Vec::new(),
             between: Obstruction::default(),
             room: Intervals::default(),
@@ -151,6 +154,7 @@ impl Workspace {
         self.entered = false;
         self.moved.resize_with(stage.lamps.len(), Candidates::default);
         self.stirred.clear();
+        stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
         for (at, Lit { lamp, moved, .. }) in stage.lamps.iter().enumerate() {
             if moved.len() == 0 {
                 continue;
@@ -187,19 +191,22 @@ impl Workspace {
 
     /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
     pub fn differs(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) -> bool {
-        if stage.moved_tops.iter().any(|moved| moved.overlaps(&place.bounds)) {
+        if self.nearby.moved_tops.iter().any(|moved| moved.overlaps(&place.bounds)) {
             memory.forget();
         }
         let mut differs = false;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
             let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
-            if !cone.beyond(lamp.reach_mm) && self.moved[at].classified_any(stage.path, &cone) {
-                memory.sight(*number).holds = false;
+            let sight = memory.sight(*number);
+            // What one group hides stays hidden while that group stands still.
+            let hidden = sight.holds && sight.hidden_by.is_some_and(|group| !self.moved[at].group.contains(&group));
+            if !hidden && !cone.beyond(lamp.reach_mm) && self.moved[at].classified_any(stage.path, &cone) {
+                sight.holds = false;
                 differs = true;
             }
         }
-        differs || stage.changes.reach(place, memory)
+        self.nearby.reach(place, memory) || differs || stage.changes.everything
     }
 
     /// Makes anew what is not remembered of the tile.
@@ -209,7 +216,7 @@ impl Workspace {
         if !memory.base.holds {
             let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
             self.light_from_everywhere(stage, layers);
-            memory.base.keep(stage.path, Some(&self.picture));
+            memory.base.keep(stage.path, &self.picture);
         }
         for index in 0..self.lit.len() {
             let at = self.lit[index];
@@ -221,15 +228,19 @@ impl Workspace {
             sight.holds &= !lost;
             if !sight.holds {
                 let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                let lit = self.light(stage, at, place, layers);
-                memory.sight(*number).keep(stage.path, lit.then_some(&self.picture));
+                let sight = memory.sight(*number);
+                if self.light(stage, at, place, layers) {
+                    sight.keep(stage.path, &self.picture);
+                } else {
+                    sight.keep_dark(self.between.hidden_by.filter(|_| layers == 0));
+                }
             }
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             if !memory.glow(glow.mask.place()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 self.glow(place, glow.mask);
-                memory.glow(glow.mask.place()).keep(stage.path, Some(&self.picture));
+                memory.glow(glow.mask.place()).keep(stage.path, &self.picture);
             }
         }
     }
@@ -247,13 +258,13 @@ impl Workspace {
 
     /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
     pub fn compose(&mut self, stage: &Stage, place: &Place, memory: &TileMemory, balls: &[ball::Patch]) {
-        self.out = DARKNESS;
+        let lit = memory.lit(stage.colors(), stage.glows());
         if has_contacts(stage, place) {
-            combine(stage.path, memory.base(), &mut self.out);
+            combine(stage.path, memory.base(), false, &mut self.out);
             self.shade_contacts(stage, place);
-            combine(stage.path, memory.lit(stage.colors(), stage.glows()), &mut self.out);
+            combine(stage.path, lit, true, &mut self.out);
         } else {
-            combine(stage.path, memory.base().chain(memory.lit(stage.colors(), stage.glows())), &mut self.out);
+            combine(stage.path, memory.base().chain(lit), false, &mut self.out);
         }
         for ball in balls {
             ball.blend(place.x, place.y, &mut self.out);
@@ -306,14 +317,15 @@ impl Workspace {
         } else {
             self.remaining.copy_from_slice(&kept.floor_weight);
         }
-        if self.tops.len() < kept.tops.len() {
-            self.tops.resize_with(kept.tops.len(), TopLayer::new);
+        let layers = kept.tops().len();
+        if self.tops.len() < layers {
+            self.tops.resize_with(layers, TopLayer::new);
         }
-        for (patch, layer) in kept.tops.iter().zip(&mut self.tops) {
+        for (patch, layer) in kept.tops().iter().zip(&mut self.tops) {
             patch.unpack(mm_per_px, layer);
         }
-        self.read_art(stage, place, kept.tops.len());
-        kept.tops.len()
+        self.read_art(stage, place, layers);
+        layers
     }
 
     fn keep_surfaces(&self, layers: usize, kept: &mut Surfaces) {
@@ -327,8 +339,7 @@ impl Workspace {
         if layers > 0 {
             kept.floor_weight.extend_from_slice(&self.remaining);
         }
-        kept.tops.clear();
-        kept.tops.extend(self.tops[..layers].iter().map(Patch::new));
+        kept.keep_tops(&self.tops[..layers]);
     }
 
     /// Packs what is seen of every top, the highest first, and of the floor; says how many tops there are.

@@ -4,7 +4,7 @@
 //! curve looks at the strongest channel and scales all three alike, so that a red lamp stays red however bright; only
 //! far beyond white does it pale.
 
-use crate::glare::{Level, Pyramid, STEP};
+use crate::glare::{Level, Pyramid, ROOM, STEP};
 use crate::irradiance::{DARKNESS, Light};
 use crate::lanes::{LANES, Lanes, Path, clamp, clones, max};
 use crate::points::TILE;
@@ -48,9 +48,12 @@ pub fn map_on(path: Path, radiance: &Radiance, exposure: f32, frame: &mut Frame)
 
 /// Copies a developed tile into rows of pixels `width` wide, as far as they reach.
 pub(crate) fn put(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
-    for (row, line) in pixels.chunks_mut(width).zip(tile) {
-        let count = LANES.min(width - x);
-        row[x..x + count].copy_from_slice(&line[..count]);
+    for (row, line) in pixels.chunks_exact_mut(width).zip(tile) {
+        let row = &mut row[x..];
+        match row.first_chunk_mut() {
+            Some(whole) => *whole = *line,
+            None => row.copy_from_slice(&line[..row.len()]),
+        }
     }
 }
 
@@ -88,55 +91,71 @@ fn develop_lanes(
     for (plane, stretched) in glare.into_iter().zip(&mut stretched) {
         for (row, stretched) in stretched.iter_mut().enumerate() {
             let row = (y / STEP + row).min(level.height + 1) * level.stride;
-            stretch(&plane[row..row + level.width + 2], x / STEP, stretched);
+            let mut cells = [0.0; ROOM];
+            cells.copy_from_slice(&plane[row + x / STEP..][..ROOM]);
+            stretch(&cells, exposure * GLARE, stretched);
         }
     }
     for row in 0..TILE {
         // Half a cell down from the border's middle: between which cells, and how far.
-        let (near, part) = ((row + 2) / STEP, ((row + 2) % STEP) as f32 * 0.25 + 0.125);
-        let mut levels: [Lanes; 3] = [[0.0; LANES]; 3];
-        for channel in 0..3 {
-            let (light, above, below) =
-                (&light[channel][row], &stretched[channel][near], &stretched[channel][near + 1]);
-            for i in 0..LANES {
-                let glare = above[i] + (below[i] - above[i]) * part;
-                levels[channel][i] = exposure * (light[i] + (glare - light[i]) * GLARE);
-            }
-        }
-        let [red, green, blue] = &mut levels;
+        let (near, part) = ((row + 2) / STEP, PARTS[row]);
+        // Channel by channel and not in a loop, which the compiler would turn round and gather from memory.
+        let gain = exposure * (1.0 - GLARE);
+        let mut red = expose(&light[0][row], &stretched[0], near, part, gain);
+        let mut green = expose(&light[1][row], &stretched[1], near, part, gain);
+        let mut blue = expose(&light[2][row], &stretched[2], near, part, gain);
         for i in 0..LANES {
             let [r, g, b] = film([red[i], green[i], blue[i]]);
             (red[i], green[i], blue[i]) = (srgb(r), srgb(g), srgb(b));
         }
-        let mut packed = [0u32; LANES];
-        for (channel, level) in levels.iter().enumerate() {
+        let noise = |channel: usize| {
             let line = (y + row + 21 * channel) % dither::SIZE * dither::SIZE;
-            let column = (x + LANES * channel) % dither::SIZE;
-            let noise = &noise[line + column..line + column + LANES];
-            for i in 0..LANES {
-                packed[i] = packed[i] << 8 | rounded(level[i] * 255.0 + noise[i]);
-            }
+            &noise[line + (x + LANES * channel) % dither::SIZE..][..LANES]
+        };
+        let (red_noise, green_noise, blue_noise) = (noise(0), noise(1), noise(2));
+        let mut packed = [0u32; LANES];
+        for i in 0..LANES {
+            packed[i] = rounded(red[i] * 255.0 + red_noise[i]) << 16
+                | rounded(green[i] * 255.0 + green_noise[i]) << 8
+                | rounded(blue[i] * 255.0 + blue_noise[i]);
         }
         pixels[row] = packed;
     }
 }
 
-/// A row of cells, from the one before `cell` on, at the picture's resolution.
+/// A row of light, times `gain`, and the glare, which lies `part` of the way from the row of cells `near` to the next.
 #[inline(always)]
-fn stretch(row: &[f32], cell: usize, out: &mut Lanes) {
-    let last = row.len() - 1;
-    let mut cells = [0.0; CELLS];
-    for (at, value) in cells.iter_mut().enumerate() {
-        *value = row[(cell + at).min(last)];
+fn expose(light: &Lanes, glare: &[Lanes; CELLS], near: usize, part: f32, gain: f32) -> Lanes {
+    let (above, below) = (&glare[near], &glare[near + 1]);
+    let mut out = [0.0; LANES];
+    for i in 0..LANES {
+        out[i] = light[i] * gain + (above[i] + (below[i] - above[i]) * part);
     }
-    for at in 0..TILE / STEP {
-        let [left, here, right] = [cells[at], cells[at + 1], cells[at + 2]];
-        out[at * STEP] = 0.375 * left + 0.625 * here;
-        out[at * STEP + 1] = 0.125 * left + 0.875 * here;
-        out[at * STEP + 2] = 0.875 * here + 0.125 * right;
-        out[at * STEP + 3] = 0.625 * here + 0.375 * right;
+    out
+}
+
+/// A row of cells, of which the first is left of the tile, at the picture's resolution, times `gain`.
+#[inline(always)]
+fn stretch(cells: &[f32; ROOM], gain: f32, out: &mut Lanes) {
+    let (mut near, mut far) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        (near[i], far[i]) = (cells[(i + 2) / STEP], cells[(i + 2) / STEP + 1]);
+    }
+    for i in 0..LANES {
+        out[i] = gain * (near[i] + (far[i] - near[i]) * PARTS[i]);
     }
 }
+
+/// How far each pixel of a row is from the middle of one cell to that of the next.
+const PARTS: Lanes = {
+    let mut parts = [0.0; LANES];
+    let mut i = 0;
+    while i < LANES {
+        parts[i] = ((i + 2) % STEP) as f32 * 0.25 + 0.125;
+        i += 1;
+    }
+    parts
+};
 
 /// The nearest whole number, for a value that is brought into 0 to 255: 2^23 leaves no room for a fraction.
 #[inline(always)]
@@ -158,11 +177,8 @@ fn film([r, g, b]: [f32; 3]) -> [f32; 3] {
     let scale = above * white * over;
     let curve = scale * strongest;
     let pale = 0.7 * m * (below * strongest * over);
-    let bleach = |c: f32| {
-        let kept = c * scale;
-        kept + (curve - kept) * pale
-    };
-    [bleach(r), bleach(g), bleach(b)]
+    let (kept, bleached) = (scale - scale * pale, curve * pale);
+    [r * kept + bleached, g * kept + bleached, b * kept + bleached]
 }
 
 /// The sRGB transfer curve, to a ninth of an 8-bit level: a polynomial in the square root.
