@@ -1,13 +1,72 @@
 //! Art in sRGB bytes as the reflectance that light works with.
 
-use crate::lanes::{LANES, Lanes, clones, max};
-use crate::points::{Plane, TILE};
+use crate::Scene;
+use crate::irradiance::{DARKNESS, Light};
+use crate::lanes::{LANES, Lanes, Path, clones, max};
+use crate::points::{AREA, Plane, TILE};
+use rayon::prelude::*;
+
+/// The floor's reflectance, tile by tile: read from the art once, since tiles are lit again and again.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Art {
+    /// Tiles across.
+    across: usize,
+    /// Red, green, blue of every tile, in 65,535ths.
+    tiles: Vec<[[u16; AREA]; 3]>,
+}
+
+impl Art {
+    /// Takes the art of a scene: grey where it has none of the view's size.
+    pub fn set(&mut self, path: Path, scene: &Scene) {
+        let (width, height) = (scene.view.width, scene.view.height);
+        self.across = width.div_ceil(TILE);
+        self.tiles.clear();
+        self.tiles.resize(self.across * height.div_ceil(TILE), [[u16::MAX / 2; AREA]; 3]);
+        let floor = scene.floor;
+        if !floor.fits(scene) {
+            return;
+        }
+        let across = self.across;
+        self.tiles.par_iter_mut().enumerate().for_each(|(at, tile)| {
+            let (x, y) = (at % across * TILE, at / across * TILE);
+            let (inside, below) = (TILE.min(width - x), TILE.min(height - y));
+            let mut albedo = Albedo::none();
+            read_opaque(path, &floor.floor, floor.width, x, y, inside, below, &mut albedo);
+            albedo.repeat_edges(inside, below);
+            for (kept, plane) in tile.iter_mut().zip(&albedo.color) {
+                for (kept, value) in kept.iter_mut().zip(plane.as_flattened()) {
+                    *kept = (value * 65_535.0 + 0.5) as u16;
+                }
+            }
+        });
+    }
+
+    /// The reflectance of the tile whose upper left pixel is (`x`, `y`).
+    pub fn read(&self, path: Path, x: usize, y: usize, out: &mut Light) {
+        widen(path, &self.tiles[y / TILE * self.across + x / TILE], out);
+    }
+}
+
+clones! {
+    fn widen(tile: &[[u16; AREA]; 3], out: &mut Light) = widen_lanes;
+}
+
+#[inline(always)]
+fn widen_lanes(tile: &[[u16; AREA]; 3], out: &mut Light) {
+    for (plane, kept) in out.iter_mut().zip(tile) {
+        for (line, kept) in plane.iter_mut().zip(kept.as_chunks::<LANES>().0) {
+            for i in 0..LANES {
+                line[i] = f32::from(kept[i]) * (1.0 / 65_535.0);
+            }
+        }
+    }
+}
 
 /// Reflectance and coverage of the pixels of a tile.
 #[derive(Clone, Debug)]
 pub(crate) struct Albedo {
     /// Red, green, blue, linear, not multiplied by the coverage.
-    pub color: [Plane; 3],
+    pub color: Light,
     /// 0 where there is no art, 1 where it is opaque.
     pub alpha: Plane,
 }
@@ -15,13 +74,26 @@ pub(crate) struct Albedo {
 impl Albedo {
     /// Black, and none of it.
     pub fn none() -> Albedo {
-        Albedo { color: [[[0.0; LANES]; TILE]; 3], alpha: [[0.0; LANES]; TILE] }
+        Albedo { color: DARKNESS, alpha: [[0.0; LANES]; TILE] }
+    }
+
+    /// Beyond the picture's edge, tiles show what is at the edge.
+    pub fn repeat_edges(&mut self, width: usize, height: usize) {
+        for plane in self.color.iter_mut().chain([&mut self.alpha]) {
+            for row in 0..TILE {
+                if row >= height {
+                    plane[row] = plane[height - 1];
+                }
+                let last = plane[row][width - 1];
+                plane[row][width..].fill(last);
+            }
+        }
     }
 }
 
 clones! {
     /// Reads the rows of a tile from opaque sRGB pixels.
-    pub(crate) fn read_opaque(
+    fn read_opaque(
         pixels: &[[u8; 4]], stride: usize, x: usize, y: usize, width: usize, height: usize, out: &mut Albedo,
     ) = read_lanes::<true>;
 }

@@ -55,6 +55,10 @@ pub(crate) struct Changes {
     next: Vec<Inlay>,
     /// Whether all is different.
     pub everything: bool,
+    /// Whether the art is another.
+    pub repainted: bool,
+    /// Whether the light from everywhere is another.
+    dawned: bool,
     /// The lamps that do not shine as they did.
     flashes: Vec<Flash>,
     /// The pixels of inserts that do not glow as they did: left, top, right, bottom.
@@ -74,7 +78,9 @@ impl Changes {
         let (below, above) = (floor.floor.as_ptr() as usize, floor.tops.as_ptr() as usize);
         let (leans, gloss) = (floor.normals.as_ptr() as usize, floor.gloss.to_bits() as usize);
         let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len(), leans, gloss];
-        self.everything = self.art != art || self.ambient != scene.ambient || self.view != Some(scene.view);
+        self.repainted = self.art != art || self.view != Some(scene.view);
+        self.dawned = self.ambient != scene.ambient;
+        self.everything = self.repainted || self.dawned;
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
         self.compare_lamps(scene, number);
         self.compare_glows(scene);
@@ -136,6 +142,7 @@ impl Changes {
 
     /// What may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
     pub fn near(&self, middle_mm: DVec2, radius_mm: f64, moved_tops: &[Bounds], nearby: &mut Nearby) {
+        (nearby.repainted, nearby.dawned) = (self.repainted, self.dawned);
         let room = radius_mm + MARGIN_MM;
         let bounds = Bounds::of(middle_mm, middle_mm).grown(room);
         let overlapping = |list: &[Bounds], near: &mut Vec<Bounds>| {
@@ -156,8 +163,9 @@ impl Changes {
 /// The changes that may be seen in one block of tiles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Nearby {
-    /// Where tops have moved.
-    pub moved_tops: Vec<Bounds>,
+    repainted: bool,
+    dawned: bool,
+    moved_tops: Vec<Bounds>,
     tops: Vec<Bounds>,
     flashes: Vec<Flash>,
     contacts: Vec<(DVec2, f64)>,
@@ -165,12 +173,16 @@ pub(crate) struct Nearby {
 }
 
 impl Nearby {
-    /// Whether the tile at `place` may look different; `memory` is what it saw in the last picture and still sees.
+    /// Whether the tile at `place` may look different; `memory`, what it saw in the last picture, forgets what is not so
+    /// any more.
     pub fn reach(&self, place: &Place, memory: &mut TileMemory) -> bool {
         let &Place { x, y, middle_mm, radius_mm, ref bounds } = place;
         let room = radius_mm + MARGIN_MM;
+        if self.repainted || self.moved_tops.iter().any(|moved| moved.overlaps(bounds)) {
+            memory.forget();
+        }
         let shines = self.tops.iter().any(|top| top.overlaps(bounds));
-        memory.base.holds &= !shines;
+        memory.base.holds &= !shines && !self.dawned;
         let seen = |flash: &Flash| !flash.number.is_some_and(|number| memory.is_dark(number));
         !memory.base.holds
             || self.contacts.iter().any(|circle| is_near(circle, middle_mm, room))

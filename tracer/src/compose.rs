@@ -1,5 +1,6 @@
 //! The tile's pictures that no lamp above the floor makes: light from everywhere, light of its own, inserts that glow.
 
+use crate::Mask;
 use crate::albedo;
 use crate::changes::CONTACT_RADII;
 use crate::irradiance::{DARKNESS, light_floor_ambient, light_top_ambient};
@@ -7,7 +8,6 @@ use crate::lanes::{LANES, max};
 use crate::layer::TopLayer;
 use crate::points::TILE;
 use crate::tile::{Place, Stage, Workspace, scatter};
-use crate::Mask;
 
 impl Workspace {
     /// Reads the art of the tile, and how its floor leans, for the surfaces that were recalled.
@@ -16,16 +16,13 @@ impl Workspace {
         let floor = scene.floor;
         let &Place { x, y, .. } = place;
         let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
-        if floor.fits(scene) {
-            albedo::read_opaque(stage.path, &floor.floor, floor.width, x, y, width, height, &mut self.art);
-            self.art.repeat_edges(width, height);
-            if self.tops[..layers].iter().any(|top| scene.tops[top.form].finish.art) {
-                albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
-                self.printed.repeat_edges(width, height);
-            }
-        } else {
-            self.art.color = [[[0.5; LANES]; TILE]; 3];
+        let art = if self.whole { &mut self.ground.albedo } else { &mut self.art };
+        stage.art.read(stage.path, x, y, art);
+        if !floor.fits(scene) {
             self.printed.alpha = [[0.0; LANES]; TILE];
+        } else if self.tops[..layers].iter().any(|top| scene.tops[top.form].finish.art) {
+            albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
+            self.printed.repeat_edges(width, height);
         }
         let leans = floor.fits(scene) && !floor.normals.is_empty();
         self.pack_floor(leans.then_some((floor.normals.as_slice(), floor.width)), place, width, height);
@@ -44,14 +41,13 @@ impl Workspace {
         ground.leans = false;
         let count = if self.whole { TILE * LANES } else { self.floor.count };
         if self.whole {
-            ground.albedo.copy_from_slice(&self.art.color);
             ground.weight.copy_from_slice(&self.remaining);
         } else {
             for (at, &pixel) in self.floor.pixel[..count].iter().enumerate() {
                 let (row, i) = (usize::from(pixel) / LANES, usize::from(pixel) % LANES);
                 let (block, lane) = (at / LANES, at % LANES);
                 ground.weight[block][lane] = self.remaining[row][i];
-                for (packed, art) in ground.albedo.iter_mut().zip(&self.art.color) {
+                for (packed, art) in ground.albedo.iter_mut().zip(&self.art) {
                     packed[block][lane] = art[row][i];
                 }
             }
@@ -123,6 +119,7 @@ impl Workspace {
     /// [`Workspace::picture`].
     pub(crate) fn glow(&mut self, place: &Place, mask: &Mask) {
         self.picture = DARKNESS;
+        let floor = if self.whole { &self.ground.albedo } else { &self.art };
         let &Place { x, y, .. } = place;
         let columns = mask.x.max(x)..(mask.x + mask.width).min(x + TILE);
         let lines = mask.y.max(y)..(mask.y + mask.height()).min(y + TILE);
@@ -133,28 +130,13 @@ impl Workspace {
                     continue;
                 }
                 let (row, i) = (line - y, column - x);
-                let art = [0, 1, 2].map(|channel: usize| self.art.color[channel][row][i]);
+                let art = [0, 1, 2].map(|channel: usize| floor[channel][row][i]);
                 let luminance = 0.2126 * art[0] + 0.7152 * art[1] + 0.0722 * art[2];
                 let strength = f32::from(coverage) * (1.0 / 255.0) * self.remaining[row][i];
                 for channel in 0..3 {
                     let through = 0.15 + 0.45 * luminance + 0.4 * art[channel];
                     self.picture[channel][row][i] = strength * through;
                 }
-            }
-        }
-    }
-}
-
-impl albedo::Albedo {
-    /// Beyond the picture's edge, tiles show what is at the edge.
-    fn repeat_edges(&mut self, width: usize, height: usize) {
-        for plane in self.color.iter_mut().chain([&mut self.alpha]) {
-            for row in 0..TILE {
-                if row >= height {
-                    plane[row] = plane[height - 1];
-                }
-                let last = plane[row][width - 1];
-                plane[row][width..].fill(last);
             }
         }
     }

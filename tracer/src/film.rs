@@ -2,6 +2,7 @@
 
 use crate::Frame;
 use crate::glare::Pyramid;
+use crate::points::TILE;
 
 /// Pixels, and what they were made of.
 ///
@@ -10,6 +11,8 @@ use crate::glare::Pyramid;
 pub struct Film {
     pub(crate) frame: Frame,
     pub(crate) glare: Pyramid,
+    /// The part that is wanted, if it is not all: the first column and row, and those after the last.
+    pub(crate) window: Option<[usize; 4]>,
     /// Which renderer drew it, which of its pictures it is, and how it was exposed.
     pub(crate) drawn: Option<((u64, u64), f32)>,
 }
@@ -18,6 +21,17 @@ impl Film {
     /// The picture.
     pub fn frame(&self) -> &Frame {
         &self.frame
+    }
+
+    /// From now on, only the pixels from (`x`, `y`) on, `width` x `height` of them, are wanted: all others may be left as
+    /// they are. Their light is known all the same, so that the picture does not depend on where one has looked before.
+    pub fn look_at(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        self.window = Some([x, y, x + width, y + height]);
+    }
+
+    /// Whether a tile, given by its upper left pixel, is wanted in a window.
+    pub(crate) fn wants(window: Option<[usize; 4]>, x: usize, y: usize) -> bool {
+        window.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
     }
 
     /// Makes the picture `width` x `height` pixels; what was in it is lost if that is another size.

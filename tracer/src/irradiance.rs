@@ -125,14 +125,7 @@ fn power_16(x: f32) -> f32 {
 const COAT: f32 = 1.6;
 
 #[inline(always)]
-fn light_floor_lanes(
-    points: &Points,
-    floor: &Surface,
-    beam: Beam,
-    fraction: &[Lanes],
-    gloss: f32,
-    out: &mut Light,
-) {
+fn light_floor_lanes(points: &Points, floor: &Surface, beam: Beam, fraction: &[Lanes], gloss: f32, out: &mut Light) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
     for block in 0..points.blocks() {
@@ -165,14 +158,7 @@ fn light_floor_lanes(
 }
 
 #[inline(always)]
-fn light_top_lanes(
-    points: &Points,
-    top: &Surface,
-    finish: &Finish,
-    beam: Beam,
-    fraction: &[Lanes],
-    out: &mut Light,
-) {
+fn light_top_lanes(points: &Points, top: &Surface, finish: &Finish, beam: Beam, fraction: &[Lanes], out: &mut Light) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
     for block in 0..points.blocks() {
@@ -214,8 +200,7 @@ fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], 
     for channel in 0..3 {
         for block in 0..blocks {
             for i in 0..LANES {
-                out[channel][block][i] =
-                    floor.weight[block][i] * (floor.albedo[channel][block][i] * ambient[channel]);
+                out[channel][block][i] = floor.weight[block][i] * (floor.albedo[channel][block][i] * ambient[channel]);
             }
         }
     }

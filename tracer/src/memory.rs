@@ -6,7 +6,7 @@
 //! a list: one that flashes is remembered while it is dark.
 
 use crate::irradiance::Light;
-use crate::response::{Gist, Part, Texels};
+use crate::response::{CELLS, Gist, Means, Part, Texels, add_gist};
 use crate::surfaces::Surfaces;
 use crate::{Group, Lamp, Occluder, Path, Rgb, View};
 use geometry::Bounds;
@@ -17,8 +17,7 @@ pub(crate) const MOST_LAMPS: usize = 160;
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
 const MOST_MOVES: usize = 200;
 
-/// What one tile shows in the light of one lamp. What the glare needs is kept here, the rest where it need not be
-/// touched for that.
+/// What one tile shows in the light of one lamp: what the glare needs of it, and where the rest is.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sight {
     /// Whether what follows still holds.
@@ -28,33 +27,42 @@ pub(crate) struct Sight {
     /// What squares of texels are multiplied by; 0 in darkness.
     scale: f32,
     gist: Gist,
-    /// The tile in that light; nothing where it never was lit.
-    texels: Option<Box<Texels>>,
+    /// Which of the tile's pictures it is; none where it never was lit.
+    picture: Option<u32>,
 }
 
 impl Sight {
-    /// What is known to be lit, in light of this colour.
-    fn lit(&self, color: Rgb) -> Option<Part<'_>> {
-        let texels = self.texels.as_deref().filter(|_| self.is_lit())?;
-        Some(Part { texels, gist: &self.gist, gain: color.map(|channel| channel * self.scale) })
-    }
-
     /// Whether it is known to be lit.
     fn is_lit(&self) -> bool {
         self.holds && self.scale > 0.0
     }
 
-    /// Keeps a picture.
-    pub fn keep(&mut self, path: Path, light: &Light) {
-        (self.holds, self.hidden_by) = (true, None);
-        let texels = self.texels.get_or_insert_with(|| Box::new(Texels::dark()));
-        self.scale = texels.keep(path, light, &mut self.gist);
+    /// The picture, in light of this colour.
+    fn lit(&self, color: Rgb) -> Option<Lit> {
+        let picture = self.picture.filter(|_| self.is_lit())?;
+        Some(Lit { picture, gain: color.map(|channel| channel * self.scale) })
     }
 
     /// Keeps in mind that nothing is lit, and what hides the lamp if it is one group alone.
     pub fn keep_dark(&mut self, hidden_by: Option<Group>) {
         (self.holds, self.hidden_by, self.scale) = (true, hidden_by, 0.0);
     }
+
+    fn keep(&mut self, path: Path, light: &Light, pictures: &mut Vec<Texels>) {
+        (self.holds, self.hidden_by) = (true, None);
+        let at = *self.picture.get_or_insert_with(|| {
+            pictures.push(Texels::dark());
+            pictures.len() as u32 - 1
+        });
+        self.scale = pictures[at as usize].keep(path, light, &mut self.gist);
+    }
+}
+
+/// A picture of a tile in its light.
+#[derive(Clone, Copy, Debug)]
+struct Lit {
+    picture: u32,
+    gain: Rgb,
 }
 
 /// What one tile shows under every known lamp.
@@ -65,6 +73,14 @@ pub(crate) struct TileMemory {
     pub base: Sight,
     /// In the light of inserts, known by their masks' places in memory.
     glows: Vec<((usize, usize), Sight)>,
+    /// The pictures of all of these: one after another, so that a tile is put together without a jump.
+    pictures: Vec<Texels>,
+    /// What it is made of in this picture: first the light from everywhere, if there is any.
+    lit: Vec<Lit>,
+    /// Whether the first of these is the light from everywhere.
+    has_base: bool,
+    /// Their sum's means.
+    pub means: Means,
     /// What it shows.
     pub surfaces: Surfaces,
     /// Whether this picture's tile is another than the last one's.
@@ -96,24 +112,58 @@ impl TileMemory {
         self.sights.get(lamp).is_some_and(|sight| sight.holds && !sight.is_lit())
     }
 
-    /// What the tile shows of light from everywhere.
-    pub fn base(&self) -> impl Iterator<Item = Part<'_>> {
-        self.base.lit([1.0; 3]).into_iter()
+    /// Keeps the picture in the light from everywhere.
+    pub fn keep_base(&mut self, path: Path, light: &Light) {
+        self.base.keep(path, light, &mut self.pictures);
     }
 
-    /// What it shows of lamps, given by their numbers, and of inserts, given by their masks, in their colours.
-    pub fn lit<'a>(
-        &'a self,
-        lamps: impl Iterator<Item = (usize, Rgb)> + 'a,
-        glows: impl Iterator<Item = ((usize, usize), Rgb)> + 'a,
-    ) -> impl Iterator<Item = Part<'a>> {
-        let lamp = |(number, color): (usize, Rgb)| self.sights.get(number)?.lit(color);
-        let glow = |(mask, color): ((usize, usize), Rgb)| {
-            self.glows.iter().find(|glow| glow.0 == mask)?.1.lit(color)
+    /// Keeps the picture in a lamp's light.
+    pub fn keep(&mut self, lamp: usize, path: Path, light: &Light) {
+        self.sights[lamp].keep(path, light, &mut self.pictures);
+    }
+
+    /// Keeps the picture in an insert's light.
+    pub fn keep_glow(&mut self, mask: (usize, usize), path: Path, light: &Light) {
+        if let Some((_, sight)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
+            sight.keep(path, light, &mut self.pictures);
+        }
+    }
+
+    /// Puts the tile in the light of lamps, given by their numbers, and of inserts, given by their masks.
+    pub fn light(
+        &mut self,
+        lamps: impl Iterator<Item = (usize, Rgb)>,
+        glows: impl Iterator<Item = ((usize, usize), Rgb)>,
+    ) {
+        self.lit.clear();
+        self.means = [[0.0; CELLS]; 3];
+        let TileMemory { lit, means, sights, glows: inserts, .. } = self;
+        let mut add = |sight: &Sight, color: Rgb| {
+            if let Some(part) = sight.lit(color) {
+                add_gist(&sight.gist, part.gain, means);
+                lit.push(part);
+            }
         };
+        add(&self.base, [1.0; 3]);
+        for (number, color) in lamps {
+            if let Some(sight) = sights.get(number) {
+                add(sight, color);
+            }
+        }
         // Few tiles have inserts.
-        let glows = glows.take_while(|_| !self.glows.is_empty());
-        lamps.filter_map(lamp).chain(glows.filter_map(glow))
+        for (mask, color) in glows.take_while(|_| !inserts.is_empty()) {
+            if let Some((_, sight)) = inserts.iter().find(|glow| glow.0 == mask) {
+                add(sight, color);
+            }
+        }
+        self.has_base = self.base.is_lit();
+    }
+
+    /// What the tile shows of light from everywhere, and of the lamps and inserts that it is lit by.
+    pub fn parts(&self) -> (impl Iterator<Item = Part<'_>>, impl Iterator<Item = Part<'_>>) {
+        let (base, rest) = self.lit.split_at(usize::from(self.has_base));
+        let part = |lit: &Lit| Part { texels: &self.pictures[lit.picture as usize], gain: lit.gain };
+        (base.iter().map(part), rest.iter().map(part))
     }
 
     /// Nothing holds any more.

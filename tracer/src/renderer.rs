@@ -1,6 +1,7 @@
 //! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
 //! then the balls that mirror them, then the glare, then the tiles themselves.
 
+use crate::albedo::Art;
 use crate::ball::{Patch, Table};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
@@ -36,6 +37,7 @@ pub struct Renderer {
     forms: Vec<Option<Form>>,
     whole_tile: (f64, Points),
     patches: Vec<Patch>,
+    art: Art,
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
 }
@@ -52,6 +54,7 @@ macro_rules! stage {
             changes: &$renderer.changes,
             forms: &$renderer.forms,
             whole_tile: &$renderer.whole_tile.1,
+            art: &$renderer.art,
             sampling: $sampling,
         }
     };
@@ -105,6 +108,7 @@ impl Renderer {
             forms: Vec::new(),
             whole_tile: (0.0, Points::none()),
             patches: Vec::new(),
+            art: Art::default(),
             radiance: Radiance::default(),
         }
     }
@@ -130,7 +134,7 @@ impl Renderer {
         let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
         let stage = stage!(self, scene, None);
         let patches = &self.patches;
-        bands.zip(&self.past.bands).enumerate().for_each(|(at, (((red, green), blue), memory))| {
+        bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut planes = [red, green, blue];
                 each_tile(scene, at, memory.iter(), |place, memory| {
@@ -171,7 +175,7 @@ impl Renderer {
             film.glare.gather(self.path);
         }
         done(Step::Glared);
-        if fresh {
+        if fresh || film.window.is_some() {
             self.develop(scene, exposure, film);
         }
         done(Step::Developed);
@@ -205,6 +209,7 @@ impl Renderer {
     /// has to call this.
     pub fn forget(&mut self) {
         self.past = Past::default();
+        self.changes = Changes::default();
         self.picture.1 += 1;
     }
 
@@ -224,19 +229,21 @@ impl Renderer {
         let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
         let stage = stage!(self, scene, sampling);
         let Some((level, means)) = radiance.glare.means_mut() else { return };
-        bands.zip(means_bands(level, means)).enumerate().for_each(|(at, (((red, green), blue), mut means))| {
-            WORKSPACE.with_borrow_mut(|workspace| {
-                let mut planes = [red, green, blue];
-                let mut block = None;
-                each_tile(scene, at, std::iter::repeat(()), |place, ()| {
-                    workspace.enter_block_at(&stage, place, &mut block);
-                    workspace.render(&stage, place);
-                    let y = place.y - at * BLOCK;
-                    write_planes(&workspace.out, place.x, y, stride, &mut planes);
-                    write_means(&means_of(&workspace.out), place.x, y, &level, &mut means);
+        bands.zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
+            |(at, (((red, green), blue), mut means))| {
+                WORKSPACE.with_borrow_mut(|workspace| {
+                    let mut planes = [red, green, blue];
+                    let mut block = None;
+                    each_tile(scene, at, std::iter::repeat(()), |place, ()| {
+                        workspace.enter_block_at(&stage, place, &mut block);
+                        workspace.render(&stage, place);
+                        let y = place.y - at * BLOCK;
+                        write_planes(&workspace.out, place.x, y, stride, &mut planes);
+                        write_means(&means_of(&workspace.out), place.x, y, &level, &mut means);
+                    });
                 });
-            });
-        });
+            },
+        );
         self.render_balls(scene, &mut radiance.glare);
         radiance.glare.gather(self.path);
         for patch in &self.patches {
@@ -267,21 +274,22 @@ impl Renderer {
         let mut bands = std::mem::take(&mut self.past.bands);
         let stage = stage!(self, scene, None);
         if let Some((level, means)) = glare.means_mut() {
-            bands.par_iter_mut().zip(means_bands(level, means)).enumerate().for_each(|(at, (memory, mut means))| {
-                WORKSPACE.with_borrow_mut(|workspace| {
-                    let mut block = None;
-                    each_tile(scene, at, memory.iter_mut(), |place, memory| {
-                        workspace.enter_block_at(&stage, place, &mut block);
-                        memory.fresh = workspace.differs(&stage, place, memory);
-                        if memory.fresh {
-                            memory.developed = false;
-                            workspace.remember(&stage, place, memory);
-                            let found = workspace.means(&stage, place, memory);
-                            write_means(&found, place.x, place.y - at * BLOCK, &level, &mut means);
-                        }
+            bands.par_iter_mut().zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
+                |(at, (memory, mut means))| {
+                    WORKSPACE.with_borrow_mut(|workspace| {
+                        let mut block = None;
+                        each_tile(scene, at, memory.iter_mut(), |place, memory| {
+                            workspace.enter_block_at(&stage, place, &mut block);
+                            memory.fresh = workspace.differs(&stage, place, memory);
+                            if memory.fresh {
+                                memory.developed = false;
+                                workspace.remember(&stage, place, memory);
+                                write_means(&memory.means, place.x, place.y - at * BLOCK, &level, &mut means);
+                            }
+                        });
                     });
-                });
-            });
+                },
+            );
         }
         self.past.bands = bands;
         self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
@@ -292,12 +300,15 @@ impl Renderer {
         let mut bands = std::mem::take(&mut self.past.bands);
         let stage = stage!(self, scene, None);
         let (width, path, patches, glare) = (scene.view.width, self.path, &self.patches, &film.glare);
+        let window = film.window;
+        let wants = |x, y| Film::wants(window, x, y);
         let pixels = film.frame.pixels.par_chunks_mut(width * BLOCK);
-        bands.par_iter_mut().zip(pixels).enumerate().for_each(|(at, (memory, pixels))| {
+        bands.par_iter_mut().zip(pixels).enumerate().with_max_len(1).for_each(|(at, (memory, pixels))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut tile = [[0; LANES]; TILE];
                 each_tile(scene, at, memory.iter_mut(), |place, memory| {
-                    if memory.developed && !glare.differs(place.x, place.y) {
+                    memory.developed &= !glare.differs(place.x, place.y);
+                    if memory.developed || !wants(place.x, place.y) {
                         return;
                     }
                     memory.developed = true;
@@ -339,6 +350,9 @@ impl Renderer {
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
         if self.whole_tile.0 != scene.view.mm_per_px {
             self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
+        }
+        if self.changes.repainted {
+            self.art.set(self.path, scene);
         }
         self.changes.everything |= !known;
         count <= MOST_LAMPS

@@ -40,8 +40,6 @@ pub(crate) type Gist = [[u16; CELLS]; 3];
 pub(crate) struct Part<'a> {
     /// The picture.
     pub texels: &'a Texels,
-    /// Its cells.
-    pub gist: &'a Gist,
     /// The light's colour, times what squares of texels are to be multiplied by.
     pub gain: [f32; 3],
 }
@@ -66,8 +64,21 @@ impl Texels {
 }
 
 /// Adds parts up, onto what is in `out` if that is to be `kept`.
-pub(crate) fn combine<'a>(path: Path, mut parts: impl Iterator<Item = Part<'a>>, mut kept: bool, out: &mut Light) {
-    // Some at a time, so that sums stay in registers and nothing is allocated.
+pub(crate) fn combine<'a>(path: Path, parts: impl Iterator<Item = Part<'a>>, mut kept: bool, out: &mut Light) {
+    in_batches(parts, |batch| {
+        sum(path, batch, kept, out);
+        kept = true;
+    });
+    if !kept {
+        for plane in out {
+            plane.fill([0.0; LANES]);
+        }
+    }
+}
+
+/// Calls `work` with some parts at a time, so that sums stay in registers and nothing is allocated.
+#[inline(always)]
+fn in_batches<'a>(mut parts: impl Iterator<Item = Part<'a>>, mut work: impl FnMut(&[Part])) {
     while let Some(first) = parts.next() {
         let mut batch = [first; BATCH];
         let mut count = 1;
@@ -76,23 +87,17 @@ pub(crate) fn combine<'a>(path: Path, mut parts: impl Iterator<Item = Part<'a>>,
             batch[count] = part;
             count += 1;
         }
-        sum(path, &batch[..count], kept, out);
-        kept = true;
-    }
-    if !kept {
-        for plane in out {
-            plane.fill([0.0; LANES]);
-        }
+        work(&batch[..count]);
     }
 }
 
-/// Adds up the parts' means, onto what is in `out`.
-pub(crate) fn combine_means<'a>(parts: impl Iterator<Item = Part<'a>>, out: &mut Means) {
-    for Part { gist, gain, .. } in parts {
-        for ((out, means), gain) in out.iter_mut().zip(gist).zip(gain) {
-            for cell in 0..CELLS {
-                out[cell] += f32::from(means[cell]) * (gain * 65_536.0);
-            }
+/// Adds the means of a picture that is multiplied by `gain`.
+pub(crate) fn add_gist(gist: &Gist, gain: [f32; 3], means: &mut Means) {
+    for channel in 0..3 {
+        let gain = gain[channel] * 65_536.0;
+        let (gist, means) = (&gist[channel], &mut means[channel]);
+        for cell in 0..CELLS {
+            means[cell] += f32::from(gist[cell]) * gain;
         }
     }
 }

@@ -3,7 +3,7 @@
 //! The highest top is looked at first, so that nothing is lit that is hidden. Lamps are the outer loop: what stands
 //! between a lamp and the tile is found once, and serves the floor and every top in the tile.
 
-use crate::albedo::Albedo;
+use crate::albedo::{Albedo, Art};
 use crate::candidates::{Candidates, Cone};
 use crate::changes::{Changes, Nearby};
 use crate::compose::has_contacts;
@@ -17,7 +17,7 @@ use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{AREA, Plane, Points, TILE};
 use crate::renderer::BLOCK;
-use crate::response::{CELLS, Means, combine, combine_means, means_of};
+use crate::response::{combine, means_of};
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
@@ -39,6 +39,8 @@ pub(crate) struct Stage<'a> {
     pub forms: &'a [Option<Form>],
     /// Every pixel of a tile.
     pub whole_tile: &'a Points,
+    /// The floor's art.
+    pub art: &'a Art,
     /// How visibility is found: exactly, or by sampling.
     pub sampling: Option<Sampling>,
 }
@@ -94,7 +96,8 @@ pub(crate) struct Workspace {
     edge: Edge,
     /// How much of each pixel is floor.
     pub(crate) remaining: Plane,
-    pub(crate) art: Albedo,
+    /// The art of the floor, where its points are not every pixel; else that is in `ground`.
+    pub(crate) art: Light,
     pub(crate) printed: Albedo,
     /// The light of one layer, packed.
     pub(crate) packed: Light,
@@ -127,7 +130,7 @@ impl Workspace {
             tops: Vec::new(),
             edge: Edge::none(),
             remaining: zero,
-            art: Albedo::none(),
+            art: DARKNESS,
             printed: Albedo::none(),
             packed: DARKNESS,
             picture: DARKNESS,
@@ -191,10 +194,7 @@ impl Workspace {
 
     /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
     pub fn differs(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) -> bool {
-        if self.nearby.moved_tops.iter().any(|moved| moved.overlaps(&place.bounds)) {
-            memory.forget();
-        }
-        let mut differs = false;
+        let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
             let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
@@ -206,7 +206,7 @@ impl Workspace {
                 differs = true;
             }
         }
-        self.nearby.reach(place, memory) || differs || stage.changes.everything
+        differs
     }
 
     /// Makes anew what is not remembered of the tile.
@@ -216,23 +216,19 @@ impl Workspace {
         if !memory.base.holds {
             let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
             self.light_from_everywhere(stage, layers);
-            memory.base.keep(stage.path, &self.picture);
+            memory.keep_base(stage.path, &self.picture);
         }
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let Lit { lamp, lost, number, .. } = &stage.lamps[at];
-            if !place.is_reached(lamp) {
-                continue;
-            }
             let sight = memory.sight(*number);
             sight.holds &= !lost;
-            if !sight.holds {
+            if !sight.holds && place.is_reached(lamp) {
                 let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                let sight = memory.sight(*number);
                 if self.light(stage, at, place, layers) {
-                    sight.keep(stage.path, &self.picture);
+                    memory.keep(*number, stage.path, &self.picture);
                 } else {
-                    sight.keep_dark(self.between.hidden_by.filter(|_| layers == 0));
+                    memory.sight(*number).keep_dark(self.between.hidden_by.filter(|_| layers == 0));
                 }
             }
         }
@@ -240,31 +236,25 @@ impl Workspace {
             if !memory.glow(glow.mask.place()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 self.glow(place, glow.mask);
-                memory.glow(glow.mask.place()).keep(stage.path, &self.picture);
+                memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
-    }
-
-    /// The means of the cells of a tile whose memory is true.
-    pub fn means(&mut self, stage: &Stage, place: &Place, memory: &TileMemory) -> Means {
-        let mut means = [[0.0; CELLS]; 3];
+        memory.light(stage.colors(), stage.glows());
         if has_contacts(stage, place) {
             self.compose(stage, place, memory, &[]);
-            return means_of(&self.out);
+            memory.means = means_of(&self.out);
         }
-        combine_means(memory.base().chain(memory.lit(stage.colors(), stage.glows())), &mut means);
-        means
     }
 
     /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
     pub fn compose(&mut self, stage: &Stage, place: &Place, memory: &TileMemory, balls: &[ball::Patch]) {
-        let lit = memory.lit(stage.colors(), stage.glows());
+        let (base, lit) = memory.parts();
         if has_contacts(stage, place) {
-            combine(stage.path, memory.base(), false, &mut self.out);
+            combine(stage.path, base, false, &mut self.out);
             self.shade_contacts(stage, place);
             combine(stage.path, lit, true, &mut self.out);
         } else {
-            combine(stage.path, memory.base().chain(lit), false, &mut self.out);
+            combine(stage.path, base.chain(lit), false, &mut self.out);
         }
         for ball in balls {
             ball.blend(place.x, place.y, &mut self.out);
@@ -390,11 +380,8 @@ impl Workspace {
             if verdict != Verdict::Dark {
                 lit = true;
                 let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
-                let (points, out) = if self.whole {
-                    (stage.whole_tile, &mut self.picture)
-                } else {
-                    (&self.floor, &mut self.packed)
-                };
+                let (points, out) =
+                    if self.whole { (stage.whole_tile, &mut self.picture) } else { (&self.floor, &mut self.packed) };
                 light_floor(stage.path, points, &self.ground, beam, fraction, stage.scene.floor.gloss, out);
                 if !self.whole {
                     self.picture = DARKNESS;

@@ -38,7 +38,7 @@ fn lone_lamp(floor: &Floor) -> Scene<'_> {
 
 fn rendered(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render(scene, &mut radiance);
+    Renderer::new().render_anew(scene, &mut radiance);
     radiance
 }
 
