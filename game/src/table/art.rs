@@ -3,7 +3,8 @@
 //!
 //! Only the fonts of `assets/fonts` are used and no file is read, so the same drawing gives the same pixels everywhere.
 
-use super::{LampKind, Table};
+use super::relief::wood::Wood;
+use super::{LampKind, Relief, Table, relief};
 use crate::{Failure, assets};
 use geometry::DVec2;
 use resvg::usvg::{self, ImageHrefResolver, Options, Tree};
@@ -15,18 +16,44 @@ use tracer::{Floor, Mask, View};
 /// The colour below the floor's art, and beside the playfield.
 const BACKGROUND: [u8; 3] = [8, 8, 10];
 
-/// The art of `table` at `view`: the floor opaque, the tops transparent where nothing is printed. Beside the playfield
-/// there is no art.
+/// The art of `table` at `view`: the floor opaque, the tops transparent where nothing is printed; its wood is grained, its
+/// inserts are faceted, and the floor leans as its relief says. Beside the playfield there is no art.
 ///
 /// # Errors
 /// If the drawing cannot be printed, or so many pixels do not fit into the memory.
 pub fn floor(table: &Table, view: &View) -> Result<Floor, Failure> {
-    let background = Color::from_rgba8(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 255);
+    let Relief { wood_svg, tops_wood_svg, .. } = &table.relief;
     let (floor, tops) = rayon::join(
-        || print(table, &table.floor_svg, view, background),
-        || print(table, &table.tops_svg, view, Color::TRANSPARENT),
+        || wooden(table, &table.floor_svg, wood_svg.as_deref(), view, background()),
+        || wooden(table, &table.tops_svg, tops_wood_svg.as_deref(), view, Color::TRANSPARENT),
     );
-    Ok(Floor { width: view.width, height: view.height, floor: floor?, tops: tops?, ..Floor::default() })
+    let ((mut floor, wood), (tops, _)) = (floor?, tops?);
+    relief::facet(table, view, &mut floor);
+    let normals = relief::normals(table, view, &wood)?;
+    Ok(Floor { width: view.width, height: view.height, floor, tops, normals, gloss: table.relief.gloss })
+}
+
+fn background() -> Color {
+    Color::from_rgba8(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 255)
+}
+
+/// A layer of art, stained where `wood` is printed, and how much of each pixel is wood (empty when nothing is).
+fn wooden(
+    table: &Table,
+    svg: &str,
+    wood: Option<&str>,
+    view: &View,
+    background: Color,
+) -> Result<(Vec<[u8; 4]>, Vec<u8>), Failure> {
+    let (pixels, wood) = rayon::join(
+        || print(table, svg, view, background),
+        || wood.map(|wood| print(table, wood, view, Color::TRANSPARENT)).transpose(),
+    );
+    let mut pixels = pixels?;
+    let Some(wood) = wood? else { return Ok((pixels, Vec::new())) };
+    let wood: Vec<u8> = wood.iter().map(|pixel| pixel[3]).collect();
+    Wood::new(table.relief.planks_mm, table.relief.grain, view.mm_per_px).stain(view, &wood, &mut pixels);
+    Ok((pixels, wood))
 }
 
 /// The pixels of `view` that each of the table's inserts covers, in the lamps' order; a bulb's mask is empty.
@@ -43,10 +70,12 @@ pub fn masks(table: &Table, view: &View) -> Vec<Mask> {
 /// # Errors
 /// If it cannot, or if it asks for a font that is not there.
 pub fn check(table: &Table) -> Result<(), Failure> {
-    tree(table, &table.floor_svg).and(tree(table, &table.tops_svg)).map(|_| ())
+    let layers = [&table.floor_svg, &table.tops_svg].into_iter().chain(&table.relief.svg);
+    layers.into_iter().try_for_each(|svg| tree(table, svg).map(|_| ()))
 }
 
-fn print(table: &Table, svg: &str, view: &View, background: Color) -> Result<Vec<[u8; 4]>, Failure> {
+/// The pixels of one layer of art over `background`, premultiplied.
+pub(super) fn print(table: &Table, svg: &str, view: &View, background: Color) -> Result<Vec<[u8; 4]>, Failure> {
     let tree = tree(table, svg)?;
     let too_large = || Failure::new(format!("a picture of {} x {} pixels is too large", view.width, view.height));
     let mut pixmap = Pixmap::new(view.width as u32, view.height as u32).ok_or_else(too_large)?;
@@ -141,7 +170,7 @@ fn is_known(family: &usvg::FontFamily, fonts: &usvg::fontdb::Database) -> bool {
 }
 
 /// The coverage of the part of the view that closed outlines may touch.
-fn mask(outlines_mm: &[Vec<DVec2>], view: &View) -> Option<Mask> {
+pub(super) fn mask(outlines_mm: &[Vec<DVec2>], view: &View) -> Option<Mask> {
     let points = || outlines_mm.iter().flatten().map(|&point| view.screen_from_table(point));
     let screen = DVec2::new(view.width as f64, view.height as f64);
     let low = points().reduce(DVec2::min)?.floor().clamp(DVec2::ZERO, screen);

@@ -5,7 +5,7 @@ use super::drawing::{self, Drawing, Thing};
 use super::numbers::{self, Numbers};
 use super::solids::{self, Groups};
 use super::source::{Mistake, Source};
-use super::{Lamp, Solid, Table, lamps, parts, split};
+use super::{Lamp, Relief, Solid, Table, lamps, parts, split};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 use std::path::Path;
@@ -46,7 +46,7 @@ pub(super) fn read(
     if !mistakes.is_empty() {
         return Err(told(mistakes));
     }
-    let (floor_svg, tops_svg) = split::split(&svg.text, document);
+    let layers = split::split(&svg.text, document);
     let mut table = Table {
         name: folder_name(dir),
         title: numbers.title.clone().unwrap_or_else(|| folder_name(dir)),
@@ -60,8 +60,14 @@ pub(super) fn read(
         size_mm: drawing.size_mm,
         lamps: build.lamps,
         solids: build.solids,
-        floor_svg,
-        tops_svg,
+        floor_svg: layers.floor,
+        tops_svg: layers.tops,
+        relief: Relief {
+            svg: layers.relief,
+            wood_svg: layers.wood,
+            tops_wood_svg: layers.tops_wood,
+            ..numbers.relief.clone()
+        },
         rules: rules.map_or_else(String::new, |rules| rules.text),
         ambient: ambient(numbers),
         hash: 0,

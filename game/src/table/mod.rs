@@ -14,6 +14,7 @@ mod parts;
 mod path;
 mod pen;
 mod place;
+mod relief;
 mod rim;
 mod solids;
 mod source;
@@ -23,6 +24,7 @@ mod style;
 mod tests;
 mod watch;
 
+pub use relief::Relief;
 pub use watch::Watch;
 
 use geometry::{DVec2, Shape};
@@ -50,6 +52,8 @@ pub struct Table {
     pub floor_svg: String,
     /// The plastics' art: what lies above the ball, as SVG text.
     pub tops_svg: String,
+    /// What is raised, engraved, grained and scratched.
+    pub relief: Relief,
     /// The rules' text.
     pub rules: String,
     /// Light from everywhere: linear, red, green, blue.

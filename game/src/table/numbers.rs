@@ -5,6 +5,7 @@ mod read;
 pub(super) use read::read;
 
 use super::class::Class;
+use super::relief::Relief;
 use physics::Material;
 use std::collections::BTreeMap;
 use tracer::Profile;
@@ -18,6 +19,8 @@ pub(super) struct Numbers {
     /// sRGB.
     pub ambient: [u8; 3],
     pub ambient_power: f64,
+    /// Its numbers; the art is the drawing's.
+    pub relief: Relief,
     pub materials: BTreeMap<String, Material>,
     pub finishes: BTreeMap<String, FinishWords>,
     classes: BTreeMap<Class, Settings>,
@@ -96,6 +99,7 @@ impl Numbers {
             playfield_friction: 0.09,
             ambient: [11, 13, 24],
             ambient_power: 0.5,
+            relief: Relief::default(),
             materials: known.into_iter().map(|(name, material)| (name.to_string(), material)).collect(),
             finishes: BTreeMap::new(),
             classes: BTreeMap::new(),

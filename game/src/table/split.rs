@@ -1,4 +1,5 @@
-//! The art of a drawing, cut in two: what is printed on the floor, and what is printed on plastics and caps.
+//! The art of a drawing, cut into layers: what is printed on the floor, what is printed on plastics and caps, which of
+//! both is wood, and how high the floor is.
 //!
 //! The text is cut by byte range and everything else is left as it was, so the art stays what its maker wrote: its
 //! gradients, its sheets, its transforms.
@@ -14,13 +15,76 @@ use std::ops::Range;
 /// Text to put in the place of a range of bytes.
 type Edit = (Range<usize>, String);
 
-/// The floor's art and the plastics' art of a drawing, both well-formed SVG whose size is the `viewBox`.
-pub(super) fn split(text: &str, document: &Document) -> (String, String) {
+/// The layers of a drawing, each a well-formed SVG whose size is the `viewBox`.
+pub(super) struct Layers {
+    /// What is printed on the floor.
+    pub floor: String,
+    /// What is printed on plastics and caps.
+    pub tops: String,
+    /// Grey that is height, if there is any.
+    pub relief: Option<String>,
+    /// What of the floor's art is wood, if anything is.
+    pub wood: Option<String>,
+    /// What of the plastics' art is wood, if anything is.
+    pub tops_wood: Option<String>,
+}
+
+/// The layers of a drawing.
+pub(super) fn split(text: &str, document: &Document) -> Layers {
     let root = document.root_element();
-    let [mut floor, mut tops] = [root_size(root), root_size(root)];
-    floor_edits(root, &mut floor);
-    tops_edits(root, &mut tops);
-    (edited(text, floor), edited(text, tops))
+    let with = |cut: &dyn Fn(&mut Vec<Edit>)| {
+        let mut edits = root_size(root);
+        cut(&mut edits);
+        edited(text, edits)
+    };
+    let only = |layer: Layer| with(&|edits| keep_only(root, layer, edits));
+    let some = |layer: Layer| root.descendants().any(|node| layer.holds(node)).then(|| only(layer));
+    Layers {
+        floor: with(&|edits| floor_edits(root, edits)),
+        tops: only(Layer::Tops),
+        relief: some(Layer::Relief),
+        wood: some(Layer::Wood),
+        tops_wood: some(Layer::TopsWood),
+    }
+}
+
+/// A layer whose elements are marked as such.
+#[derive(Clone, Copy, PartialEq)]
+enum Layer {
+    Tops,
+    Relief,
+    Wood,
+    TopsWood,
+}
+
+impl Layer {
+    /// Whether an element and what is in it belong to this layer.
+    fn holds(self, node: Node) -> bool {
+        match self {
+            Layer::Tops => is_top(node),
+            Layer::Relief => is(node, "relief"),
+            Layer::Wood => is(node, "wood") && !node.ancestors().any(is_top),
+            Layer::TopsWood => is(node, "wood") && node.ancestors().any(is_top),
+        }
+    }
+
+    /// Whether an element inside this layer is printed nevertheless elsewhere, or nowhere.
+    fn refuses(self, node: Node) -> bool {
+        let above = matches!(self, Layer::Tops | Layer::TopsWood);
+        match class_of(node) {
+            Some(class) => !(above && class == Class::Plastic),
+            None => (is(node, "relief") && self != Layer::Relief) || (is(node, "plastics") && !above),
+        }
+    }
+}
+
+fn is(node: Node, word: &str) -> bool {
+    node.attribute("class").is_some_and(|class| class.split_ascii_whitespace().any(|other| other == word))
+}
+
+/// Plastics and what is printed on them.
+fn is_top(node: Node) -> bool {
+    is(node, "plastics") || class_of(node) == Some(Class::Plastic)
 }
 
 /// The page's size in print has no meaning here: one unit is one millimetre.
@@ -30,10 +94,6 @@ fn root_size(root: Node) -> Vec<Edit> {
     attributes.map(|attribute| (attribute.range(), String::new())).collect()
 }
 
-fn is_plastics(node: Node) -> bool {
-    node.attribute("class").is_some_and(|class| class.split_ascii_whitespace().any(|word| word == "plastics"))
-}
-
 fn floor_edits(parent: Node, edits: &mut Vec<Edit>) {
     for node in parent.children().filter(Node::is_element) {
         match class_of(node) {
@@ -41,36 +101,34 @@ fn floor_edits(parent: Node, edits: &mut Vec<Edit>) {
             Some(Class::Saucer) => {}
             Some(Class::Insert) => edits.push(unlit(node)),
             Some(_) => edits.push((node.range(), String::new())),
-            None if is_plastics(node) => edits.push((node.range(), String::new())),
+            None if is(node, "plastics") || is(node, "relief") => edits.push((node.range(), String::new())),
             None => floor_edits(node, edits),
         }
     }
 }
 
-fn tops_edits(parent: Node, edits: &mut Vec<Edit>) {
+fn keep_only(parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
     for node in parent.children().filter(Node::is_element) {
-        let plastic = |node: Node| class_of(node) == Some(Class::Plastic);
-        let resource = !matches!(node.tag_name().name(), "g" | "a" | "svg" | "switch") && is_resource(node);
-        if resource || plastic(node) {
+        if is_resource(node) {
             continue;
         }
-        if is_plastics(node) {
-            cut_things(node, edits);
-        } else if class_of(node).is_none() && node.descendants().any(|inner| is_plastics(inner) || plastic(inner)) {
-            tops_edits(node, edits);
+        if layer.holds(node) {
+            cut_strangers(node, layer, edits);
+        } else if class_of(node).is_none() && node.descendants().any(|inner| layer.holds(inner)) {
+            keep_only(node, layer, edits);
         } else {
             edits.push((node.range(), String::new()));
         }
     }
 }
 
-/// Art among the plastics stays; a lamp or a post that was drawn among them is no art.
-fn cut_things(parent: Node, edits: &mut Vec<Edit>) {
+/// Art in a layer stays; a lamp or a post that was drawn in it is no art.
+fn cut_strangers(parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
     for node in parent.children().filter(Node::is_element) {
-        match class_of(node) {
-            Some(Class::Plastic) => {}
-            Some(_) => edits.push((node.range(), String::new())),
-            None => cut_things(node, edits),
+        if layer.refuses(node) {
+            edits.push((node.range(), String::new()));
+        } else {
+            cut_strangers(node, layer, edits);
         }
     }
 }

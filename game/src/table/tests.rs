@@ -3,6 +3,7 @@
 mod errors;
 mod fuzz;
 mod picture;
+mod relief;
 mod things;
 
 use super::source::Source;

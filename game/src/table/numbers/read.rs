@@ -79,14 +79,41 @@ impl Reader<'_> {
                 }
             }
             "ambient_power" => self.set(value, "ambient_power", 0.0..=100.0, |numbers, x| numbers.ambient_power = x),
+            "relief_mm" => self.set(value, "relief_mm", 0.0..=5.0, |numbers, x| numbers.relief.height_mm = x),
+            "relief" => self.relief(value),
             "material" | "finish" | "class" | "part" => {}
             other => self.mistake(
                 key.span().start,
                 format!(
                     "`{other}` is not known; there are name, slope_deg, playfield_friction, ambient, ambient_power, \
-                     [material.NAME], [finish.NAME], [class.NAME] and [part.ID]"
+                     relief_mm, [relief], [material.NAME], [finish.NAME], [class.NAME] and [part.ID]"
                 ),
             ),
+        }
+    }
+
+    fn relief(&mut self, value: &Value) {
+        let Some(table) = self.table("relief", value) else { return };
+        for (key, value) in table {
+            match key.get_ref().as_ref() {
+                "planks_mm" => {
+                    // Narrower boards than 5 mm would be nothing but seams.
+                    let planks = self.number("planks_mm", value, 0.0..=1000.0);
+                    match planks {
+                        Some(width) if width > 0.0 && width < 5.0 => {
+                            let why = "`planks_mm` must be 0, for no planks, or a width from 5 to 1000";
+                            self.mistake(value.span().start, why);
+                        }
+                        Some(width) => self.numbers.relief.planks_mm = width,
+                        None => {}
+                    }
+                }
+                "grain" => self.set(value, "grain", 0.0..=1.0, |numbers, x| numbers.relief.grain = x),
+                "scratches" => self.set(value, "scratches", 0.0..=1.0, |numbers, x| numbers.relief.scratches = x),
+                "inserts" => self.set(value, "inserts", 0.0..=1.0, |numbers, x| numbers.relief.inserts = x),
+                "gloss" => self.set(value, "gloss", 0.0..=1.0, |numbers, x| numbers.relief.gloss = x as f32),
+                other => self.unknown(key.span().start, other, "planks_mm, grain, scratches, inserts, gloss"),
+            }
         }
     }
 

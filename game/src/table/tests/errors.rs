@@ -109,6 +109,12 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("[material.gum]\nrestitution = 2\nfriction = 1"), &["2: `restitution` must be a number from 0 to 1"]);
     says(numbers("[finish.gold]\nprofile = \"round\""), &["2: the profile is `round`", "bevel 0.8"]);
     says(numbers("[finish.gold]\nshine = 1"), &["2: `shine` is not known here", "gloss"]);
+    says(numbers("\nrelief_mm = 5.1"), &["2: `relief_mm` must be a number from 0 to 5"]);
+    says(numbers("relief_mm = -0.1"), &["1: `relief_mm` must be a number from 0 to 5"]);
+    says(numbers("relief = 0.6"), &["1: `relief` must be a table"]);
+    says(numbers("[relief]\ngrain = 2"), &["2: `grain` must be a number from 0 to 1"]);
+    says(numbers("[relief]\n\nplanks_mm = 4"), &["3: `planks_mm` must be 0, for no planks, or a width from 5"]);
+    says(numbers("[relief]\nknots = 1"), &["2: `knots` is not known here; there are planks_mm, grain, scratches"]);
     says(numbers("part = 3"), &["1: `part` must be a table"]);
     says(numbers("name = \"a\"\nname = \"b\""), &["2: this is not TOML: duplicate key"]);
     says(numbers("slope_deg = = 6"), &["1: this is not TOML"]);
