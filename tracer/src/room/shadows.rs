@@ -7,9 +7,6 @@
 use super::moment::{Moment, SIDE_F32, corner};
 use crate::lanes::{LANES, Lanes, max, min};
 
-/// Lamps times circles.
-const SHADOWS: usize = 12;
-
 /// One end of every shadow.
 #[derive(Clone, Copy, Debug, Default)]
 struct Ends {
@@ -100,29 +97,43 @@ impl Shadows {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edges {
     /// The column, and in the lowest 8 bits the shadow's number times two, plus one if it ends.
-    keys: [u32; SHADOWS * 2],
-    count: usize,
+    keys: [i32; KEYS],
 }
 
+/// Both ends of each lane.
+const KEYS: usize = LANES * 2;
+
+/// What is greater than any key.
+const NONE: i32 = i32::MAX;
+
 impl Edges {
+    /// Sorts without a branch, for no two rows are alike: a key's place is the number of keys that are less.
     #[inline(always)]
     pub fn new(columns: &[[u32; LANES]; 2]) -> Edges {
-        let mut edges = Edges { keys: [0; SHADOWS * 2], count: 0 };
-        for shadow in 0..SHADOWS {
-            let (low, high) = (columns[0][shadow], columns[1][shadow]);
-            if low < high {
-                edges.keys[edges.count] = low << 8 | (shadow as u32) << 1;
-                edges.keys[edges.count + 1] = high << 8 | (shadow as u32) << 1 | 1;
-                edges.count += 2;
+        let mut keys = [NONE; KEYS];
+        for shadow in 0..LANES {
+            let (low, high) = (columns[0][shadow] as i32, columns[1][shadow] as i32);
+            let number = (shadow as i32) << 1;
+            keys[shadow] = if low < high { low << 8 | number } else { NONE };
+            keys[LANES + shadow] = if low < high { high << 8 | number | 1 } else { NONE };
+        }
+        let mut places = [0i32; KEYS];
+        for other in keys {
+            for at in 0..KEYS {
+                places[at] += i32::from(other < keys[at]);
             }
         }
-        edges.keys[..edges.count].sort_unstable();
+        let mut edges = Edges { keys: [NONE; KEYS] };
+        for at in 0..KEYS {
+            edges.keys[places[at] as usize % KEYS] = keys[at];
+        }
         edges
     }
 
     /// From left to right, the column in which a shadow begins or ends, the shadow's lamp, and whether it ends.
     #[inline(always)]
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, bool)> {
-        self.keys[..self.count].iter().map(|&key| ((key >> 8) as usize, (key as usize >> 1 & 15) / 3, key & 1 == 1))
+        let there = self.keys.iter().take_while(|&&key| key != NONE);
+        there.map(|&key| ((key >> 8) as usize, (key as usize >> 1 & 15) / 3, key & 1 == 1))
     }
 }
