@@ -13,7 +13,7 @@ use crate::cli::{Bench, BenchArgs};
 use serde::Serialize;
 
 /// One measured figure.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Row {
     /// Which bench.
     pub bench: &'static str,
@@ -35,6 +35,15 @@ pub struct Row {
     /// Seconds of play in a second.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub times_real_time: Option<f64>,
+    /// How many times longer than a memset of the same bytes on as many threads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times_memset: Option<f64>,
+    /// The largest difference from the literal way's pictures, in levels of 255.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub most_levels_off: Option<u8>,
+    /// The pixels that differ from them by more than one level, in all pictures together.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pixels_off: Option<usize>,
 }
 
 /// Runs the bench that the command line asks for and prints its rows.
@@ -67,6 +76,10 @@ fn table(rows: &[Row]) -> String {
         more.extend(row.ns_per_pixel.map(|ns| format!("{ns:.3} ns a pixel")));
         more.extend(row.ms_99th.map(|ms| format!("99th percentile {ms:.4} ms")));
         more.extend(row.times_real_time.map(|times| format!("{times:.0} x real time")));
+        more.extend(row.times_memset.map(|times| format!("{times:.1} x memset")));
+        if let (Some(pixels), Some(levels)) = (row.pixels_off, row.most_levels_off) {
+            more.push(format!("{pixels} pixels off by more than 1 level (most {levels})"));
+        }
         let more = more.join(", ");
         let line =
             format!("{:6} {:34} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);

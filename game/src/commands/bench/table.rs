@@ -109,7 +109,7 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
             ms,
             ns_per_pixel: Some(ms * 1e6 / (size.width * size.height) as f64),
             ms_99th: Some(quantile(&mut times_ms, 0.99)),
-            times_real_time: None,
+            ..Row::default()
         }
     };
     let names = [

@@ -35,5 +35,6 @@ pub fn rows() -> Result<Vec<Row>, Failure> {
         ns_per_pixel: None,
         ms_99th: Some(quantile(&mut batches_ms, 0.99) / BATCH as f64),
         times_real_time: Some(ticks as f64 * tick_ms / total_ms),
+        ..Row::default()
     }])
 }
