@@ -27,6 +27,9 @@ const BATCH: usize = 8;
 /// The steps from dark to the tile's brightest.
 const STEPS: f32 = 65_535.0;
 
+/// Less light than this is none: squares of roots so small would lose their digits.
+const FAINTEST: f32 = 1e-20;
+
 /// A picture of a tile: red, green, blue, row by row, as square roots, each channel beginning on a cache line.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
@@ -54,7 +57,7 @@ impl Texels {
     pub fn keep(&mut self, path: Path, light: &Light, gist: &mut Gist) -> f32 {
         let mut brightest = 0.0;
         find_brightest(path, light, &mut brightest);
-        if brightest == 0.0 {
+        if brightest < FAINTEST {
             return 0.0;
         }
         let per_step = brightest.sqrt() / STEPS;

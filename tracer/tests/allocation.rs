@@ -1,0 +1,58 @@
+//! A renderer that is warm asks for no memory: a frame has no time for that.
+
+use geometry::DVec2;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tracer::{Film, Renderer, View, testing};
+
+static ASKED: AtomicUsize = AtomicUsize::new(0);
+
+struct Counting;
+
+// SAFETY: everything is left to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ASKED.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promises are the system's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ASKED.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// All lamps flash, the balls roll to and fro: the second time round, everything is there.
+#[test]
+fn a_warm_renderer_allocates_nothing() {
+    let view = View::fit(270, 540, testing::SIZE_MM);
+    let props = testing::props(&view);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
+    pool.install(|| {
+        let mut scene = testing::table(view, &props);
+        let (mut renderer, mut film) = (Renderer::new(), Film::default());
+        for round in 0..4 {
+            let before = ASKED.load(Ordering::Relaxed);
+            for frame in 0..24 {
+                let to = if frame < 12 { 1.0 } else { -1.0 };
+                testing::roll(&mut scene, DVec2::new(3.0 * to, -5.0 * to));
+                for (at, lamp) in scene.lamps.iter_mut().enumerate() {
+                    lamp.color[0] = 0.2 + ((at + frame) % 5) as f32 * 0.1;
+                }
+                renderer.draw(&scene, 1.0, &mut film);
+            }
+            let asked = ASKED.load(Ordering::Relaxed) - before;
+            assert!(round < 2 || asked == 0, "round {round}: {asked} times");
+        }
+    });
+}

@@ -1,0 +1,156 @@
+//! What is remembered of tiles, against pictures that are made from nothing.
+
+use geometry::DVec2;
+use tracer::testing::{self, Props};
+use tracer::{Film, Finish, Frame, Lamp, Path, Radiance, Renderer, Rgb, Scene, View, tone};
+
+const SIZE: (usize, usize) = (182, 391);
+
+fn view() -> View {
+    View::fit(SIZE.0, SIZE.1, testing::SIZE_MM)
+}
+
+/// The generated table, on a floor that leans and shines.
+fn props() -> Props {
+    let view = view();
+    let mut props = testing::props(&view);
+    let lean = |at: usize| [(at * 37 % 41) as i8 - 20, (at * 53 % 31) as i8 - 15];
+    props.floor.normals = (0..SIZE.0 * SIZE.1).map(lean).collect();
+    props.floor.gloss = 0.4;
+    props
+}
+
+fn anew(scene: &Scene) -> Radiance {
+    let mut radiance = Radiance::default();
+    Renderer::new().render_anew(scene, &mut radiance);
+    radiance
+}
+
+fn kept(scene: &Scene) -> Radiance {
+    let mut radiance = Radiance::default();
+    Renderer::new().render(scene, &mut radiance);
+    radiance
+}
+
+/// A tile keeps square roots in 65,535 steps up to its brightest: half a step off is at most one 65,535th of the
+/// brightest; under 1e-20 is dark. Light is linear, so what holds for each lamp alone bounds the sum.
+#[test]
+fn what_is_kept_is_within_half_a_step_of_what_is_made_anew() {
+    let props = props();
+    let mut scene = testing::table(view(), &props);
+    scene.balls.clear();
+    scene.glows.clear();
+    scene.ambient = [0.0; 3];
+    scene.tops.iter_mut().for_each(|top| top.finish.emission = [0.0; 3]);
+    let lamps = std::mem::take(&mut scene.lamps);
+    let mut lit_tiles = 0;
+    for lamp in lamps {
+        scene.lamps = vec![Lamp { color: [1.0, 0.5, 2.0], ..lamp }];
+        let (kept, anew) = (kept(&scene), anew(&scene));
+        for (left, top) in tiles() {
+            let pixels =
+                || (top..(top + 16).min(SIZE.1)).flat_map(|y| (left..(left + 16).min(SIZE.0)).map(move |x| (x, y)));
+            for (channel, gain) in [1.0f32, 0.5, 2.0].into_iter().enumerate() {
+                // The brightest of all channels counts, before the lamp's colour.
+                let brightest = pixels()
+                    .map(|(x, y)| anew.pixel(x, y))
+                    .map(|[r, g, b]| r.max(g / 0.5).max(b / 2.0))
+                    .fold(0.0, f32::max);
+                lit_tiles += usize::from(channel == 0 && brightest > 0.0);
+                for (x, y) in pixels() {
+                    let off = (kept.pixel(x, y)[channel] - anew.pixel(x, y)[channel]).abs();
+                    let most = gain * (brightest * (1.0 / 65_535.0 + 4.0 * f32::EPSILON) + 1e-20);
+                    assert!(off <= most, "{off} of {most} at {x} {y}");
+                }
+            }
+        }
+    }
+    assert!(lit_tiles > 500, "{lit_tiles} tiles were lit");
+}
+
+fn tiles() -> impl Iterator<Item = (usize, usize)> {
+    (0..SIZE.1).step_by(16).flat_map(|y| (0..SIZE.0).step_by(16).map(move |x| (x, y)))
+}
+
+/// A game's worth of changes, from frame to frame.
+fn play(scene: &mut Scene, frame: usize) {
+    for (at, lamp) in scene.lamps.iter_mut().enumerate() {
+        if (at + frame).is_multiple_of(3) {
+            lamp.color = lamp.color.map(|c: f32| if c > 0.3 { c * 0.5 } else { c * 1.9 });
+        }
+    }
+    match frame % 5 {
+        0 => testing::roll(scene, DVec2::new(7.0, -11.0)),
+        1 => scene.tops[20].finish.emission = [0.1 * frame as f32, 0.2, 0.0],
+        2 => scene.glows.iter_mut().for_each(|glow| glow.color = glow.color.map(|c| c * 0.8)),
+        3 => scene.tops[25].finish = Finish { gloss: 0.7, translucency: 0.5, ..scene.tops[25].finish },
+        _ => {}
+    }
+}
+
+/// Drawing in one go is rendering and developing, to the bit, on every path and any number of threads; and a still
+/// picture stays as it is.
+#[test]
+fn drawing_is_rendering_and_developing() {
+    let props = props();
+    for (path, threads) in Path::available().into_iter().flat_map(|path| [(path, 1), (path, 3)]) {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let mut scene = testing::table(view(), &props);
+            let (mut drawing, mut rendering) = (Renderer::on(path), Renderer::on(path));
+            let (mut film, mut radiance, mut frame) = (Film::default(), Radiance::default(), Frame::default());
+            for number in 0..12 {
+                play(&mut scene, number);
+                let exposure = if number > 8 { 1.25 } else { 1.0 };
+                drawing.draw(&scene, exposure, &mut film);
+                rendering.render(&scene, &mut radiance);
+                tone::map_on(path, &radiance, exposure, &mut frame);
+                assert!(*film.frame() == frame, "frame {number} on {} with {threads} threads", path.name());
+                drawing.draw(&scene, exposure, &mut film);
+                assert!(*film.frame() == frame, "frame {number} again");
+            }
+        });
+    }
+}
+
+/// Whoever looks at a part sees of it what whoever looks at all would see, wherever one has looked before.
+#[test]
+fn a_part_is_drawn_as_if_it_were_all() {
+    let props = props();
+    let mut scene = testing::table(view(), &props);
+    let (mut part, mut whole) = (Renderer::new(), Renderer::new());
+    let (mut seen, mut all) = (Film::default(), Film::default());
+    for number in 0..20 {
+        if number % 4 != 3 {
+            play(&mut scene, number);
+        }
+        let (x, y) = (number * 5, number * 13);
+        seen.look_at(x, y, 70, 110);
+        part.draw(&scene, 1.0, &mut seen);
+        whole.draw(&scene, 1.0, &mut all);
+        for y in y..y + 110 {
+            let row = y * SIZE.0 + x..y * SIZE.0 + x + 70;
+            assert!(seen.frame().pixels[row.clone()] == all.frame().pixels[row], "frame {number}, row {y}");
+        }
+    }
+}
+
+/// More lamps than are remembered: every picture is made from nothing, and is as right as with few.
+#[test]
+fn a_thousand_lamps_are_the_sum_of_a_thousand_pictures() {
+    let props = props();
+    let mut scene = testing::table(view(), &props);
+    scene.balls.clear();
+    scene.lamps.truncate(2);
+    let dim = |lamp: &Lamp, parts: f32| Lamp { color: lamp.color.map(|c| c / parts), ..*lamp };
+    let few = anew(&scene);
+    let lamps: Vec<Lamp> = scene.lamps.iter().flat_map(|lamp| vec![dim(lamp, 500.0); 500]).collect();
+    scene.lamps = lamps;
+    let many = kept(&scene);
+    for (x, y) in (0..SIZE.1).step_by(7).flat_map(|y| (0..SIZE.0).step_by(5).map(move |x| (x, y))) {
+        let (a, b): (Rgb, Rgb) = (few.pixel(x, y), many.pixel(x, y));
+        for channel in 0..3 {
+            assert!((a[channel] - b[channel]).abs() <= 1e-4 * a[channel].max(0.1), "{a:?} {b:?} at {x} {y}");
+        }
+    }
+}
