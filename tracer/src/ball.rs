@@ -1,8 +1,8 @@
 //! A chrome ball, seen from straight above: a mirror with the whole table in it.
 //!
 //! Every pixel of the ball sends the eye's ray on in the mirrored direction. Rays that go down meet the floor, which is
-//! lit already; rays that go up meet the lamps, or a dim room with one soft panel overhead, so that a ball has a bright
-//! spot and a rim even where no lamp reaches it. Scratches turn with the ball.
+//! lit already; rays that go up meet the lamps, or the room that the machine stands in, so that a ball has a bright spot
+//! and a rim even where no lamp reaches it. Scratches turn with the ball.
 
 use crate::candidates::{Candidates, Cone};
 use crate::glare::{Level, STEP};
@@ -10,18 +10,12 @@ use crate::irradiance::Light;
 use crate::lanes::{Path, clamp, max};
 use crate::points::TILE;
 use crate::silhouette::Silhouettes;
-use crate::{Ball, Lamp, Rgb, View, exact};
+use crate::{Ball, Lamp, Rgb, View, exact, surroundings as room};
 use geometry::DVec2;
 use rayon::prelude::*;
 
 /// What chrome mirrors of each colour.
 const CHROME: Rgb = [0.86, 0.88, 0.90];
-
-/// The sky of a night room, where no panel is.
-const ROOM: Rgb = [0.115, 0.125, 0.155];
-
-/// The soft panel overhead.
-const PANEL: Rgb = [1.75, 1.70, 1.60];
 
 /// A lamp's glint is at most this often its colour.
 const GLINT: f32 = 14.0;
@@ -198,14 +192,15 @@ impl Mirror<'_> {
             let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
             let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
             let rim = 0.20 * grazing * (1.0 + self.arriving[channel]);
-            pixel[channel] = light[channel] * mirrors * (1.0 - 0.6 * scratch) + matt * scratch * nz + rim;
+            pixel[channel] = light[channel] * mirrors * (1.0 - 0.8 * scratch) + matt * scratch * nz + rim;
         }
         pixel
     }
 
     /// The floor below or the room above, in the direction `out`.
     fn surroundings(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
-        let sky = sky(out);
+        // The cabinet's walls throw back some of what falls on the table.
+        let sky = room::seen(out, self.arriving.map(|light| 0.35 * light));
         if out[2] >= -0.02 {
             return sky;
         }
@@ -279,22 +274,6 @@ impl Mirror<'_> {
         let scuff = if x > -0.2 { line(y - 0.45 * z + 0.5) * 0.3 } else { 0.0 };
         max(max(ring, half_ring), max(dot, scuff))
     }
-}
-
-/// The room in an upward direction: night, a little lighter towards the top, and a panel behind the player's head.
-fn sky(out: [f32; 3]) -> Rgb {
-    let up = max(out[2], 0.02);
-    let (x, y) = (out[0] / up, out[1] / up);
-    let soft = |v: f32, from: f32, to: f32| {
-        let t = clamp((v - from) / (to - from), 0.0, 1.0);
-        t * t * (3.0 - 2.0 * t)
-    };
-    let panel = (1.0 - soft(x.abs(), 0.30, 0.85)) * (1.0 - soft((y + 0.75).abs(), 0.22, 0.70));
-    let glow = 1.0 / (1.0 + 0.8 * (x * x + (y + 0.75) * (y + 0.75)));
-    let visible = if out[2] > 0.02 { 1.0 } else { 0.0 };
-    [0, 1, 2].map(|channel: usize| {
-        ROOM[channel] * (0.6 + 0.8 * max(out[2], 0.0)) + PANEL[channel] * visible * (0.9 * panel + 0.14 * glow)
-    })
 }
 
 /// `v` in the frame of something that was turned by the unit quaternion `q`.

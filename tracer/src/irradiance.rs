@@ -2,7 +2,7 @@
 
 use crate::lanes::{LANES, Lanes, clamp, clones, max};
 use crate::points::{Plane, Points, TILE};
-use crate::{Finish, Lamp};
+use crate::{Finish, Lamp, surroundings};
 use geometry::DVec2;
 
 /// Three planes of light: red, green, blue.
@@ -215,15 +215,29 @@ clones! {
 #[inline(always)]
 fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
-    for channel in 0..3 {
-        let scattered = (1.0 - 0.4 * gloss) * finish.albedo[channel] * ambient[channel];
-        let emission = finish.emission[channel];
-        for block in 0..blocks {
-            let (art, up, weight) = (&top.albedo[channel][block], &top.normals.z[block], &top.weight[block]);
+    // Where no light comes from everywhere there is no room that could be mirrored.
+    let mirrors = ROOM * gloss * gloss * (0.2126 * ambient[0] + 0.7152 * ambient[1] + 0.0722 * ambient[2]);
+    for block in 0..blocks {
+        let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
+        let weight = &top.weight[block];
+        let mut room = [[0.0; LANES]; 3];
+        for i in 0..LANES {
+            let up = 2.0 * nz[i];
+            let [red, green, blue] = surroundings::seen([up * nx[i], up * ny[i], up * nz[i] - 1.0], [0.0; 3]);
+            (room[0][i], room[1][i], room[2][i]) = (mirrors * red, mirrors * green, mirrors * blue);
+        }
+        for channel in 0..3 {
+            let (own, emission) = (finish.albedo[channel], finish.emission[channel]);
+            let scattered = (1.0 - 0.4 * gloss) * own * ambient[channel];
+            let (art, room) = (&top.albedo[channel][block], &room[channel]);
             for i in 0..LANES {
-                let light = scattered * (0.5 + 0.5 * up[i]) + emission;
-                out[channel][block][i] = weight[i] * art[i] * light;
+                let tint = 0.3 + (own * art[i] - 0.3) * gloss;
+                let light = art[i] * (scattered * (0.5 + 0.5 * nz[i]) + emission) + tint * room[i];
+                out[channel][block][i] = weight[i] * light;
             }
         }
     }
 }
+
+/// How bright the room is in polished tops, in light from everywhere.
+const ROOM: f32 = 5.0;

@@ -36,6 +36,7 @@ pub mod room;
 mod scene;
 mod silhouette;
 mod surfaces;
+mod surroundings;
 pub mod testing;
 mod tile;
 pub mod tone;
