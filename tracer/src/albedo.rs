@@ -1,18 +1,20 @@
 //! Art in sRGB bytes as the reflectance that light works with.
 
-use crate::Scene;
-use crate::irradiance::{DARKNESS, Light};
+use crate::irradiance::{DARKNESS, Light, Normals};
 use crate::lanes::{LANES, Lanes, Path, clones, max};
 use crate::points::{AREA, Plane, TILE};
+use crate::{Floor, Scene};
 use rayon::prelude::*;
 
-/// The floor's reflectance, tile by tile: read from the art once, since tiles are lit again and again.
+/// The floor's reflectance and lean, tile by tile: read from the art once, since tiles are lit again and again.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Art {
     /// Tiles across.
     across: usize,
     /// Red, green, blue of every tile, in 65,535ths.
     tiles: Vec<[[u16; AREA]; 3]>,
+    /// Which way every tile leans, if any does: x and y of the normal, in 127ths; nothing for a flat tile.
+    normals: Vec<Option<Box<[[i8; AREA]; 2]>>>,
 }
 
 impl Art {
@@ -22,11 +24,16 @@ impl Art {
         self.across = width.div_ceil(TILE);
         self.tiles.clear();
         self.tiles.resize(self.across * height.div_ceil(TILE), [[u16::MAX / 2; AREA]; 3]);
+        self.normals.clear();
         let floor = scene.floor;
         if !floor.fits(scene) {
             return;
         }
         let across = self.across;
+        if !floor.normals.is_empty() {
+            let tile = |at: usize| normals_of(floor, at % across * TILE, at / across * TILE);
+            self.normals.par_extend((0..self.tiles.len()).into_par_iter().map(tile));
+        }
         self.tiles.par_iter_mut().enumerate().for_each(|(at, tile)| {
             let (x, y) = (at % across * TILE, at / across * TILE);
             let (inside, below) = (TILE.min(width - x), TILE.min(height - y));
@@ -41,9 +48,45 @@ impl Art {
         });
     }
 
+    /// The normals of the tile whose upper left pixel is (`x`, `y`); says whether it leans, and if it does not, leaves
+    /// `out` alone.
+    pub fn read_normals(&self, path: Path, x: usize, y: usize, out: &mut Normals) -> bool {
+        let tile = self.normals.get(y / TILE * self.across + x / TILE).and_then(|tile| tile.as_deref());
+        tile.is_some_and(|tile| {
+            lean(path, tile, out);
+            true
+        })
+    }
+
     /// The reflectance of the tile whose upper left pixel is (`x`, `y`).
     pub fn read(&self, path: Path, x: usize, y: usize, out: &mut Light) {
         widen(path, &self.tiles[y / TILE * self.across + x / TILE], out);
+    }
+}
+
+/// The normals of a tile; beyond the picture's edge it leans as it does there.
+fn normals_of(floor: &Floor, x: usize, y: usize) -> Option<Box<[[i8; AREA]; 2]>> {
+    let mut tile = Box::new([[0; AREA]; 2]);
+    for at in 0..AREA {
+        let (row, column) = ((y + at / LANES).min(floor.height - 1), (x + at % LANES).min(floor.width - 1));
+        [tile[0][at], tile[1][at]] = floor.normals[row * floor.width + column];
+    }
+    tile.as_flattened().iter().any(|&lean| lean != 0).then_some(tile)
+}
+
+clones! {
+    fn lean(tile: &[[i8; AREA]; 2], out: &mut Normals) = lean_lanes;
+}
+
+#[inline(always)]
+fn lean_lanes([across, down]: &[[i8; AREA]; 2], out: &mut Normals) {
+    for row in 0..TILE {
+        let (across, down) = (&across[row * LANES..][..LANES], &down[row * LANES..][..LANES]);
+        let (out_x, out_y, out_z) = (&mut out.x[row], &mut out.y[row], &mut out.z[row]);
+        for i in 0..LANES {
+            let (x, y) = (f32::from(across[i]) * (1.0 / 127.0), f32::from(down[i]) * (1.0 / 127.0));
+            (out_x[i], out_y[i], out_z[i]) = (x, y, max(1.0 - x * x - y * y, 0.0).sqrt());
+        }
     }
 }
 

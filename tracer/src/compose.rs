@@ -16,6 +16,7 @@ impl Workspace {
         let floor = scene.floor;
         let &Place { x, y, .. } = place;
         let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
+        // What a few points need is read whole, and then packed.
         let art = if self.whole { &mut self.ground.albedo } else { &mut self.art };
         stage.art.read(stage.path, x, y, art);
         if !floor.fits(scene) {
@@ -24,8 +25,9 @@ impl Workspace {
             albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
             self.printed.repeat_edges(width, height);
         }
-        let leans = floor.fits(scene) && !floor.normals.is_empty();
-        self.pack_floor(leans.then_some((floor.normals.as_slice(), floor.width)), place, width, height);
+        let normals = if self.whole { &mut self.ground.normals } else { &mut self.normals };
+        self.ground.leans = stage.art.read_normals(stage.path, x, y, normals);
+        self.pack_floor();
         for layer in &mut self.tops[..layers] {
             if scene.tops[layer.form].finish.art {
                 layer.take_print(&self.printed);
@@ -36,40 +38,31 @@ impl Workspace {
     }
 
     /// Packs the floor's art, weight and normals at its points.
-    fn pack_floor(&mut self, normals: Option<(&[[i8; 2]], usize)>, place: &Place, width: usize, height: usize) {
+    fn pack_floor(&mut self) {
         let ground = &mut self.ground;
-        ground.leans = false;
-        let count = if self.whole { TILE * LANES } else { self.floor.count };
         if self.whole {
             ground.weight.copy_from_slice(&self.remaining);
         } else {
-            for (at, &pixel) in self.floor.pixel[..count].iter().enumerate() {
+            for (at, &pixel) in self.floor.pixel[..self.floor.count].iter().enumerate() {
                 let (row, i) = (usize::from(pixel) / LANES, usize::from(pixel) % LANES);
                 let (block, lane) = (at / LANES, at % LANES);
                 ground.weight[block][lane] = self.remaining[row][i];
                 for (packed, art) in ground.albedo.iter_mut().zip(&self.art) {
                     packed[block][lane] = art[row][i];
                 }
+                if ground.leans {
+                    ground.normals.x[block][lane] = self.normals.x[row][i];
+                    ground.normals.y[block][lane] = self.normals.y[row][i];
+                    ground.normals.z[block][lane] = self.normals.z[row][i];
+                }
             }
         }
-        let blocks = count.div_ceil(LANES);
-        for plane in [&mut ground.normals.x, &mut ground.normals.y] {
-            plane[..blocks].fill([0.0; LANES]);
-        }
-        ground.normals.z[..blocks].fill([1.0; LANES]);
-        let Some((normals, stride)) = normals else { return };
-        for at in 0..count {
-            let pixel = if self.whole { at } else { usize::from(self.floor.pixel[at]) };
-            let (row, column) = ((pixel / LANES).min(height - 1), (pixel % LANES).min(width - 1));
-            let [x, y] = normals[(place.y + row) * stride + place.x + column];
-            if x != 0 || y != 0 {
-                let (x, y) = (f32::from(x) * (1.0 / 127.0), f32::from(y) * (1.0 / 127.0));
-                let (block, lane) = (at / LANES, at % LANES);
-                ground.normals.x[block][lane] = x;
-                ground.normals.y[block][lane] = y;
-                ground.normals.z[block][lane] = max(1.0 - x * x - y * y, 0.0).sqrt();
-                ground.leans = true;
+        if !ground.leans {
+            let blocks = if self.whole { TILE } else { self.floor.blocks() };
+            for plane in [&mut ground.normals.x, &mut ground.normals.y] {
+                plane[..blocks].fill([0.0; LANES]);
             }
+            ground.normals.z[..blocks].fill([1.0; LANES]);
         }
     }
 

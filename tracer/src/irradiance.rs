@@ -46,6 +46,14 @@ pub(crate) struct Normals {
     pub z: Plane,
 }
 
+impl Normals {
+    /// Straight up.
+    pub fn level() -> Normals {
+        let zero = [[0.0; LANES]; TILE];
+        Normals { x: zero, y: zero, z: [[1.0; LANES]; TILE] }
+    }
+}
+
 /// What a layer is at its points.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
@@ -63,8 +71,7 @@ impl Surface {
     /// Nothing.
     pub fn none() -> Surface {
         let zero = [[0.0; LANES]; TILE];
-        let normals = Normals { x: zero, y: zero, z: [[1.0; LANES]; TILE] };
-        Surface { weight: zero, albedo: DARKNESS, normals, leans: false }
+        Surface { weight: zero, albedo: DARKNESS, normals: Normals::level(), leans: false }
     }
 }
 

@@ -9,7 +9,7 @@ use crate::changes::{Changes, Nearby};
 use crate::compose::has_contacts;
 use crate::coverage::{Edge, Form};
 use crate::gaze::Gaze;
-use crate::irradiance::{Beam, DARKNESS, Light, Surface, light_floor, light_top};
+use crate::irradiance::{Beam, DARKNESS, Light, Normals, Surface, light_floor, light_top};
 use crate::lanes::{LANES, Lanes, Path, clamp};
 use crate::layer::{TopLayer, UNSEEN};
 use crate::memory::TileMemory;
@@ -98,6 +98,8 @@ pub(crate) struct Workspace {
     pub(crate) remaining: Plane,
     /// The art of the floor, where its points are not every pixel; else that is in `ground`.
     pub(crate) art: Light,
+    /// And which way it leans.
+    pub(crate) normals: Normals,
     pub(crate) printed: Albedo,
     /// The light of one layer, packed.
     pub(crate) packed: Light,
@@ -131,6 +133,7 @@ impl Workspace {
             edge: Edge::none(),
             remaining: zero,
             art: DARKNESS,
+            normals: Normals::level(),
             printed: Albedo::none(),
             packed: DARKNESS,
             picture: DARKNESS,
