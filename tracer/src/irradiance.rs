@@ -1,6 +1,7 @@
 //! What a lamp's light does at points of a tile: how much arrives, and how a tilted surface answers.
 
 use crate::Lamp;
+use crate::falloff::Falloff;
 use crate::lanes::{LANES, Lanes, clones, max};
 use crate::points::{Plane, Points, TILE};
 use geometry::DVec2;
@@ -14,27 +15,15 @@ pub(crate) const DARKNESS: Light = [[[0.0; LANES]; TILE]; 3];
 /// A lamp as the points of one tile see it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Beam {
-    x: f32,
-    y: f32,
-    height_square: f32,
-    /// One over the square of the reach.
-    fade: f32,
+    falloff: Falloff,
     color: [f32; 3],
 }
 
 impl Beam {
     /// The lamp's light for a tile round `middle_mm`.
     pub fn new(lamp: &Lamp, middle_mm: DVec2) -> Beam {
-        let from_tile = lamp.center_mm - middle_mm;
-        let height = lamp.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM);
         let reference = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM;
-        Beam {
-            x: from_tile.x as f32,
-            y: from_tile.y as f32,
-            height_square: (height * height) as f32,
-            fade: (1.0 / (lamp.reach_mm * lamp.reach_mm)) as f32,
-            color: lamp.color.map(|c| c * reference as f32),
-        }
+        Beam { falloff: Falloff::new(lamp, middle_mm), color: lamp.color.map(|c| c * reference as f32) }
     }
 }
 
@@ -61,21 +50,13 @@ clones! {
     ) = light_top_lanes;
 }
 
-/// Irradiance before colour and visibility: see [`Lamp`].
-#[inline(always)]
-fn falloff(square: f32, beam: &Beam) -> f32 {
-    let rest = max(1.0 - square * beam.fade, 0.0);
-    rest * rest / (square + beam.height_square)
-}
-
 #[inline(always)]
 fn light_floor_lanes(points: &Points, beam: Beam, fraction: &[Lanes], light: &mut Light) {
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
-        let mut arriving = [0.0; LANES];
+        let mut arriving = beam.falloff.arriving(x, y).light;
         for i in 0..LANES {
-            let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-            arriving[i] = falloff(ux * ux + uy * uy, &beam) * seen[i];
+            arriving[i] *= seen[i];
         }
         for (plane, color) in light.iter_mut().zip(beam.color) {
             for i in 0..LANES {
@@ -101,12 +82,12 @@ fn light_top_lanes(
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&normals.x[block], &normals.y[block], &normals.z[block]);
+        let to = beam.falloff.arriving(x, y);
         let (mut matt, mut gloss) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
-            let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-            let square = ux * ux + uy * uy;
-            let arriving = falloff(square, &beam) * seen[i];
-            let up_square = beam.height_square + LIFT * square;
+            let (ux, uy, square) = (to.x[i], to.y[i], to.square[i]);
+            let arriving = to.light[i] * seen[i];
+            let up_square = beam.falloff.height_square + LIFT * square;
             let length = (square + up_square).sqrt();
             let up = up_square.sqrt();
             let across = nx[i] * ux + ny[i] * uy;

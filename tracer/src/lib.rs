@@ -11,17 +11,21 @@
 #![allow(clippy::needless_range_loop, reason = "lanes and channels run in step through several arrays")]
 
 mod albedo;
+mod angle;
 mod ball;
 mod candidates;
 mod changes;
 mod compose;
+mod cone;
 mod coverage;
 mod dither;
 pub mod exact;
+mod falloff;
 mod frame;
 mod gaze;
 mod glare;
 mod irradiance;
+mod lamp;
 mod lanes;
 mod layer;
 mod memory;
@@ -33,16 +37,19 @@ mod renderer;
 pub mod room;
 mod scene;
 mod silhouette;
+mod source;
 mod surfaces;
 pub mod testing;
 mod tile;
 pub mod tone;
 mod view;
 mod visibility;
+mod wedge;
 
 pub use frame::Frame;
+pub use lamp::{Emitter, Lamp};
 pub use lanes::Path;
 pub use radiance::Radiance;
 pub use renderer::Renderer;
-pub use scene::{Ball, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top};
+pub use scene::{Ball, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Profile, Rgb, Scene, Top};
 pub use view::View;

@@ -3,9 +3,13 @@
 //! A chain whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
 //! interval, from its lowest tangent to its highest. Pieces that come near the tile or the lamp are taken one by one,
 //! with every case thought of.
+//!
+//! All is put down in mm from the tile's middle; for a segment that shines the axes are turned, so that the first is the
+//! segment's normal: then what is near the segment's line is told apart from it as finely as single precision can.
 
 use crate::Group;
-use crate::candidates::{BEFORE_LAMP, BETWEEN, Candidates, MEETS_LEFT, MEETS_RIGHT};
+use crate::candidates::Candidates;
+use crate::cone::{BEFORE_LAMP, BETWEEN, MEETS_LEFT, MEETS_RIGHT};
 use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
 use geometry::{Circle, DVec2, Taper};
 
@@ -70,18 +74,19 @@ pub(crate) enum Verdict {
 
 impl Obstruction {
     /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for one
-    /// group.
+    /// group. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
         near: &Candidates,
         all: &Silhouettes,
         middle_mm: DVec2,
+        axis: DVec2,
         without: Option<Group>,
     ) -> Verdict {
         self.elements.clear();
         self.ends.clear();
         self.pieces.clear();
-        let place = Place { all, middle_mm };
+        let place = Place { all, middle_mm, axis };
         let mut chain = 0u16;
         for at in 0..near.len() {
             let counts = near.counts(at) && Some(near.group[at]) != without;
@@ -137,12 +142,17 @@ fn dark(chain: u16) -> bool {
 struct Place<'a> {
     all: &'a Silhouettes,
     middle_mm: DVec2,
+    axis: DVec2,
 }
 
 impl Place<'_> {
+    fn turned(&self, way: DVec2) -> [f32; 2] {
+        [way.dot(self.axis) as f32, way.dot(self.axis.perp()) as f32]
+    }
+
     fn circle(&self, circle: Circle) -> [f32; 3] {
-        let center = circle.center - self.middle_mm;
-        [center.x as f32, center.y as f32, circle.radius as f32]
+        let [x, y] = self.turned(circle.center - self.middle_mm);
+        [x, y, circle.radius as f32]
     }
 
     fn disc(&self, index: usize) -> [f32; 3] {
@@ -153,7 +163,7 @@ impl Place<'_> {
     fn cap(&self, bulge: &Bulge) -> Cap {
         Cap {
             circle: self.circle(bulge.outer),
-            middle: [bulge.middle.x as f32, bulge.middle.y as f32],
+            middle: self.turned(bulge.middle),
             least: (bulge.cos_half * bulge.outer.radius) as f32,
         }
     }
@@ -183,8 +193,8 @@ impl Place<'_> {
         let sides = taper.side_normals().map(|normals| {
             normals.map(|normal| {
                 let side = taper.side(normal);
-                let (from, to) = (side.a - self.middle_mm, side.b - self.middle_mm);
-                [from.x as f32, from.y as f32, to.x as f32, to.y as f32]
+                let [from, to] = [side.a, side.b].map(|end| self.turned(end - self.middle_mm));
+                [from[0], from[1], to[0], to[1]]
             })
         });
         let nowhere = [[0.0; 4]; 2];

@@ -274,7 +274,7 @@ impl Workspace {
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let Lit { lamp, lost, number, .. } = &stage.lamps[at];
-            let reach = lamp.reach_mm + radius + 0.01;
+            let reach = lamp.far_mm() + radius + 0.01;
             if lamp.center_mm.distance_squared(middle) > reach * reach {
                 continue;
             }
