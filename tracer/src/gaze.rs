@@ -25,7 +25,9 @@ impl Gaze<'_, '_> {
     /// Finds how much of the lamp each point sees, past everything but one group.
     pub fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
         if let Some(sampling) = &self.stage.sampling {
-            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
+            let view = &self.stage.scene.view;
+            let size = (view.width, view.height);
+            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner, size };
             let occluders = &self.stage.scene.occluders;
             sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
             return Verdict::Mixed;

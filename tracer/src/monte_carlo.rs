@@ -9,6 +9,10 @@ use crate::points::{Plane, Points, TILE};
 use crate::wedge::Wedge;
 use crate::{Group, Lamp, Occluder, Rgb, Scene};
 use geometry::{DVec2, Ray, Segment, Shape};
+use std::ops::Range;
+
+/// Neighbouring samples that are cast against the same shapes.
+const TOGETHER: u32 = 128;
 
 /// How a lamp is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +31,8 @@ pub(crate) struct Place {
     pub middle_mm: DVec2,
     /// Its upper left pixel.
     pub corner: (usize, usize),
+    /// Width and height of the picture: nobody sees what a tile has beyond it.
+    pub size: (usize, usize),
 }
 
 /// What arrives at a point of the floor from all lamps, by `sampling`; occluders of the group `exclude` cast no shadow.
@@ -66,6 +72,10 @@ impl Sampling {
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
             let pixel = usize::from(points.pixel[point]);
             let (x, y) = (at.corner.0 + pixel % TILE, at.corner.1 + pixel / TILE);
+            if x >= at.size.0 || y >= at.size.1 {
+                fraction[block][lane] = 0.0;
+                continue;
+            }
             let name = of_lamp.next((y as u64) << 32 | x as u64);
             let rays = Rays { sampling: *self, name, point: at.middle_mm + offset };
             let Arriving { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
@@ -113,21 +123,44 @@ impl Rays {
         if lamp.tube().is_none() && (inside || near.is_empty()) {
             return Arriving { seen: if inside { 0.0 } else { from_middle }, all: from_middle };
         }
-        let (mut seen, mut all, mut last) = (0.0, 0.0, 0);
-        for sample in 0..self.sampling.samples.max(1) {
-            let target = chord.a + chord.along() * self.place(sample);
-            let arrives = if lamp.tube().is_some() {
-                1.0 / (self.point.distance_squared(target) + height_square)
-            } else {
-                from_middle
-            };
-            all += arrives;
-            if near.is_empty() || !(inside || self.is_hidden(target, near, &mut last)) {
-                seen += arrives;
+        let count = self.sampling.samples.max(1);
+        let (mut seen, mut all) = (0.0, 0.0);
+        let mut there = Vec::with_capacity(near.len());
+        for first in (0..count).step_by(TOGETHER as usize) {
+            let samples = first..count.min(first + TOGETHER);
+            self.narrow(near, chord, &samples, &mut there);
+            let mut last = 0;
+            for sample in samples {
+                let hidden = inside || !there.is_empty();
+                if !hidden && lamp.tube().is_none() {
+                    seen += from_middle;
+                    all += from_middle;
+                    continue;
+                }
+                let target = chord.a + chord.along() * self.place(sample);
+                let arrives = if lamp.tube().is_some() {
+                    1.0 / (self.point.distance_squared(target) + height_square)
+                } else {
+                    from_middle
+                };
+                all += arrives;
+                if !(hidden && (inside || self.is_hidden(target, &there, &mut last))) {
+                    seen += arrives;
+                }
             }
         }
-        let count = f64::from(self.sampling.samples.max(1));
-        Arriving { seen: seen / count, all: all / count }
+        Arriving { seen: seen / f64::from(count), all: all / f64::from(count) }
+    }
+
+    /// Leaves out what meets no ray of some neighbouring samples.
+    fn narrow<'a>(&self, near: &[&'a Shape], chord: Segment, samples: &Range<u32>, there: &mut Vec<&'a Shape>) {
+        there.clear();
+        if !self.sampling.stratified {
+            return there.extend_from_slice(near);
+        }
+        let end = |sample: u32| chord.a + chord.along() * (f64::from(sample) / f64::from(self.sampling.samples.max(1)));
+        let wedge = Wedge::new(self.point, end(samples.start), end(samples.end));
+        there.extend(near.iter().copied().filter(|shape| wedge.may_meet(shape)));
     }
 
     /// What is sampled: a segment is its own chord, a disc's is the diameter that faces the point.

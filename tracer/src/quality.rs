@@ -34,20 +34,20 @@ pub struct Quality {
     pub maximum: f64,
     /// Where that is, mm.
     pub place_mm: DVec2,
-    /// Mean FLIP of a whole picture.
-    pub flip: f64,
+    /// Mean FLIP of a whole picture, if one was looked at.
+    pub flip: Option<f64>,
 }
 
 impl Quality {
     /// Whether it is good enough. What is not a number is not.
     pub fn passes(&self) -> bool {
-        self.rmse <= MOST_RMSE && self.maximum <= MOST_DIFFERENCE && self.flip <= MOST_FLIP
+        self.rmse <= MOST_RMSE && self.maximum <= MOST_DIFFERENCE && self.flip.is_none_or(|flip| flip <= MOST_FLIP)
     }
 }
 
-/// Compares `count` points of `scene` on a white floor without tops, and the whole picture of `small`, which may be the
-/// same scene in fewer pixels.
-pub fn judge(scene: &Scene, small: &Scene, count: usize, seed: u64) -> Quality {
+/// Compares `count` points of `scene` on a white floor without tops, and the whole picture of `small` (the same scene in
+/// fewer pixels, as a rule) if there is one.
+pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Quality {
     let floor = white(scene.view.width, scene.view.height);
     let bare = Scene {
         lamps: scene.lamps.clone(),
@@ -70,8 +70,8 @@ pub fn judge(scene: &Scene, small: &Scene, count: usize, seed: u64) -> Quality {
         ([0, 1, 2].map(|channel| f64::from(got[channel]) - f64::from(expected[channel])), point)
     });
     let differences: Vec<([f64; 3], DVec2)> = differences.collect();
-    let mut quality =
-        Quality { points: pixels.len(), rmse: 0.0, maximum: 0.0, place_mm: DVec2::ZERO, flip: look(small, sampling) };
+    let mut quality = Quality { points: pixels.len(), rmse: 0.0, maximum: 0.0, place_mm: DVec2::ZERO, flip: None };
+    quality.flip = small.map(|scene| look(scene, sampling));
     for (difference, place) in differences.iter().flat_map(|(all, place)| all.map(|one| (one, *place))) {
         quality.rmse += difference * difference;
         if difference.is_nan() || difference.abs() > quality.maximum {

@@ -23,7 +23,7 @@ const PLAYED: u64 = 12_000;
 /// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
-    let moments = moments(&table)?;
+    let moments = moments(&table, FRAMES)?;
     let sizes = size.map_or(SIZES.to_vec(), |size| vec![size]);
     let mut rows = Vec::new();
     for size in sizes {
@@ -32,12 +32,12 @@ pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Fail
     Ok(rows)
 }
 
-/// What the bot's game looks like, a 60th of a second apart.
-fn moments(table: &Arc<Table>) -> Result<Vec<Snapshot>, Failure> {
+/// What the bot's game looks like at `count` moments, a 60th of a second apart.
+pub(super) fn moments(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>, Failure> {
     let mut simulation = Simulation::new(table.clone(), 1)?;
     let mut bot = Bot::new(1);
     let mut moments = Vec::new();
-    while moments.len() < FRAMES {
+    while moments.len() < count {
         let buttons = bot.buttons(&simulation);
         simulation.tick(buttons);
         if simulation.ticks() >= PLAYED && simulation.ticks() % 17 == 0 {
