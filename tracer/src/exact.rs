@@ -3,12 +3,15 @@
 //! Intervals are found as angles round the point, and pieces of an arc are cut so finely that chords will do.
 
 use crate::candidates::Candidates;
-use crate::silhouette::{Disc, Link, Silhouettes};
+use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
 use crate::{Group, Lamp, Rgb, Scene};
-use geometry::{Circle, DVec2, Taper};
+use geometry::{Circle, DVec2, Taper, trig};
 
 /// A point no deeper than this in a shape only touches it, mm: turning the axes has rounded it there.
 const TOUCHING_MM: f64 = 1e-9;
+
+/// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
+const PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; occluders of the group `exclude` cast no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb {
@@ -52,7 +55,9 @@ pub(crate) fn visible_fraction_of(
             }
             Link::Bulge(bulge) => {
                 for ends in all.discs[all.bulges[bulge as usize].fine.clone()].windows(2) {
-                    intervals.extend(chord.covered(circle(&ends[0]), circle(&ends[1])));
+                    let Link::Bulge(part) = ends[1].link else { continue };
+                    let ends = [circle(&ends[0]), circle(&ends[1])];
+                    chord.cover_arc(ends, &all.bulges[part as usize], &mut intervals);
                 }
             }
         }
@@ -109,6 +114,27 @@ impl Chord {
             let begin = self.ends.0;
             libm::atan2((place - begin) * off, off * off + place * begin)
         })
+    }
+
+    /// The parts of the chord that a piece of an arc covers. Where the chord goes through it, it is cut still finer: a
+    /// chord that grazes it is long.
+    fn cover_arc(&self, ends: [Circle; 2], bulge: &Bulge, intervals: &mut Vec<(f64, f64)>) {
+        let ahead = |disc: &Circle| (disc.center - self.point).dot(self.ahead);
+        let thick = ends[0].radius + bulge.sagitta_mm;
+        let [near, far] = [ahead(&ends[0]), ahead(&ends[1])];
+        let crosses = near.min(far) - thick < self.distance && near.max(far) + thick > self.distance;
+        let parts = if crosses { PARTS } else { 1 };
+        let center = bulge.outer.center;
+        let [from, to] = ends.map(|disc| disc.center - center);
+        let angle = libm::acos(bulge.cos_half.min(1.0)) * 2.0 / f64::from(parts);
+        let step = trig::direction(angle.copysign(from.perp_dot(to)));
+        let mut way = from;
+        for _ in 0..parts {
+            let next = step.rotate(way);
+            let disc = |way| Circle { center: center + way, radius: ends[0].radius };
+            intervals.extend(self.covered(disc(way), disc(next)));
+            way = next;
+        }
     }
 
     /// The part of the chord that the hull of two discs covers.

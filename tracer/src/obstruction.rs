@@ -31,6 +31,8 @@ pub(crate) struct Cap {
     pub middle: [f32; 2],
     /// The piece is where a radius dotted with `middle` is at least this, mm.
     pub least: f32,
+    /// The radius of the arc's inner circle, below 0 where it has none, and the same bound for that.
+    pub inner: [f32; 2],
 }
 
 /// The hull of two discs, in mm from the tile's middle.
@@ -40,7 +42,8 @@ pub(crate) struct Piece {
     pub a: [f32; 3],
     /// The other.
     pub b: [f32; 3],
-    /// Both straight sides: x, y where each touches `a`, x, y where it touches `b`.
+    /// Both straight sides: x, y where each touches `a`, x, y where it touches `b`. Of a piece of an arc the outer one
+    /// twice: its inner edge is hollow, so the straight side is no part of it.
     pub sides: [[f32; 4]; 2],
     /// What bulges out, if it is a piece of an arc.
     pub cap: Option<Cap>,
@@ -165,6 +168,7 @@ impl Place<'_> {
             circle: self.circle(bulge.outer),
             middle: self.turned(bulge.middle),
             least: (bulge.cos_half * bulge.outer.radius) as f32,
+            inner: [bulge.inner_mm as f32, (bulge.cos_half * bulge.inner_mm) as f32],
         }
     }
 
@@ -178,20 +182,24 @@ impl Place<'_> {
         };
         let bulge = &self.all.bulges[bulge as usize];
         if bulge.fine.is_empty() {
-            return pieces.push(self.piece(circle(before), circle(at), Some(self.cap(bulge)), clipped));
+            return pieces.push(self.piece(circle(before), circle(at), Some(bulge), clipped));
         }
         for ends in self.all.discs[bulge.fine.clone()].windows(2) {
             let Link::Bulge(part) = ends[1].link else { continue };
-            let cap = self.cap(&self.all.bulges[part as usize]);
+            let part = &self.all.bulges[part as usize];
             let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
-            pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(cap), clipped));
+            pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(part), clipped));
         }
     }
 
-    fn piece(&self, a: Circle, b: Circle, cap: Option<Cap>, clipped: bool) -> Piece {
+    fn piece(&self, a: Circle, b: Circle, bulge: Option<&Bulge>, clipped: bool) -> Piece {
+        let cap = bulge.map(|bulge| (self.cap(bulge), bulge.outer.center));
         let taper = Taper { a, b };
+        let hollow = |normal: DVec2| cap.is_some_and(|(_, center)| normal.dot(center - a.center) > 0.0);
         let sides = taper.side_normals().map(|normals| {
-            normals.map(|normal| {
+            let [one, other] = normals;
+            let kept = [if hollow(one) { other } else { one }, if hollow(other) { one } else { other }];
+            kept.map(|normal| {
                 let side = taper.side(normal);
                 let [from, to] = [side.a, side.b].map(|end| self.turned(end - self.middle_mm));
                 [from[0], from[1], to[0], to[1]]
@@ -202,7 +210,7 @@ impl Place<'_> {
             a: self.circle(a),
             b: self.circle(b),
             sides: sides.unwrap_or(nowhere),
-            cap,
+            cap: cap.map(|(cap, _)| cap),
             single: sides.is_none(),
             clipped,
         }

@@ -44,6 +44,8 @@ pub(crate) enum Link {
 pub(crate) struct Bulge {
     /// The arc's outer circle.
     pub outer: Circle,
+    /// The radius of the inner circle, mm; below 0 where the arc is thicker than its circle.
+    pub inner_mm: f64,
     /// The unit vector from the circle's middle to the piece's.
     pub middle: DVec2,
     /// Cosine of half of the piece's angle.
@@ -170,6 +172,7 @@ impl Silhouettes {
         let cos_half = libm::cos(arc.half_angle() * wide as f64 / parts as f64);
         self.bulges.push(Bulge {
             outer: Circle { center, radius: core_radius + radius },
+            inner_mm: core_radius - radius,
             middle: (arc.at(middle / parts as f64) - center) / core_radius,
             cos_half,
             sagitta_mm: core_radius * (1.0 - cos_half),

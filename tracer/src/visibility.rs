@@ -249,7 +249,7 @@ fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
     low: &mut Lanes,
     high: &mut Lanes,
 ) {
-    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0 });
+    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0, inner: [-1.0; 2] });
     let hull = !piece.single;
     for i in 0..LANES {
         let (ux, uy, square) = source.way(x[i], y[i]);
@@ -278,7 +278,17 @@ fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
         let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
         let inside = a.inside | b.inside | (hull & (span < 0.0));
         if CLIPPED {
-            let (bottom, top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
+            let (mut bottom, mut top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
+            if CAPPED {
+                let center = in_frame([cap.circle[0] - x[i], cap.circle[1] - y[i]], ux, uy);
+                let middle = in_frame(cap.middle, ux, uy);
+                for [radius, least] in [[cap.circle[2], cap.least], cap.inner] {
+                    for at in rim_across_chord(center, radius, middle, least, square) {
+                        bottom = min(bottom, at.0);
+                        top = max(top, at.1);
+                    }
+                }
+            }
             lowest = if lower.is_beyond(square) { bottom } else { lowest };
             highest = if upper.is_beyond(square) { top } else { highest };
         }
@@ -360,6 +370,20 @@ fn across_chord(
         top = if counts { max(top, at) } else { top };
     }
     (bottom / square, top / square)
+}
+
+/// The slopes at which the piece of a circle crosses the line of the lamp's chord; turned round where it does not.
+#[inline(always)]
+fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32, square: f32) -> [(f32, f32); 2] {
+    let off = square - center[0];
+    let half_square = radius * radius * square - off * off;
+    let half = max(half_square, 0.0).sqrt();
+    [-half, half].map(|aside| {
+        let on_piece = off * middle[0] + aside * middle[1] >= least * square;
+        let crosses = (half_square >= 0.0) & (radius > 0.0) & on_piece;
+        let slope = (center[1] + aside) / square;
+        (if crosses { slope } else { STEEP }, if crosses { slope } else { -STEEP })
+    })
 }
 
 /// One minus the union of `N` intervals, in registers.
