@@ -1,6 +1,6 @@
 //! A lamp: where it is, what form of it shines, and how much of its light a floor point gets that sees all of it.
 
-use crate::{Group, Rgb};
+use crate::{Group, Rgb, limits};
 use geometry::{DVec2, Segment};
 
 /// What of a lamp shines, seen from above; it lies parallel to the floor.
@@ -115,12 +115,6 @@ impl Lamp {
 
     /// Whether it gives any light.
     pub(crate) fn shines(&self) -> bool {
-        let form = match self.emitter {
-            Emitter::Disc { radius_mm } => radius_mm.is_finite(),
-            Emitter::Segment { half_mm } => half_mm.is_finite(),
-        };
-        let finite = self.center_mm.is_finite() && form && self.height_mm.is_finite();
-        let positive = self.reach_mm > 0.0 && self.reach_mm.is_finite();
-        finite && positive && self.color.iter().all(|c| c.is_finite()) && self.color.iter().any(|&c| c > 0.0)
+        limits::wrong_with_lamp(self).is_none() && self.color.iter().any(|&c| c > 0.0)
     }
 }

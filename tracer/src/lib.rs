@@ -29,6 +29,7 @@ mod irradiance;
 mod lamp;
 mod lanes;
 mod layer;
+pub mod limits;
 mod memory;
 pub mod monte_carlo;
 mod obstruction;

@@ -7,7 +7,7 @@
 use crate::lanes::LANES;
 use crate::points::{Plane, Points, TILE};
 use crate::wedge::Wedge;
-use crate::{Group, Lamp, Occluder, Rgb, Scene};
+use crate::{Group, Lamp, Occluder, Rgb, Scene, limits};
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
 
@@ -111,11 +111,13 @@ impl Rays {
         let wedge = Wedge::new(self.point, chord.a, chord.b);
         let counts = |occluder: &&Occluder| Some(occluder.group) != without && Some(occluder.group) != lamp.inside;
         near.clear();
-        near.extend(occluders.iter().filter(counts).map(|occluder| &occluder.shape).filter(|shape| {
-            // What is not finite casts no shadow.
-            let bounds = shape.bounds();
-            bounds.min.is_finite() && bounds.max.is_finite() && wedge.may_meet(shape)
-        }));
+        near.extend(
+            occluders
+                .iter()
+                .filter(counts)
+                .map(|occluder| &occluder.shape)
+                .filter(|shape| limits::wrong_with_shape(shape).is_none() && wedge.may_meet(shape)),
+        );
         let inside = near.iter().any(|shape| shape.distance(self.point).0 < 0.0);
         let height_square = lamp.height_mm() * lamp.height_mm();
         // A disc's light is that of its middle, whichever part of it is seen.

@@ -12,7 +12,7 @@ use crate::monte_carlo::Sampling;
 use crate::points::{Points, TILE};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Stage, Workspace};
-use crate::{Radiance, Scene, Top, exact};
+use crate::{Radiance, Scene, Top, exact, limits};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -75,6 +75,7 @@ impl Renderer {
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
+    /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
         self.render_with(scene, None, radiance);
     }
@@ -94,6 +95,12 @@ impl Renderer {
     }
 
     fn render_with(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+        if scene.check().is_err() {
+            if limits::wrong_with_view(&scene.view).is_some() {
+                return radiance.resize(0, 0);
+            }
+            return self.render_with(&scene.drawable(), sampling, radiance);
+        }
         radiance.resize(scene.view.width, scene.view.height);
         if scene.view.width == 0 || scene.view.height == 0 {
             return;
