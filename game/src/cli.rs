@@ -235,7 +235,9 @@ pub enum Bench {
     Table,
     /// Headless play.
     Tick,
-    /// All of them.
+    /// How exact the light is, against shadow rays.
+    Quality,
+    /// All of them but quality.
     All,
 }
 

@@ -26,16 +26,27 @@ pub(crate) struct Glint {
     /// The middle, mm from the ball's middle, and its height above the floor.
     place: [f32; 3],
     radius: f32,
+    /// The unit vector along a segment, and half of its length, mm; 0 for a disc.
+    along: [f32; 2],
+    half: f32,
     color: Rgb,
 }
+
+/// How thick a segment that shines looks in a ball, mm.
+const TUBE_RADIUS_MM: f32 = 3.0;
 
 impl Glint {
     /// `lamp`, of which the ball sees `fraction`.
     pub fn new(lamp: &Lamp, ball: &Ball, fraction: f32) -> Glint {
         let from_ball = lamp.center_mm - ball.center_mm;
+        let tube = lamp.tube();
+        let half = tube.map_or(0.0, DVec2::length);
+        let along = tube.map_or(DVec2::ZERO, |tube| tube / half);
         Glint {
             place: [from_ball.x as f32, from_ball.y as f32, lamp.height_mm as f32],
-            radius: max(lamp.radius_mm as f32, 1.0),
+            radius: if tube.is_some() { TUBE_RADIUS_MM } else { max(lamp.radius_mm() as f32, 1.0) },
+            along: [along.x as f32, along.y as f32],
+            half: half as f32,
             color: lamp.color.map(|c| c * fraction),
         }
     }
@@ -240,12 +251,19 @@ impl Mirror<'_> {
         })
     }
 
-    /// A lamp's mirror image: a disc of its angle, no smaller than what one pixel sees.
+    /// A lamp's mirror image: a disc of its angle, no smaller than what one pixel sees; of a segment, the disc round its
+    /// point that is nearest to the mirrored ray.
     fn add_glint(&self, glint: &Glint, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
         let radius = self.ball.radius_mm as f32;
         let x = glint.place[0] - normal[0] * radius;
         let y = glint.place[1] - normal[1] * radius;
         let z = max(glint.place[2], radius) - radius * (1.0 + normal[2]) + radius;
+        let [tx, ty] = glint.along;
+        let turn = tx * out[0] + ty * out[1];
+        let nearest =
+            (turn * (x * out[0] + y * out[1] + z * out[2]) - (x * tx + y * ty)) / max(1.0 - turn * turn, 1e-6);
+        let place = clamp(nearest, -glint.half, glint.half);
+        let (x, y) = (x + tx * place, y + ty * place);
         let square = max(x * x + y * y + z * z, 1.0);
         let along = x * out[0] + y * out[1] + z * out[2];
         if along <= 0.0 {

@@ -3,34 +3,13 @@
 //! Lists of discs are narrowed in steps: all that a lamp reaches, what matters to a block of tiles, what matters to one
 //! tile. Every test is conservative: what it throws out casts no shadow there.
 
-use crate::lanes::{Path, clones, max};
+pub(crate) use crate::cone::Cone;
+use crate::cone::{ASIDE, BETWEEN, Discs, MARGIN_MM, OUTSIDE};
+use crate::lanes::Path;
 use crate::silhouette::{Link, Silhouettes};
 use crate::{Group, Lamp};
-use geometry::{DVec2, Segment};
+use geometry::Segment;
 
-/// Room for rounding in single precision, mm.
-const MARGIN_MM: f32 = 2e-3;
-
-/// The disc lies beyond one side of the space between tile and lamp.
-const BEYOND_LEFT: u16 = 1;
-/// The disc lies beyond the other side.
-const BEYOND_RIGHT: u16 = 2;
-/// The disc lies behind the lamp for every point of the tile.
-const BEHIND_LAMP: u16 = 4;
-/// The disc lies behind every point of the tile.
-const BEHIND_TILE: u16 = 8;
-/// For every point of the tile the disc lies before the lamp's chord.
-pub(crate) const BEFORE_LAMP: u16 = 256;
-/// The link up to this disc has the lamp and the tile, all of both, on one side.
-const ASIDE: u16 = 16;
-/// Both discs of a link have one of these in common: no shadow.
-const OUTSIDE: u16 = BEYOND_LEFT | BEYOND_RIGHT | BEHIND_LAMP | BEHIND_TILE;
-/// The disc reaches the left side.
-pub(crate) const MEETS_LEFT: u16 = 32;
-/// The disc reaches the right side.
-pub(crate) const MEETS_RIGHT: u16 = 64;
-/// For every point of the tile the disc lies between the point and the lamp's chord.
-pub(crate) const BETWEEN: u16 = 128;
 /// Discs of chains, relative to a lamp's middle.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
@@ -50,50 +29,6 @@ pub(crate) struct Candidates {
     pub code: Vec<u16>,
     /// What the wider list's discs were found to be when this list was narrowed from it.
     wider_code: Vec<u16>,
-}
-
-/// Two discs: a lamp at the origin, and one around a part of the floor.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Cone {
-    tile: [f32; 2],
-    tile_radius: f32,
-    tile_distance: f32,
-    lamp_radius: f32,
-    left: [f32; 2],
-    right: [f32; 2],
-    offset: f32,
-}
-
-impl Cone {
-    /// The space between `lamp` and the disc around `middle_mm`.
-    pub fn new(lamp: &Lamp, middle_mm: DVec2, radius_mm: f64) -> Cone {
-        let tile = middle_mm - lamp.center_mm;
-        let lamp_radius = lamp.radius_mm.max(0.0);
-        let distance = tile.length();
-        let widen = radius_mm - lamp_radius;
-        let (mut left, mut right, mut offset) = (DVec2::ZERO, DVec2::ZERO, f64::from(f32::MAX));
-        if distance > widen.abs() + f64::from(MARGIN_MM) {
-            // The outward normals n of the sides, where the discs' tangents meet: n . 0 + lamp = n . tile + radius.
-            let lean = tile * (-widen / (distance * distance));
-            let across = tile.perp() * ((distance * distance - widen * widen).sqrt() / (distance * distance));
-            (left, right, offset) = (lean + across, lean - across, lamp_radius);
-        }
-        let narrow = |v: DVec2| [v.x as f32, v.y as f32];
-        Cone {
-            tile: narrow(tile),
-            tile_radius: radius_mm as f32,
-            tile_distance: distance as f32,
-            lamp_radius: lamp_radius as f32,
-            left: narrow(left),
-            right: narrow(right),
-            offset: offset as f32,
-        }
-    }
-
-    /// Whether nothing that a lamp of this reach lights is in the disc.
-    pub fn beyond(&self, reach_mm: f64) -> bool {
-        f64::from(self.tile_distance) > reach_mm + f64::from(self.tile_radius)
-    }
 }
 
 impl Candidates {
@@ -125,7 +60,7 @@ impl Candidates {
             let near = || {
                 let core = Segment { a: all.discs[before].center, b: disc.center };
                 let thick = outer_radius(all, before).max(outer_radius(all, at));
-                let reach = lamp.reach_mm + thick + lamp.radius_mm + f64::from(MARGIN_MM);
+                let reach = lamp.reach_mm + thick + lamp.radius_mm() + f64::from(MARGIN_MM);
                 core.closest(lamp.center_mm).distance_squared(lamp.center_mm) <= reach * reach
             };
             let counts = (alone || follows) && Some(disc.group) != lamp.inside && near();
@@ -155,7 +90,8 @@ impl Candidates {
     pub fn classify(&mut self, path: Path, cone: &Cone) {
         let n = self.len();
         self.code.resize(n, 0);
-        classify(path, &self.x, &self.y, &self.outer, &self.inner, cone, &mut self.code);
+        let Candidates { x, y, outer, inner, code, .. } = self;
+        cone.classify(path, Discs { x, y, outer, inner }, code);
     }
 
     /// Classifies, and says whether anything may cast a shadow.
@@ -189,7 +125,8 @@ impl Candidates {
     pub fn narrow(&self, path: Path, cone: &Cone, narrower: &mut Candidates, finer: Option<(&Lamp, &Silhouettes)>) {
         narrower.clear();
         narrower.wider_code.resize(self.len(), 0);
-        classify(path, &self.x, &self.y, &self.outer, &self.inner, cone, &mut narrower.wider_code);
+        let Candidates { x, y, outer, inner, .. } = self;
+        cone.classify(path, Discs { x, y, outer, inner }, &mut narrower.wider_code);
         let mut open = false;
         for at in 0..self.len() {
             let follows = self.link[at] != Link::Start;
@@ -231,56 +168,4 @@ fn outer_radius(all: &Silhouettes, at: usize) -> f64 {
         _ => 0.0,
     };
     all.discs[at].radius + bulge(at).max(bulge(at + 1))
-}
-
-clones! {
-    /// Writes for each disc the bits that say how it lies to the cone.
-    fn classify(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u16]) = classify_lanes;
-}
-
-#[inline(always)]
-fn classify_lanes(x: &[f32], y: &[f32], outer: &[f32], inner: &[f32], cone: &Cone, code: &mut [u16]) {
-    let n = code.len();
-    let (x, y, outer, inner) = (&x[..n], &y[..n], &outer[..n], &inner[..n]);
-    let [tx, ty] = cone.tile;
-    let farthest = cone.tile_distance + cone.tile_radius;
-    for i in 0..n {
-        let left = cone.left[0] * x[i] + cone.left[1] * y[i] - cone.offset;
-        let right = cone.right[0] * x[i] + cone.right[1] * y[i] - cone.offset;
-        // With P a point of the tile, Q the disc and L = 0 the lamp: how far (Q - P) . (L - P) and (L - Q) . (L - P) can
-        // be from their values at the tile's middle.
-        let (cx, cy) = (x[i] - tx, y[i] - ty);
-        let (sx, sy) = (cx - tx, cy - ty);
-        let from_tile = -(cx * tx + cy * ty);
-        let from_tile_swing = cone.tile_radius * (sx * sx + sy * sy).sqrt();
-        let to_lamp = x[i] * tx + y[i] * ty;
-        let to_lamp_swing = cone.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
-        let thick = outer[i] * farthest;
-        let square = cone.tile_radius * cone.tile_radius;
-        let behind_lamp = to_lamp + to_lamp_swing + thick < 0.0;
-        let behind_tile = from_tile + from_tile_swing + square + thick < 0.0;
-        let before_lamp = to_lamp - to_lamp_swing - thick > 0.0;
-        let after_tile = from_tile - from_tile_swing - thick > 0.0;
-        let bit = |is: bool, bit: u16| if is { bit } else { 0 };
-        code[i] = bit(left - outer[i] > 0.0, BEYOND_LEFT)
-            | bit(right - outer[i] > 0.0, BEYOND_RIGHT)
-            | bit(behind_lamp, BEHIND_LAMP)
-            | bit(behind_tile, BEHIND_TILE)
-            | bit(left + inner[i] >= 0.0, MEETS_LEFT)
-            | bit(right + inner[i] >= 0.0, MEETS_RIGHT)
-            | bit(before_lamp & after_tile, BETWEEN)
-            | bit(before_lamp, BEFORE_LAMP);
-    }
-    for i in 1..n {
-        // The distances of the lamp's and of the tile's middle from the line through both discs.
-        let (ex, ey) = (x[i] - x[i - 1], y[i] - y[i - 1]);
-        let scale = 1.0 / max(ex * ex + ey * ey, 1e-12).sqrt();
-        let lamp = (ey * x[i] - ex * y[i]) * scale;
-        let tile = lamp - (ey * tx - ex * ty) * scale;
-        let thick = max(outer[i - 1], outer[i]);
-        let (lamp_room, tile_room) = (cone.lamp_radius + thick, cone.tile_radius + thick);
-        let above = (lamp > lamp_room) & (tile > tile_room);
-        let below = (lamp < -lamp_room) & (tile < -tile_room);
-        code[i] |= if above | below { ASIDE } else { 0 };
-    }
 }

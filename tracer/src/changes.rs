@@ -94,7 +94,7 @@ impl Changes {
     /// Light is added up in the lamps' order, so a lamp that has changed places has changed.
     fn compare_lamps(&mut self, scene: &Scene, mut number: impl FnMut(&Lamp) -> usize) {
         self.flashes.clear();
-        let mut flash = |lamp: &Lamp| Flash { circle: (lamp.center_mm, lamp.reach_mm), number: Some(number(lamp)) };
+        let mut flash = |lamp: &Lamp| Flash { circle: (lamp.center_mm, lamp.far_mm()), number: Some(number(lamp)) };
         let black = |lamp: &Lamp| Lamp { color: [0.0; 3], ..*lamp };
         let mut old = self.lamps.as_slice();
         for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
@@ -116,7 +116,7 @@ impl Changes {
 
     /// Notes that a lamp has to be looked at from everywhere.
     pub fn flash(&mut self, lamp: &Lamp) {
-        self.flashes.push(Flash { circle: (lamp.center_mm, lamp.reach_mm), number: None });
+        self.flashes.push(Flash { circle: (lamp.center_mm, lamp.far_mm()), number: None });
     }
 
     fn compare_glows(&mut self, scene: &Scene) {

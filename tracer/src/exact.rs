@@ -3,9 +3,15 @@
 //! Intervals are found as angles round the point, and pieces of an arc are cut so finely that chords will do.
 
 use crate::candidates::Candidates;
-use crate::silhouette::{Disc, Link, Silhouettes};
+use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
 use crate::{Group, Lamp, Rgb, Scene};
-use geometry::{Circle, DVec2, Taper};
+use geometry::{Circle, DVec2, Taper, trig};
+
+/// A point no deeper than this in a shape only touches it, mm: turning the axes has rounded it there.
+const TOUCHING_MM: f64 = 1e-9;
+
+/// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
+const PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; occluders of the group `exclude` cast no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb {
@@ -50,54 +56,115 @@ pub(crate) fn visible_fraction_of(
             }
             Link::Bulge(bulge) => {
                 for ends in all.discs[all.bulges[bulge as usize].fine.clone()].windows(2) {
-                    intervals.extend(chord.covered(circle(&ends[0]), circle(&ends[1])));
+                    let Link::Bulge(part) = ends[1].link else { continue };
+                    let ends = [circle(&ends[0]), circle(&ends[1])];
+                    chord.cover_arc(ends, &all.bulges[part as usize], intervals);
                 }
             }
         }
     }
-    1.0 - union_length(intervals) / 2.0
+    for (low, high) in intervals.iter_mut() {
+        (*low, *high) = (chord.counts(*low), chord.counts(*high));
+    }
+    let whole = chord.counts(chord.ends.1) - chord.counts(chord.ends.0);
+    (1.0 - union_length(intervals) / whole).clamp(0.0, 1.0)
 }
 
-/// A lamp's chord seen from a point: the point is the origin, the way to the lamp the first axis.
+/// A lamp's chord seen from a point: the point is the origin, the way to the chord's line the first axis.
 struct Chord {
     point: DVec2,
     ahead: DVec2,
     distance: f64,
-    radius: f64,
+    /// What the ends are measured in, mm: a disc's radius, or 1.
+    unit: f64,
+    /// Where the chord begins and ends along the second axis.
+    ends: (f64, f64),
+    /// For a segment, how far from its line in space the point is, mm.
+    off: Option<f64>,
 }
 
 impl Chord {
     fn new(lamp: &Lamp, point: DVec2) -> Chord {
         let way = lamp.center_mm - point;
+        let Some(half) = lamp.tube() else {
+            return Chord {
+                point,
+                ahead: way.try_normalize().unwrap_or(DVec2::X),
+                distance: way.length().max(1e-9),
+                unit: lamp.radius_mm().max(1e-9),
+                ends: (-1.0, 1.0),
+                off: None,
+            };
+        };
+        let along = half / half.length();
+        let ahead = if way.dot(along.perp()) < 0.0 { -along.perp() } else { along.perp() };
+        let distance = way.dot(ahead).max(1e-9);
+        let middle = way.dot(ahead.perp());
         Chord {
             point,
-            ahead: way.try_normalize().unwrap_or(DVec2::X),
-            distance: way.length().max(1e-9),
-            radius: lamp.radius_mm.max(1e-9),
+            ahead,
+            distance,
+            unit: 1.0,
+            ends: (middle - half.length(), middle + half.length()),
+            off: Some((distance * distance + lamp.height_mm() * lamp.height_mm()).sqrt()),
         }
     }
 
-    /// The part of the chord, from -1 to 1, that the hull of two discs covers.
+    /// A measure of the chord up to a place: from a segment, dt / (t^2 + off^2) arrives.
+    fn counts(&self, place: f64) -> f64 {
+        self.off.map_or(place, |off| {
+            let begin = self.ends.0;
+            libm::atan2((place - begin) * off, off * off + place * begin)
+        })
+    }
+
+    /// The parts of the chord that a piece of an arc covers. Where the chord goes through it, it is cut still finer: a
+    /// chord that grazes it is long.
+    fn cover_arc(&self, ends: [Circle; 2], bulge: &Bulge, intervals: &mut Vec<(f64, f64)>) {
+        let ahead = |disc: &Circle| (disc.center - self.point).dot(self.ahead);
+        let thick = ends[0].radius + bulge.sagitta_mm;
+        let [near, far] = [ahead(&ends[0]), ahead(&ends[1])];
+        let crosses = near.min(far) - thick < self.distance && near.max(far) + thick > self.distance;
+        let parts = if crosses { PARTS } else { 1 };
+        let center = bulge.outer.center;
+        let [from, to] = ends.map(|disc| disc.center - center);
+        let angle = libm::acos(bulge.cos_half.min(1.0)) * 2.0 / f64::from(parts);
+        let step = trig::direction(angle.copysign(from.perp_dot(to)));
+        let mut way = from;
+        for _ in 0..parts {
+            let next = step.rotate(way);
+            let disc = |way| Circle { center: center + way, radius: ends[0].radius };
+            intervals.extend(self.covered(disc(way), disc(next)));
+            way = next;
+        }
+    }
+
+    /// The part of the chord that the hull of two discs covers.
     fn covered(&self, a: Circle, b: Circle) -> Option<(f64, f64)> {
         let local = |disc: Circle| {
             let from = disc.center - self.point;
             Circle { center: DVec2::new(from.dot(self.ahead), from.dot(self.ahead.perp())), radius: disc.radius }
         };
         let hull = Taper { a: local(a), b: local(b) };
-        if hull.distance(DVec2::ZERO).0 < 0.0 {
-            return Some((-1.0, 1.0));
+        if hull.distance(DVec2::ZERO).0 < -TOUCHING_MM {
+            return Some(self.ends);
         }
         let touches = self.touches(&hull);
         let slopes = touches.into_iter().flatten().filter(|touch| touch.x > 1e-12).map(|touch| touch.y / touch.x);
         let (low, high) = slopes.fold((f64::MAX, f64::MIN), |(low, high), s| (low.min(s), high.max(s)));
         let (mut low, mut high) = if low <= high { (low, high) } else { return None };
-        // A hull that goes round behind the point is cut off by the line across the point: straight to that side.
+        // A hull that goes round behind the point is cut off by the line across the point: straight to that side. The
+        // point is outside, so it is one side; which one must not hang on the rounding of an outline through the point.
         if let Some((below, above)) = line_interval(&hull, 0.0) {
-            low = if below < 0.0 { f64::MIN } else { low };
-            high = if above > 0.0 { f64::MAX } else { high };
+            if below + above > 0.0 {
+                high = f64::MAX;
+            } else {
+                low = f64::MIN;
+            }
         }
-        let scale = self.distance / self.radius;
-        let (low, high) = ((low * scale).clamp(-1.0, 1.0), (high * scale).clamp(-1.0, 1.0));
+        let scale = self.distance / self.unit;
+        let within = |slope: f64| (slope * scale).clamp(self.ends.0, self.ends.1);
+        let (low, high) = (within(low), within(high));
         (low < high).then_some((low, high))
     }
 

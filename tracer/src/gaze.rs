@@ -3,8 +3,9 @@
 use crate::candidates::Candidates;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::points::{Plane, Points};
+use crate::source::Source;
 use crate::tile::Stage;
-use crate::visibility::{Intervals, Source, visible_fraction};
+use crate::visibility::{Intervals, visible_fraction};
 use crate::{Group, Lamp, monte_carlo};
 use geometry::DVec2;
 
@@ -24,16 +25,16 @@ impl Gaze<'_, '_> {
     /// Finds how much of the lamp each point sees, past everything but one group.
     pub fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
         if let Some(sampling) = &self.stage.sampling {
-            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner };
+            let view = &self.stage.scene.view;
+            let size = (view.width, view.height);
+            let at = monte_carlo::Place { middle_mm: self.middle, corner: self.corner, size };
             let occluders = &self.stage.scene.occluders;
             sampling.visible_fraction(occluders, self.lamp, points, at, without, self.fraction);
             return Verdict::Mixed;
         }
-        let verdict = self.between.gather(self.near, self.stage.silhouettes, self.middle, without);
+        let (source, axis) = Source::new(self.lamp, self.middle);
+        let verdict = self.between.gather(self.near, self.stage.silhouettes, self.middle, axis, without);
         if verdict == Verdict::Mixed {
-            let from_tile = self.lamp.center_mm - self.middle;
-            let source =
-                Source { x: from_tile.x as f32, y: from_tile.y as f32, radius: self.lamp.radius_mm.max(0.0) as f32 };
             self.room.reserve(self.between.intervals());
             let Gaze { stage, between, room, fraction, .. } = self;
             visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);

@@ -1,39 +1,15 @@
 //! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
 
+use crate::falloff::{Arriving, Falloff};
 use crate::lanes::{LANES, Lanes, clamp, clones, max};
 use crate::points::{Plane, Points, TILE};
 use crate::{Finish, Lamp, surroundings};
-use geometry::DVec2;
 
 /// Three planes of light: red, green, blue.
 pub(crate) type Light = [Plane; 3];
 
 /// No light.
 pub(crate) const DARKNESS: Light = [[[0.0; LANES]; TILE]; 3];
-
-/// A lamp of the colour white as the points of one tile see it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Beam {
-    x: f32,
-    y: f32,
-    height_square: f32,
-    /// One over the square of the reach.
-    fade: f32,
-}
-
-impl Beam {
-    /// The lamp for a tile round `middle_mm`.
-    pub fn new(lamp: &Lamp, middle_mm: DVec2) -> Beam {
-        let from_tile = lamp.center_mm - middle_mm;
-        let height = lamp.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM);
-        Beam {
-            x: from_tile.x as f32,
-            y: from_tile.y as f32,
-            height_square: (height * height) as f32,
-            fade: (1.0 / (lamp.reach_mm * lamp.reach_mm)) as f32,
-        }
-    }
-}
 
 /// How the surface at each point of a layer leans.
 #[derive(Clone, Debug)]
@@ -78,24 +54,19 @@ impl Surface {
 clones! {
     /// The floor's picture in the beam's light, which its points see as far as `fraction` says; `gloss` is 0 to 1.
     pub(crate) fn light_floor(
-        points: &Points, floor: &Surface, beam: Beam, fraction: &[Lanes], gloss: f32, out: &mut Light,
+        points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, out: &mut Light,
     ) = light_floor_lanes;
 }
 
 clones! {
     /// A top's picture in the beam's light.
     pub(crate) fn light_top(
-        points: &Points, top: &Surface, finish: &Finish, beam: Beam, fraction: &[Lanes], out: &mut Light,
+        points: &Points, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut Light,
     ) = light_top_lanes;
 }
 
-/// What arrives at a flat floor, from the square of the distance in the plane: see [`Lamp`].
-#[inline(always)]
-fn falloff(square: f32, beam: &Beam) -> f32 {
-    const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
-    let rest = max(1.0 - square * beam.fade, 0.0);
-    REFERENCE * (rest * rest / (square + beam.height_square))
-}
+/// What brings a lamp's light to its colour at the reference distance.
+const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
 
 /// How much of the way to a lamp counts as its height: lamps far away are not quite in the horizon, or a lean of one
 /// degree would be night.
@@ -110,8 +81,9 @@ struct Answer {
 }
 
 #[inline(always)]
-fn answer([ux, uy]: [f32; 2], square: f32, beam: &Beam, [nx, ny, nz]: [f32; 3]) -> Answer {
-    let up_square = beam.height_square + LIFT * square;
+fn answer(to: &Arriving, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> Answer {
+    let (ux, uy, square) = (to.x[i], to.y[i], to.square[i]);
+    let up_square = height_square + LIFT * square;
     let length = (square + up_square).sqrt();
     let up = up_square.sqrt();
     let across = nx * ux + ny * uy;
@@ -132,7 +104,7 @@ fn power_16(x: f32) -> f32 {
 const COAT: f32 = 1.6;
 
 #[inline(always)]
-fn light_floor_lanes(points: &Points, floor: &Surface, beam: Beam, fraction: &[Lanes], gloss: f32, out: &mut Light) {
+fn light_floor_lanes(points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, out: &mut Light) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
     for block in 0..points.blocks() {
@@ -140,16 +112,13 @@ fn light_floor_lanes(points: &Points, floor: &Surface, beam: Beam, fraction: &[L
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
         let (mut matt, mut shine) = ([0.0; LANES], [0.0; LANES]);
+        let to = beam.arriving(x, y);
         for i in 0..LANES {
-            let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-            let square = ux * ux + uy * uy;
-            matt[i] = weight[i] * (falloff(square, &beam) * seen[i]);
+            matt[i] = weight[i] * (REFERENCE * to.light[i] * seen[i]);
         }
         if leans {
             for i in 0..LANES {
-                let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-                let square = ux * ux + uy * uy;
-                let answer = answer([ux, uy], square, &beam, [nx[i], ny[i], nz[i]]);
+                let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
                 // To the 64th: a coat of lacquer.
                 let c = power_16(answer.cosine_square);
                 shine[i] = coat * matt[i] * (c * c);
@@ -165,7 +134,14 @@ fn light_floor_lanes(points: &Points, floor: &Surface, beam: Beam, fraction: &[L
 }
 
 #[inline(always)]
-fn light_top_lanes(points: &Points, top: &Surface, finish: &Finish, beam: Beam, fraction: &[Lanes], out: &mut Light) {
+fn light_top_lanes(
+    points: &Points,
+    top: &Surface,
+    finish: &Finish,
+    beam: Falloff,
+    fraction: &[Lanes],
+    out: &mut Light,
+) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
     for block in 0..points.blocks() {
@@ -173,11 +149,10 @@ fn light_top_lanes(points: &Points, top: &Surface, finish: &Finish, beam: Beam, 
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
         let (mut above, mut shine, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let to = beam.arriving(x, y);
         for i in 0..LANES {
-            let (ux, uy) = (beam.x - x[i], beam.y - y[i]);
-            let square = ux * ux + uy * uy;
-            let arriving = weight[i] * (falloff(square, &beam) * seen[i]);
-            let answer = answer([ux, uy], square, &beam, [nx[i], ny[i], nz[i]]);
+            let arriving = weight[i] * (REFERENCE * to.light[i] * seen[i]);
+            let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
             above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * answer.matt;
             shine[i] = 2.5 * gloss * arriving * power_16(answer.cosine_square);
             below[i] = through * arriving;

@@ -1,11 +1,18 @@
 //! The slow, honest twin: shadow rays to random points of a lamp's chord, in double precision, against the same shapes.
 //!
-//! Random numbers are named by lamp, pixel and sample: the same picture on any number of threads.
+//! Random numbers are named by lamp, pixel and sample: the same picture on any number of threads. A ray is cast against
+//! every shape that may meet the triangle of the point and the chord, and no shape is thought of as anything but what
+//! [`Shape::cast`] says it is.
 
 use crate::lanes::LANES;
 use crate::points::{Plane, Points, TILE};
-use crate::{Group, Lamp, Occluder, Rgb, Scene};
-use geometry::{DVec2, Ray};
+use crate::wedge::Wedge;
+use crate::{Group, Lamp, Occluder, Rgb, Scene, limits};
+use geometry::{DVec2, Ray, Segment, Shape};
+use std::ops::Range;
+
+/// Neighbouring samples that are cast against the same shapes.
+const TOGETHER: u32 = 128;
 
 /// How a lamp is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,18 +31,23 @@ pub(crate) struct Place {
     pub middle_mm: DVec2,
     /// Its upper left pixel.
     pub corner: (usize, usize),
+    /// Width and height of the picture: nobody sees what a tile has beyond it.
+    pub size: (usize, usize),
 }
 
 /// What arrives at a point of the floor from all lamps, by `sampling`; occluders of the group `exclude` cast no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampling: Sampling) -> Rgb {
     let mut sum = [0.0; 3];
-    for (index, lamp) in scene.lamps.iter().enumerate() {
-        let falloff = lamp.falloff(point_mm);
-        if falloff > 0.0 {
-            let name = Name::new(sampling.seed, index as u64);
-            let seen = sampling.seen(&scene.occluders, lamp, point_mm, exclude, name);
+    let mut near = Vec::new();
+    for (index, lamp) in scene.lamps.iter().enumerate().filter(|(_, lamp)| lamp.shines()) {
+        let rest = lamp.rest(point_mm);
+        if rest > 0.0 {
+            let name = Name::new(sampling.seed, index as u64).at(point_mm);
+            let rays = Rays { sampling, name, point: point_mm };
+            let arriving = rays.arriving(&scene.occluders, lamp, exclude, &mut near);
+            let strength = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest * arriving.seen;
             for channel in 0..3 {
-                sum[channel] += f64::from(lamp.color[channel]) * falloff * seen;
+                sum[channel] += f64::from(lamp.color[channel]) * strength;
             }
         }
     }
@@ -53,36 +65,136 @@ impl Sampling {
         without: Option<Group>,
         fraction: &mut Plane,
     ) {
-        let of_lamp = Name::new(self.seed, lamp.center_mm.x.to_bits()).next(lamp.center_mm.y.to_bits());
+        let of_lamp = Name::new(self.seed, 0).at(lamp.center_mm);
+        let mut near = Vec::new();
         for point in 0..points.count {
             let (block, lane) = (point / LANES, point % LANES);
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
             let pixel = usize::from(points.pixel[point]);
             let (x, y) = (at.corner.0 + pixel % TILE, at.corner.1 + pixel / TILE);
+            if x >= at.size.0 || y >= at.size.1 {
+                fraction[block][lane] = 0.0;
+                continue;
+            }
             let name = of_lamp.next((y as u64) << 32 | x as u64);
-            fraction[block][lane] = self.seen(occluders, lamp, at.middle_mm + offset, without, name) as f32;
+            let rays = Rays { sampling: *self, name, point: at.middle_mm + offset };
+            let Arriving { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
+            fraction[block][lane] = (seen / all) as f32;
+        }
+    }
+}
+
+/// The mean over a lamp of `1 / (d^2 + height^2)`, 1/mm^2.
+struct Arriving {
+    /// Where hidden places count 0.
+    seen: f64,
+    /// Where every place counts.
+    all: f64,
+}
+
+/// The rays from one point to one lamp.
+struct Rays {
+    sampling: Sampling,
+    name: Name,
+    point: DVec2,
+}
+
+impl Rays {
+    fn arriving<'a>(
+        &self,
+        occluders: &'a [Occluder],
+        lamp: &Lamp,
+        without: Option<Group>,
+        near: &mut Vec<&'a Shape>,
+    ) -> Arriving {
+        let chord = self.chord(lamp);
+        let wedge = Wedge::new(self.point, chord.a, chord.b);
+        let counts = |occluder: &&Occluder| Some(occluder.group) != without && Some(occluder.group) != lamp.inside;
+        near.clear();
+        near.extend(
+            occluders
+                .iter()
+                .filter(counts)
+                .map(|occluder| &occluder.shape)
+                .filter(|shape| limits::wrong_with_shape(shape).is_none() && wedge.may_meet(shape)),
+        );
+        let inside = near.iter().any(|shape| shape.distance(self.point).0 < 0.0);
+        let height_square = lamp.height_mm() * lamp.height_mm();
+        // A disc's light is that of its middle, whichever part of it is seen.
+        let from_middle = 1.0 / (self.point.distance_squared(lamp.center_mm) + height_square);
+        if lamp.tube().is_none() && (inside || near.is_empty()) {
+            return Arriving { seen: if inside { 0.0 } else { from_middle }, all: from_middle };
+        }
+        let count = self.sampling.samples.max(1);
+        let (mut seen, mut all) = (0.0, 0.0);
+        let mut there = Vec::with_capacity(near.len());
+        for first in (0..count).step_by(TOGETHER as usize) {
+            let samples = first..count.min(first + TOGETHER);
+            self.narrow(near, chord, &samples, &mut there);
+            let mut last = 0;
+            for sample in samples {
+                let hidden = inside || !there.is_empty();
+                if !hidden && lamp.tube().is_none() {
+                    seen += from_middle;
+                    all += from_middle;
+                    continue;
+                }
+                let target = chord.a + chord.along() * self.place(sample);
+                let arrives = if lamp.tube().is_some() {
+                    1.0 / (self.point.distance_squared(target) + height_square)
+                } else {
+                    from_middle
+                };
+                all += arrives;
+                if !(hidden && (inside || self.is_hidden(target, &there, &mut last))) {
+                    seen += arrives;
+                }
+            }
+        }
+        Arriving { seen: seen / f64::from(count), all: all / f64::from(count) }
+    }
+
+    /// Leaves out what meets no ray of some neighbouring samples.
+    fn narrow<'a>(&self, near: &[&'a Shape], chord: Segment, samples: &Range<u32>, there: &mut Vec<&'a Shape>) {
+        there.clear();
+        if !self.sampling.stratified {
+            return there.extend_from_slice(near);
+        }
+        let end = |sample: u32| chord.a + chord.along() * (f64::from(sample) / f64::from(self.sampling.samples.max(1)));
+        let wedge = Wedge::new(self.point, end(samples.start), end(samples.end));
+        there.extend(near.iter().copied().filter(|shape| wedge.may_meet(shape)));
+    }
+
+    /// What is sampled: a segment is its own chord, a disc's is the diameter that faces the point.
+    fn chord(&self, lamp: &Lamp) -> Segment {
+        let half = lamp.tube().unwrap_or_else(|| {
+            let way = lamp.center_mm - self.point;
+            way.try_normalize().unwrap_or(DVec2::X).perp() * lamp.radius_mm()
+        });
+        Segment { a: lamp.center_mm - half, b: lamp.center_mm + half }
+    }
+
+    /// Where on the chord a sample is, 0 to 1.
+    fn place(&self, sample: u32) -> f64 {
+        let random = self.name.next(u64::from(sample)).unit();
+        if self.sampling.stratified {
+            (f64::from(sample) + random) / f64::from(self.sampling.samples.max(1))
+        } else {
+            random
         }
     }
 
-    fn seen(&self, occluders: &[Occluder], lamp: &Lamp, point: DVec2, without: Option<Group>, name: Name) -> f64 {
-        let counts = |occluder: &&Occluder| Some(occluder.group) != without && Some(occluder.group) != lamp.inside;
-        let way = lamp.center_mm - point;
-        let across = way.try_normalize().unwrap_or(DVec2::X).perp() * lamp.radius_mm.max(0.0);
-        let swept = way.length() + across.length();
-        let near: Vec<&Occluder> =
-            occluders.iter().filter(counts).filter(|occluder| occluder.shape.distance(point).0 <= swept).collect();
-        if near.iter().any(|occluder| occluder.shape.distance(point).0 < 0.0) {
-            return 0.0;
+    /// Whether anything is on the way; what was in the way of the `last` ray is asked first.
+    fn is_hidden(&self, target: DVec2, near: &[&Shape], last: &mut usize) -> bool {
+        let Some(ray) = Ray::towards(self.point, target) else { return false };
+        let far = self.point.distance(target);
+        let hides = |shape: &Shape| shape.cast(&ray).is_some_and(|hit| hit.distance <= far);
+        if hides(near[*last]) {
+            return true;
         }
-        let visible = (0..self.samples).filter(|&sample| {
-            let random = name.next(u64::from(sample)).unit();
-            let place = if self.stratified { (f64::from(sample) + random) / f64::from(self.samples) } else { random };
-            let target = lamp.center_mm + across * (2.0 * place - 1.0);
-            let Some(ray) = Ray::towards(point, target) else { return true };
-            let far = point.distance(target);
-            !near.iter().any(|occluder| occluder.shape.cast(&ray).is_some_and(|hit| hit.distance <= far))
-        });
-        visible.count() as f64 / f64::from(self.samples.max(1))
+        let found = near.iter().position(|shape| hides(shape));
+        *last = found.unwrap_or(*last);
+        found.is_some()
     }
 }
 
@@ -93,6 +205,10 @@ struct Name(u64);
 impl Name {
     fn new(seed: u64, number: u64) -> Name {
         Name(seed).next(number)
+    }
+
+    fn at(self, place: DVec2) -> Name {
+        self.next(place.x.to_bits()).next(place.y.to_bits())
     }
 
     fn next(self, number: u64) -> Name {

@@ -3,9 +3,13 @@
 //! A chain whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
 //! interval, from its lowest tangent to its highest. Pieces that come near the tile or the lamp are taken one by one,
 //! with every case thought of.
+//!
+//! All is put down in mm from the tile's middle; for a segment that shines the axes are turned, so that the first is the
+//! segment's normal: then what is near the segment's line is told apart from it as finely as single precision can.
 
 use crate::Group;
-use crate::candidates::{BEFORE_LAMP, BETWEEN, Candidates, MEETS_LEFT, MEETS_RIGHT};
+use crate::candidates::Candidates;
+use crate::cone::{BEFORE_LAMP, BETWEEN, MEETS_LEFT, MEETS_RIGHT};
 use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
 use geometry::{Circle, DVec2, Taper};
 
@@ -27,6 +31,8 @@ pub(crate) struct Cap {
     pub middle: [f32; 2],
     /// The piece is where a radius dotted with `middle` is at least this, mm.
     pub least: f32,
+    /// The radius of the arc's inner circle, below 0 where it has none, and the same bound for that.
+    pub inner: [f32; 2],
 }
 
 /// The hull of two discs, in mm from the tile's middle.
@@ -36,7 +42,8 @@ pub(crate) struct Piece {
     pub a: [f32; 3],
     /// The other.
     pub b: [f32; 3],
-    /// Both straight sides: x, y where each touches `a`, x, y where it touches `b`.
+    /// Both straight sides: x, y where each touches `a`, x, y where it touches `b`. Of a piece of an arc the outer one
+    /// twice: its inner edge is hollow, so the straight side is no part of it.
     pub sides: [[f32; 4]; 2],
     /// What bulges out, if it is a piece of an arc.
     pub cap: Option<Cap>,
@@ -72,19 +79,20 @@ pub(crate) enum Verdict {
 
 impl Obstruction {
     /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for one
-    /// group.
+    /// group. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
         near: &Candidates,
         all: &Silhouettes,
         middle_mm: DVec2,
+        axis: DVec2,
         without: Option<Group>,
     ) -> Verdict {
         self.elements.clear();
         self.ends.clear();
         self.pieces.clear();
         self.hidden_by = None;
-        let place = Place { all, middle_mm };
+        let place = Place { all, middle_mm, axis };
         let mut chain = 0u16;
         for at in 0..near.len() {
             let counts = near.counts(at) && Some(near.group[at]) != without;
@@ -142,12 +150,17 @@ fn dark(chain: u16) -> bool {
 struct Place<'a> {
     all: &'a Silhouettes,
     middle_mm: DVec2,
+    axis: DVec2,
 }
 
 impl Place<'_> {
+    fn turned(&self, way: DVec2) -> [f32; 2] {
+        [way.dot(self.axis) as f32, way.dot(self.axis.perp()) as f32]
+    }
+
     fn circle(&self, circle: Circle) -> [f32; 3] {
-        let center = circle.center - self.middle_mm;
-        [center.x as f32, center.y as f32, circle.radius as f32]
+        let [x, y] = self.turned(circle.center - self.middle_mm);
+        [x, y, circle.radius as f32]
     }
 
     fn disc(&self, index: usize) -> [f32; 3] {
@@ -158,8 +171,9 @@ impl Place<'_> {
     fn cap(&self, bulge: &Bulge) -> Cap {
         Cap {
             circle: self.circle(bulge.outer),
-            middle: [bulge.middle.x as f32, bulge.middle.y as f32],
+            middle: self.turned(bulge.middle),
             least: (bulge.cos_half * bulge.outer.radius) as f32,
+            inner: [bulge.inner_mm as f32, (bulge.cos_half * bulge.inner_mm) as f32],
         }
     }
 
@@ -173,23 +187,27 @@ impl Place<'_> {
         };
         let bulge = &self.all.bulges[bulge as usize];
         if bulge.fine.is_empty() {
-            return pieces.push(self.piece(circle(before), circle(at), Some(self.cap(bulge)), clipped));
+            return pieces.push(self.piece(circle(before), circle(at), Some(bulge), clipped));
         }
         for ends in self.all.discs[bulge.fine.clone()].windows(2) {
             let Link::Bulge(part) = ends[1].link else { continue };
-            let cap = self.cap(&self.all.bulges[part as usize]);
+            let part = &self.all.bulges[part as usize];
             let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
-            pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(cap), clipped));
+            pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(part), clipped));
         }
     }
 
-    fn piece(&self, a: Circle, b: Circle, cap: Option<Cap>, clipped: bool) -> Piece {
+    fn piece(&self, a: Circle, b: Circle, bulge: Option<&Bulge>, clipped: bool) -> Piece {
+        let cap = bulge.map(|bulge| (self.cap(bulge), bulge.outer.center));
         let taper = Taper { a, b };
+        let hollow = |normal: DVec2| cap.is_some_and(|(_, center)| normal.dot(center - a.center) > 0.0);
         let sides = taper.side_normals().map(|normals| {
-            normals.map(|normal| {
+            let [one, other] = normals;
+            let kept = [if hollow(one) { other } else { one }, if hollow(other) { one } else { other }];
+            kept.map(|normal| {
                 let side = taper.side(normal);
-                let (from, to) = (side.a - self.middle_mm, side.b - self.middle_mm);
-                [from.x as f32, from.y as f32, to.x as f32, to.y as f32]
+                let [from, to] = [side.a, side.b].map(|end| self.turned(end - self.middle_mm));
+                [from[0], from[1], to[0], to[1]]
             })
         });
         let nowhere = [[0.0; 4]; 2];
@@ -197,7 +215,7 @@ impl Place<'_> {
             a: self.circle(a),
             b: self.circle(b),
             sides: sides.unwrap_or(nowhere),
-            cap,
+            cap: cap.map(|(cap, _)| cap),
             single: sides.is_none(),
             clipped,
         }

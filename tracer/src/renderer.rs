@@ -15,8 +15,9 @@ use crate::points::{Points, TILE};
 use crate::response::{Means, means_of};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Place, Stage, Workspace};
-use crate::{Film, Finish, Radiance, Scene, Top, tone};
+use crate::{Film, Finish, Radiance, Scene, Top, limits, tone};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -114,11 +115,10 @@ impl Renderer {
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
+    /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        if scene.view.width == 0 || scene.view.height == 0 {
-            return;
-        }
         let remembers = self.prepare(scene, radiance.drawn == Some(self.picture));
         if !remembers {
             return self.render_afresh(scene, None, radiance);
@@ -157,10 +157,8 @@ impl Renderer {
 
     /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
     pub fn draw_watched(&mut self, scene: &Scene, exposure: f32, film: &mut Film, done: &mut (dyn FnMut(Step) + Send)) {
+        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
         film.resize(scene.view.width, scene.view.height);
-        if scene.view.width == 0 || scene.view.height == 0 {
-            return;
-        }
         let known = film.drawn == Some((self.picture, exposure));
         if !self.prepare(scene, known) {
             return self.draw_afresh(scene, None, exposure, film);
@@ -196,11 +194,10 @@ impl Renderer {
 
     /// [`Renderer::render_monte_carlo`], developed.
     pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut Film) {
+        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
         film.resize(scene.view.width, scene.view.height);
-        if scene.view.width > 0 && scene.view.height > 0 {
-            self.prepare(scene, false);
-            self.draw_afresh(scene, Some(sampling), exposure, film);
-        }
+        self.prepare(scene, false);
+        self.draw_afresh(scene, Some(sampling), exposure, film);
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
@@ -214,11 +211,10 @@ impl Renderer {
     }
 
     fn render_slowly(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        if scene.view.width > 0 && scene.view.height > 0 {
-            self.prepare(scene, false);
-            self.render_afresh(scene, sampling, radiance);
-        }
+        self.prepare(scene, false);
+        self.render_afresh(scene, sampling, radiance);
     }
 
     /// Renders a scene that was prepared, and forgets it.
@@ -404,6 +400,15 @@ impl Renderer {
             }
         }
     }
+}
+
+/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing.
+fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
+    let empty = scene.view.width == 0 || scene.view.height == 0;
+    if empty || limits::wrong_with_view(&scene.view).is_some() {
+        return None;
+    }
+    Some(if scene.check().is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
 }
 
 /// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.

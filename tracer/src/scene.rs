@@ -1,6 +1,6 @@
 //! What is lit, what lights it and what is in the way: plain data.
 
-use crate::View;
+use crate::{Lamp, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -30,50 +30,6 @@ pub struct Scene<'a> {
     pub floor: &'a Floor,
     /// Light from everywhere: what a surface shows where no lamp reaches.
     pub ambient: Rgb,
-}
-
-/// A disc that shines, parallel to the floor.
-///
-/// A floor point at distance `d` in the plane receives
-/// `color * visible fraction * reference^2 / (d^2 + height^2) * (1 - (d / reach)^2)^2` for `d < reach`, nothing beyond;
-/// `reference` is [`Lamp::REFERENCE_MM`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lamp {
-    /// The middle, mm.
-    pub center_mm: DVec2,
-    /// Radius of the disc, mm; 0 gives hard shadows.
-    pub radius_mm: f64,
-    /// Height above the floor, mm: it softens the falloff near the lamp and says from where a normal is lit.
-    pub height_mm: f64,
-    /// Where its light ends, mm.
-    pub reach_mm: f64,
-    /// Irradiance at the reference distance, before the reach takes its part.
-    pub color: Rgb,
-    /// The group that the lamp is inside of: that group casts no shadow in its light.
-    pub inside: Option<Group>,
-}
-
-impl Lamp {
-    /// The distance at which a lamp's colour is its irradiance, mm.
-    pub const REFERENCE_MM: f64 = 100.0;
-
-    /// What a floor point that sees all of the lamp receives of its colour.
-    pub fn falloff(&self, point_mm: DVec2) -> f64 {
-        let square = point_mm.distance_squared(self.center_mm);
-        let height = self.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM);
-        let rest = (1.0 - square / (self.reach_mm * self.reach_mm)).max(0.0);
-        Lamp::REFERENCE_MM * Lamp::REFERENCE_MM / (square + height * height) * rest * rest
-    }
-
-    /// A lamp in the floor's own plane would be infinitely bright at its middle, so none is lower than this, mm.
-    pub const LEAST_HEIGHT_MM: f64 = 0.1;
-
-    /// Whether it gives any light.
-    pub(crate) fn shines(&self) -> bool {
-        let finite = self.center_mm.is_finite() && self.radius_mm.is_finite() && self.height_mm.is_finite();
-        let positive = self.reach_mm > 0.0 && self.reach_mm.is_finite();
-        finite && positive && self.color.iter().all(|c| c.is_finite()) && self.color.iter().any(|&c| c > 0.0)
-    }
 }
 
 /// Something that casts shadows.

@@ -5,7 +5,7 @@
 //! a chain too, of short pieces; between the two discs of a piece, the arc's outer circle bulges out. This module knows
 //! no lamp.
 
-use crate::{Group, Occluder};
+use crate::{Group, Occluder, limits};
 use geometry::{Arc, Circle, Core, DVec2, Shape};
 use std::ops::Range;
 
@@ -14,6 +14,9 @@ const PIECE_RAD: f64 = 0.35;
 
 /// How far the chord of one fine piece of an arc may be from the arc, mm.
 const FINE_SAGITTA_MM: f64 = 0.008;
+
+/// The longest piece of a wall, mm.
+const LONGEST_MM: f64 = 1e4;
 
 /// One disc of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +47,8 @@ pub(crate) enum Link {
 pub(crate) struct Bulge {
     /// The arc's outer circle.
     pub outer: Circle,
+    /// The radius of the inner circle, mm; below 0 where the arc is thicker than its circle.
+    pub inner_mm: f64,
     /// The unit vector from the circle's middle to the piece's.
     pub middle: DVec2,
     /// Cosine of half of the piece's angle.
@@ -69,7 +74,7 @@ pub(crate) struct Silhouettes {
 }
 
 impl Silhouettes {
-    /// Takes the place of what was here; shapes that are not finite cast no shadow.
+    /// Takes the place of what was here; shapes beyond the [`limits`] cast no shadow.
     pub fn set(&mut self, occluders: &[Occluder]) {
         self.discs.clear();
         self.bulges.clear();
@@ -84,19 +89,18 @@ impl Silhouettes {
     }
 
     fn push(&mut self, shape: &Shape, group: Group) {
-        let bounds = shape.bounds();
-        if !(bounds.min.is_finite() && bounds.max.is_finite()) {
+        if limits::wrong_with_shape(shape).is_some() {
             return;
         }
         let radius = shape.radius.max(0.0);
         match shape.core {
             Core::Point(center) => self.push_disc(Circle { center, radius }, group, Link::Start),
             Core::Segment(segment) => {
-                self.push_hull(Circle { center: segment.a, radius }, Circle { center: segment.b, radius }, group);
+                self.push_wall(Circle { center: segment.a, radius }, Circle { center: segment.b, radius }, group);
             }
             Core::Taper(taper) => {
                 let grown = |disc: Circle| Circle { radius: (disc.radius + radius).max(0.0), ..disc };
-                self.push_hull(grown(taper.a), grown(taper.b), group);
+                self.push_wall(grown(taper.a), grown(taper.b), group);
             }
             Core::Arc(arc) => self.push_arc(&arc, radius, group),
         }
@@ -104,6 +108,21 @@ impl Silhouettes {
 
     fn push_disc(&mut self, disc: Circle, group: Group, link: Link) {
         self.discs.push(Disc { center: disc.center, radius: disc.radius, group, link });
+    }
+
+    /// The hull of two discs, cut into pieces that are not too long: what is far from a lamp is left out, and single
+    /// precision can tell what is near.
+    fn push_wall(&mut self, a: Circle, b: Circle, group: Group) {
+        let pieces = (a.center.distance(b.center) / LONGEST_MM).ceil().max(1.0);
+        let between = |part: f64| Circle {
+            center: a.center + (b.center - a.center) * part,
+            radius: a.radius + (b.radius - a.radius) * part,
+        };
+        for piece in 0..pieces as usize {
+            let (from, to) = (piece as f64 / pieces, (piece as f64 + 1.0) / pieces);
+            let begin = if piece == 0 { a } else { between(from) };
+            self.push_hull(begin, if to < 1.0 { between(to) } else { b }, group);
+        }
     }
 
     /// The hull of two discs; it goes on with the last chain where one of them is where that ends.
@@ -170,6 +189,7 @@ impl Silhouettes {
         let cos_half = libm::cos(arc.half_angle() * wide as f64 / parts as f64);
         self.bulges.push(Bulge {
             outer: Circle { center, radius: core_radius + radius },
+            inner_mm: core_radius - radius,
             middle: (arc.at(middle / parts as f64) - center) / core_radius,
             cos_half,
             sagitta_mm: core_radius * (1.0 - cos_half),

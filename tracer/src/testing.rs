@@ -1,6 +1,12 @@
 //! Scenes made by a program: for measurements, for tests and to look at.
 
-use crate::{Ball, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+use crate::{Ball, Emitter, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+mod jumble;
+mod room;
+
+pub use jumble::{any_shape, jumble, mixed_jumble};
+pub use room::room;
+
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 
 /// The size of the generated table, mm.
@@ -92,6 +98,26 @@ pub fn props(view: &View) -> Props {
         inserts.push((mask(view, center, 11.0), hue));
     }
     Props { floor, inserts }
+}
+
+/// A white floor of `width` x `height` pixels, tops printed white too.
+pub fn white(width: usize, height: usize) -> Floor {
+    let count = width * height;
+    Floor { width, height, floor: vec![[255; 4]; count], tops: vec![[255; 4]; count], ..Floor::default() }
+}
+
+/// All of `floor` from above, in the dark.
+fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
+    Scene {
+        view: View { width: floor.width, height: floor.height, origin_mm: DVec2::ZERO, mm_per_px },
+        lamps: Vec::new(),
+        occluders: Vec::new(),
+        tops: Vec::new(),
+        balls: Vec::new(),
+        glows: Vec::new(),
+        floor,
+        ambient: [0.0; 3],
+    }
 }
 
 fn byte(value: f64) -> u8 {
@@ -296,7 +322,7 @@ fn lamps(caps: &[(DVec2, Group)]) -> Vec<Lamp> {
     let warm = [1.0, 0.72, 0.42];
     let lamp = |x: f64, y: f64, color: Rgb, power: f32, reach_mm: f64| Lamp {
         center_mm: DVec2::new(x, y),
-        radius_mm: 6.0,
+        emitter: Emitter::Disc { radius_mm: 6.0 },
         height_mm: 28.0,
         reach_mm,
         color: color.map(|c| c * power),

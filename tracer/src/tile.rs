@@ -8,8 +8,9 @@ use crate::candidates::{Candidates, Cone};
 use crate::changes::{Changes, Nearby};
 use crate::compose::has_contacts;
 use crate::coverage::{Edge, Form};
+use crate::falloff::Falloff;
 use crate::gaze::Gaze;
-use crate::irradiance::{Beam, DARKNESS, Light, Normals, Surface, light_floor, light_top};
+use crate::irradiance::{DARKNESS, Light, Normals, Surface, light_floor, light_top};
 use crate::lanes::{LANES, Lanes, Path, clamp};
 use crate::layer::{TopLayer, UNSEEN};
 use crate::memory::TileMemory;
@@ -376,7 +377,7 @@ impl Workspace {
     fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> bool {
         let lamp = &stage.lamps[at].lamp;
         self.look_at(stage, at, place);
-        let beam = Beam::new(lamp, place.middle_mm);
+        let beam = Falloff::new(lamp, place.middle_mm);
         let mut lit = false;
         if self.whole || self.floor.count > 0 {
             let verdict = self.sees(stage, at, place, None);
@@ -479,7 +480,7 @@ impl Place {
 
     /// Whether a lamp's light may come here.
     fn is_reached(&self, lamp: &Lamp) -> bool {
-        let reach = lamp.reach_mm + self.radius_mm + 0.01;
+        let reach = lamp.far_mm() + self.radius_mm + 0.01;
         lamp.center_mm.distance_squared(self.middle_mm) <= reach * reach
     }
 

@@ -2,7 +2,9 @@
 //!
 //! From a point P the lamp is its chord: the diameter that is perpendicular to the way from P to the lamp's middle.
 //! Each occluder covers an interval of the chord, and the visible fraction is one minus the length of the intervals'
-//! union. Intervals are kept as slopes across the way to the lamp, so that the chord is [-r/d, r/d].
+//! union. Intervals are kept as slopes across the way to the lamp, so that the chord is [-r/d, r/d]. A segment that shines
+//! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
+//! ends of the intervals are weighed by what arrives at P before their union is measured.
 //!
 //! The union of any number of intervals needs their ends sorted, but not their pairs kept: a place that no interval
 //! covers, where k have begun, is one where k have ended, so it lies between the k-th end and the next beginning. The
@@ -11,20 +13,13 @@
 use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
 use crate::obstruction::{Cap, Element, Obstruction, Piece};
 use crate::points::Plane;
+use crate::source::{DiscSource, Seen, Source};
+
+/// The least and the most that an interval of each lane can reach.
+type Limits<'a> = (&'a Lanes, &'a Lanes);
 
 /// A slope that stands for "straight across".
 const STEEP: f32 = 1e18;
-
-/// Where a lamp is, in mm from the tile's middle, and its radius.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Source {
-    /// Across.
-    pub x: f32,
-    /// Down.
-    pub y: f32,
-    /// 0 for hard shadows.
-    pub radius: f32,
-}
 
 /// Room for the ends of the intervals that one block of points sees.
 #[derive(Clone, Debug, Default)]
@@ -63,17 +58,28 @@ fn visible_fraction_lanes(
 ) {
     for block in 0..blocks {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
-        if source.radius == 0.0 {
-            hard_shadow(x, y, source, between, out);
-        } else {
-            soft_shadow(x, y, source, between, room, out);
+        match source {
+            Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
+            Source::Disc(disc) => soft_shadow(x, y, disc, between, room, out),
+            Source::Tube(tube) => {
+                let (x, y) = tube.turned(x, y);
+                soft_shadow(&x, &y, tube, between, room, out);
+            }
         }
     }
 }
 
 /// The interval that the chain or piece of this number covers, for each of a block of points.
 #[inline(always)]
-fn interval(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, at: usize, low: &mut Lanes, high: &mut Lanes) {
+fn interval<S: Seen>(
+    x: &Lanes,
+    y: &Lanes,
+    source: S,
+    between: &Obstruction,
+    at: usize,
+    low: &mut Lanes,
+    high: &mut Lanes,
+) {
     let chains = between.ends.len();
     if at < chains {
         let first = if at == 0 { 0 } else { between.ends[at - 1] };
@@ -81,19 +87,19 @@ fn interval(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, at: usi
     }
     let piece = &between.pieces[at - chains];
     match (piece.clipped, piece.cap.is_some()) {
-        (false, false) => cover_piece::<false, false>(x, y, source, piece, low, high),
-        (false, true) => cover_piece::<false, true>(x, y, source, piece, low, high),
-        (true, false) => cover_piece::<true, false>(x, y, source, piece, low, high),
-        (true, true) => cover_piece::<true, true>(x, y, source, piece, low, high),
+        (false, false) => cover_piece::<S, false, false>(x, y, source, piece, low, high),
+        (false, true) => cover_piece::<S, false, true>(x, y, source, piece, low, high),
+        (true, false) => cover_piece::<S, true, false>(x, y, source, piece, low, high),
+        (true, true) => cover_piece::<S, true, true>(x, y, source, piece, low, high),
     }
 }
 
 /// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
 #[inline(always)]
-fn soft_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, room: &mut Intervals, out: &mut Lanes) {
-    let mut limit = [0.0; LANES];
+fn soft_shadow<S: Seen>(x: &Lanes, y: &Lanes, source: S, between: &Obstruction, room: &mut Intervals, out: &mut Lanes) {
+    let (mut least, mut most) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
-        limit[i] = source.radius / way(x[i], y[i], source).2.sqrt();
+        (least[i], most[i]) = source.limits(x[i], y[i]);
     }
     let mut count = 0;
     for at in 0..between.intervals() {
@@ -101,10 +107,10 @@ fn soft_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, room
         interval(x, y, source, between, at, begin, end);
         let (mut met, mut missed) = (0u32, 0u32);
         for i in 0..LANES {
-            begin[i] = clamp(begin[i], -limit[i], limit[i]);
-            end[i] = clamp(end[i], -limit[i], limit[i]);
+            begin[i] = clamp(begin[i], least[i], most[i]);
+            end[i] = clamp(end[i], least[i], most[i]);
             met |= u32::from(end[i] > begin[i]);
-            missed |= u32::from(end[i] - begin[i] < 2.0 * limit[i]);
+            missed |= u32::from(end[i] - begin[i] < most[i] - least[i]);
         }
         if missed == 0 {
             *out = [0.0; LANES];
@@ -113,21 +119,25 @@ fn soft_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, room
         count += met as usize;
     }
     let (lows, highs) = (&mut room.low[..count], &mut room.high[..count]);
+    if count > 0 {
+        source.measure(x, y, &mut least, &mut most, lows, highs);
+    }
+    let limits = (&least, &most);
     match count {
         0 => *out = [1.0; LANES],
-        1 => uncovered::<1>(&limit, lows, highs, out),
-        2 => uncovered::<2>(&limit, lows, highs, out),
-        3 => uncovered::<3>(&limit, lows, highs, out),
-        4 => uncovered::<4>(&limit, lows, highs, out),
-        5 => uncovered::<5>(&limit, lows, highs, out),
-        6 => uncovered::<6>(&limit, lows, highs, out),
-        _ => uncovered_many(&limit, lows, highs, out),
+        1 => uncovered::<1>(limits, lows, highs, out),
+        2 => uncovered::<2>(limits, lows, highs, out),
+        3 => uncovered::<3>(limits, lows, highs, out),
+        4 => uncovered::<4>(limits, lows, highs, out),
+        5 => uncovered::<5>(limits, lows, highs, out),
+        6 => uncovered::<6>(limits, lows, highs, out),
+        _ => uncovered_many(limits, lows, highs, out),
     }
 }
 
 /// Visible or not: for a lamp without size.
 #[inline(always)]
-fn hard_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, out: &mut Lanes) {
+fn hard_shadow(x: &Lanes, y: &Lanes, source: DiscSource, between: &Obstruction, out: &mut Lanes) {
     *out = [1.0; LANES];
     let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
     for at in 0..between.intervals() {
@@ -139,24 +149,15 @@ fn hard_shadow(x: &Lanes, y: &Lanes, source: Source, between: &Obstruction, out:
     }
 }
 
-/// Way from a point to the lamp; never zero, so that there is a direction.
-#[inline(always)]
-fn way(x: f32, y: f32, source: Source) -> (f32, f32, f32) {
-    let (ux, uy) = (source.x - x, source.y - y);
-    let square = ux * ux + uy * uy;
-    let here = square < 1e-8;
-    (if here { 1e-4 } else { ux }, if here { 0.0 } else { uy }, if here { 1e-8 } else { square })
-}
-
 /// The interval of a chain that lies between the points and the lamp's chord.
 #[inline(always)]
-fn cover_chain(x: &Lanes, y: &Lanes, source: Source, elements: &[Element], low: &mut Lanes, high: &mut Lanes) {
+fn cover_chain<S: Seen>(x: &Lanes, y: &Lanes, source: S, elements: &[Element], low: &mut Lanes, high: &mut Lanes) {
     let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
     for element in elements {
         match *element {
             Element::Disc([qx, qy, radius]) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = way(x[i], y[i], source);
+                    let (ux, uy, square) = source.way(x[i], y[i]);
                     let (cx, cy) = (qx - x[i], qy - y[i]);
                     let (ahead, aside) = (cx * ux + cy * uy, cy * ux - cx * uy);
                     let tangent = max(cx * cx + cy * cy - radius * radius, 0.0).sqrt();
@@ -169,7 +170,7 @@ fn cover_chain(x: &Lanes, y: &Lanes, source: Source, elements: &[Element], low: 
             }
             Element::Bulge(cap) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = way(x[i], y[i], source);
+                    let (ux, uy, square) = source.way(x[i], y[i]);
                     let ends = tangents(x[i], y[i], cap.circle, ux, uy);
                     let middle = in_frame(cap.middle, ux, uy);
                     let least = cap.least * square;
@@ -240,18 +241,18 @@ fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) ->
 
 /// The interval of any hull of two discs, wherever it lies.
 #[inline(always)]
-fn cover_piece<const CLIPPED: bool, const CAPPED: bool>(
+fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
     y: &Lanes,
-    source: Source,
+    source: S,
     piece: &Piece,
     low: &mut Lanes,
     high: &mut Lanes,
 ) {
-    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0 });
+    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0, inner: [-1.0; 2] });
     let hull = !piece.single;
     for i in 0..LANES {
-        let (ux, uy, square) = way(x[i], y[i], source);
+        let (ux, uy, square) = source.way(x[i], y[i]);
         let a = tangents(x[i], y[i], piece.a, ux, uy);
         let b = tangents(x[i], y[i], piece.b, ux, uy);
         // Directions are compared by the turn from one to the other, not by slope: a hull may go round behind the point.
@@ -277,7 +278,17 @@ fn cover_piece<const CLIPPED: bool, const CAPPED: bool>(
         let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
         let inside = a.inside | b.inside | (hull & (span < 0.0));
         if CLIPPED {
-            let (bottom, top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
+            let (mut bottom, mut top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
+            if CAPPED {
+                let center = in_frame([cap.circle[0] - x[i], cap.circle[1] - y[i]], ux, uy);
+                let middle = in_frame(cap.middle, ux, uy);
+                for [radius, least] in [[cap.circle[2], cap.least], cap.inner] {
+                    for at in rim_across_chord(center, radius, middle, least, square) {
+                        bottom = min(bottom, at.0);
+                        top = max(top, at.1);
+                    }
+                }
+            }
             lowest = if lower.is_beyond(square) { bottom } else { lowest };
             highest = if upper.is_beyond(square) { top } else { highest };
         }
@@ -361,9 +372,23 @@ fn across_chord(
     (bottom / square, top / square)
 }
 
+/// The slopes at which the piece of a circle crosses the line of the lamp's chord; turned round where it does not.
+#[inline(always)]
+fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32, square: f32) -> [(f32, f32); 2] {
+    let off = square - center[0];
+    let half_square = radius * radius * square - off * off;
+    let half = max(half_square, 0.0).sqrt();
+    [-half, half].map(|aside| {
+        let on_piece = off * middle[0] + aside * middle[1] >= least * square;
+        let crosses = (half_square >= 0.0) & (radius > 0.0) & on_piece;
+        let slope = (center[1] + aside) / square;
+        (if crosses { slope } else { STEEP }, if crosses { slope } else { -STEEP })
+    })
+}
+
 /// One minus the union of `N` intervals, in registers.
 #[inline(always)]
-fn uncovered<const N: usize>(limit: &Lanes, low: &[Lanes], high: &[Lanes], out: &mut Lanes) {
+fn uncovered<const N: usize>((least, most): Limits, low: &[Lanes], high: &[Lanes], out: &mut Lanes) {
     for i in 0..LANES {
         let (mut begin, mut end) = ([0.0; N], [0.0; N]);
         for k in 0..N {
@@ -376,23 +401,23 @@ fn uncovered<const N: usize>(limit: &Lanes, low: &[Lanes], high: &[Lanes], out: 
                 (end[k], end[k + 1]) = (min(end[k], end[k + 1]), max(end[k], end[k + 1]));
             }
         }
-        let mut gaps = begin[0] + limit[i];
+        let mut gaps = begin[0] - least[i];
         for k in 1..N {
             gaps += max(begin[k] - end[k - 1], 0.0);
         }
-        gaps += limit[i] - end[N - 1];
-        out[i] = clamp(gaps / (2.0 * limit[i]), 0.0, 1.0);
+        gaps += most[i] - end[N - 1];
+        out[i] = clamp(gaps / (most[i] - least[i]), 0.0, 1.0);
     }
 }
 
 /// One minus the union of any number of intervals, sorted in place.
 #[inline(always)]
-fn uncovered_many(limit: &Lanes, low: &mut [Lanes], high: &mut [Lanes], out: &mut Lanes) {
+fn uncovered_many((least, most): Limits, low: &mut [Lanes], high: &mut [Lanes], out: &mut Lanes) {
     sort(low);
     sort(high);
-    let mut gaps = *limit;
+    let mut gaps = low[0];
     for i in 0..LANES {
-        gaps[i] += low[0][i];
+        gaps[i] -= least[i];
     }
     for (begin, end) in low[1..].iter().zip(high.iter()) {
         for i in 0..LANES {
@@ -401,7 +426,7 @@ fn uncovered_many(limit: &Lanes, low: &mut [Lanes], high: &mut [Lanes], out: &mu
     }
     let last = &high[high.len() - 1];
     for i in 0..LANES {
-        out[i] = clamp((gaps[i] + limit[i] - last[i]) / (2.0 * limit[i]), 0.0, 1.0);
+        out[i] = clamp((gaps[i] + most[i] - last[i]) / (most[i] - least[i]), 0.0, 1.0);
     }
 }
 

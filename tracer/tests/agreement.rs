@@ -3,7 +3,7 @@
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::testing::{self, Random};
-use tracer::{Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, View, exact};
+use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, View, exact};
 
 /// 160 x 160 pixels, 1 mm each, all white.
 const SIDE: usize = 160;
@@ -20,7 +20,7 @@ fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     let lamps = (0..3)
         .map(|_| Lamp {
             center_mm: random.within(size * 1.2) - size * 0.1,
-            radius_mm: random.between(2.0, 9.0),
+            emitter: Emitter::Disc { radius_mm: random.between(2.0, 9.0) },
             height_mm: random.between(20.0, 40.0),
             reach_mm: random.between(90.0, 260.0),
             color: [0.1; 3],

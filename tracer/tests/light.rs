@@ -2,8 +2,8 @@
 
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper};
 use tracer::{
-    Ball, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Path, Profile, Radiance, Renderer, Scene, Top, View,
-    exact, testing, tone,
+    Ball, Emitter, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Path, Profile, Radiance, Renderer, Scene, Top,
+    View, exact, testing, tone,
 };
 
 const SIDE: usize = 96;
@@ -17,7 +17,7 @@ fn white() -> Floor {
 fn lone_lamp(floor: &Floor) -> Scene<'_> {
     let lamp = Lamp {
         center_mm: DVec2::new(0.0, -40.0),
-        radius_mm: 5.0,
+        emitter: Emitter::Disc { radius_mm: 5.0 },
         height_mm: 30.0,
         reach_mm: 120.0,
         color: [0.1, 0.2, 0.05],
@@ -129,7 +129,7 @@ fn the_group_that_holds_a_lamp_does_not_hide_it() {
 fn a_lamp_without_size_gives_hard_shadows() {
     let floor = white();
     let mut scene = lone_lamp(&floor);
-    scene.lamps[0].radius_mm = 0.0;
+    scene.lamps[0].emitter = Emitter::Disc { radius_mm: 0.0 };
     let open = rendered(&scene);
     cast(&mut scene, Shape::disc(DVec2::new(3.0, -10.0), 6.0), 1);
     let shaded = rendered(&scene);
@@ -196,7 +196,7 @@ fn degenerate_scenes_give_numbers() {
     let at = DVec2::new(10.5, 20.5);
     let lamp = scene.lamps[0];
     for radius_mm in [0.0, 3.0] {
-        scene.lamps.push(Lamp { center_mm: at, radius_mm, height_mm: 0.0, ..lamp });
+        scene.lamps.push(Lamp { center_mm: at, emitter: Emitter::Disc { radius_mm }, height_mm: 0.0, ..lamp });
     }
     scene.lamps.push(Lamp { center_mm: DVec2::NAN, ..lamp });
     scene.lamps.push(Lamp { reach_mm: 0.0, ..lamp });

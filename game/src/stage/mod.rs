@@ -161,9 +161,9 @@ fn outlines(solid: &Solid) -> Vec<Outline> {
 fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
     let bulb = |(lamp, light): (&Lamp, &LampLight)| match lamp.kind {
         LampKind::Insert { .. } => None,
-        LampKind::Bulb { center_mm, radius_mm, height_mm, reach_mm, inside } => {
+        LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
             let color = radiance(lamp, light);
-            Some(tracer::Lamp { center_mm, radius_mm, height_mm, reach_mm, color, inside: inside.map(Group) })
+            Some(tracer::Lamp { center_mm, emitter, height_mm, reach_mm, color, inside: inside.map(Group) })
         }
     };
     lamps.iter().zip(lights).filter_map(bulb).collect()

@@ -110,12 +110,12 @@ pub struct Lamp {
 /// What a lamp is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LampKind {
-    /// A disc above the floor that lights the table and casts shadows.
+    /// A disc or a line above the floor that lights the table and casts shadows.
     Bulb {
         /// The middle, mm.
         center_mm: DVec2,
-        /// The radius, mm.
-        radius_mm: f64,
+        /// What of it shines.
+        emitter: tracer::Emitter,
         /// The height above the floor, mm.
         height_mm: f64,
         /// Where its light ends, mm.

@@ -3,6 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
+mod quality;
 mod room;
 mod table;
 mod tick;
@@ -49,8 +50,11 @@ pub struct Row {
 /// Runs the bench that the command line asks for and prints its rows.
 ///
 /// # Errors
-/// If a table or a demo cannot be read.
+/// If a table or a demo cannot be read, or the light is not as exact as it must be.
 pub fn run(args: &BenchArgs) -> Result<(), Failure> {
+    if args.bench == Bench::Quality {
+        return quality::run(args.threads, args.json);
+    }
     let mut rows = Vec::new();
     if matches!(args.bench, Bench::Room | Bench::All) {
         rows.extend(room::rows(args.size, args.threads)?);

@@ -26,7 +26,7 @@ const SEEDS: [u64; 3] = [1, 2, 3];
 /// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
-    let moments = moments(&table)?;
+    let moments = moments(&table, FRAMES)?;
     let sizes = size.map_or(SIZES.to_vec(), |size| vec![size]);
     let mut rows = Vec::new();
     for size in sizes {
@@ -38,10 +38,10 @@ pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Fail
 /// The hard case that figures are quoted for: a bot's game, a 60th of a second from moment to moment, with the balls of
 /// two other games on the table as well, and every lamp and insert flashing in a rhythm of its own, so that no lamp
 /// gives in one frame what it gave in the last.
-fn moments(table: &Arc<Table>) -> Result<Vec<Snapshot>, Failure> {
-    let mut moments = game(table, SEEDS[0])?;
+pub(super) fn moments(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>, Failure> {
+    let mut moments = game(table, SEEDS[0], count)?;
     for seed in &SEEDS[1..] {
-        for (moment, other) in moments.iter_mut().zip(game(table, *seed)?) {
+        for (moment, other) in moments.iter_mut().zip(game(table, *seed, count)?) {
             moment.pose.balls.extend(other.pose.balls.into_iter().take(1));
         }
     }
@@ -54,11 +54,11 @@ fn moments(table: &Arc<Table>) -> Result<Vec<Snapshot>, Failure> {
 }
 
 /// What the bot's game looks like, a 60th of a second apart, while a ball is in play.
-fn game(table: &Arc<Table>, seed: u64) -> Result<Vec<Snapshot>, Failure> {
+fn game(table: &Arc<Table>, seed: u64, count: usize) -> Result<Vec<Snapshot>, Failure> {
     let mut simulation = Simulation::new(table.clone(), seed)?;
     let mut bot = Bot::new(seed);
     let mut moments = Vec::new();
-    while moments.len() < FRAMES {
+    while moments.len() < count {
         let buttons = bot.buttons(&simulation);
         simulation.tick(buttons);
         let moment = simulation.ticks() >= PLAYED && simulation.ticks().is_multiple_of(17);

@@ -68,7 +68,7 @@ fn kind(name: &str, row: f64) -> Kind {
 fn lamp(name: &str) -> Lamp {
     let kind = LampKind::Bulb {
         center_mm: DVec2::new(100.0, 100.0),
-        radius_mm: 5.0,
+        emitter: tracer::Emitter::Disc { radius_mm: 5.0 },
         height_mm: 20.0,
         reach_mm: 200.0,
         inside: None,

@@ -165,3 +165,18 @@ fn all_mistakes_are_told_at_once_in_their_order() {
     let places: Vec<&str> = mistakes.iter().map(|mistake| mistake.split(": ").next().unwrap()).collect();
     assert_eq!(places, ["table.svg:5", "table.svg:6", "table.toml:1", "table.toml:3"], "{mistakes:#?}");
 }
+
+#[test]
+fn lamps_of_no_form_and_of_no_sensible_size_have_their_line() {
+    let lamp = |drawn_as: &str| drawn(&drawn_as.replace("{}", r##"id="w" class="lamp" fill="#fff" stroke="#fff""##));
+    says(
+        lamp(r#"<rect {} width="9" height="9"/>"#),
+        &["5: w: a lamp is drawn as a circle (a bulb) or as one straight"],
+    );
+    says(lamp(r#"<circle {} cx="99" cy="99" r="0"/>"#), &["5: w: its radius `r` must be more than 0"]);
+    says(lamp(r#"<circle {} cx="99" cy="99" r="1e300"/>"#), &["5: w: "]);
+    says(lamp(r#"<line {} x1="99" y1="99" x2="99.001" y2="99"/>"#), &["5: w: its line is 0.00", "as a circle"]);
+    says(lamp(r#"<line {} x1="99" y1="99" x2="99" y2="99"/>"#), &["5: w: it has no length"]);
+    let no_stroke = r##"<line id="w" class="lamp" fill="#fff" x1="99" y1="99" x2="199" y2="99"/>"##;
+    says(drawn(no_stroke), &["5: w: the stroke of a lamp is its light"]);
+}

@@ -1,0 +1,149 @@
+//! How the exact light grows with what is in a scene: pixels, lamps, occluders, balls; from nothing (cold) and with
+//! what the last picture has left (warm, every ball a little farther), on every instruction set of this machine.
+//!
+//! `cargo bench -p tracer --bench light`
+
+use divan::Bencher;
+use geometry::{DVec2, Shape};
+use tracer::testing::{self, Props, Random};
+use tracer::{Ball, Group, Lamp, Occluder, Path, Radiance, Renderer, Scene, View};
+
+fn main() {
+    divan::main();
+}
+
+/// The paths of this machine, by name.
+fn paths() -> Vec<&'static str> {
+    Path::available().into_iter().map(Path::name).collect()
+}
+
+fn path(name: &str) -> Path {
+    Path::available().into_iter().find(|path| path.name() == name).unwrap_or(Path::best())
+}
+
+/// The made-up table at the size that figures are quoted at.
+fn table(props: &mut Props, width: usize) -> Scene<'_> {
+    let view = View::fit(width, 2 * width, testing::SIZE_MM);
+    *props = testing::props(&view);
+    testing::table(view, props)
+}
+
+/// Renders from nothing again and again.
+fn cold(bencher: Bencher, path: Path, scene: &Scene) {
+    let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
+    bencher.bench_local(|| {
+        renderer.forget();
+        renderer.render(scene, &mut radiance);
+    });
+}
+
+/// Renders again and again, the balls rolling to and fro.
+fn warm(bencher: Bencher, path: Path, scene: &mut Scene) {
+    let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
+    renderer.render(scene, &mut radiance);
+    let mut step = DVec2::new(1.5, -2.0);
+    bencher.bench_local(|| {
+        testing::roll(scene, step);
+        step = -step;
+        renderer.render(scene, &mut radiance);
+    });
+}
+
+#[divan::bench(args = paths())]
+fn cold_by_path(bencher: Bencher, name: &str) {
+    let mut props = Props::default();
+    cold(bencher, path(name), &table(&mut props, 540));
+}
+
+#[divan::bench(args = paths())]
+fn warm_by_path(bencher: Bencher, name: &str) {
+    let mut props = Props::default();
+    warm(bencher, path(name), &mut table(&mut props, 540));
+}
+
+#[divan::bench(args = [270, 540, 1080])]
+fn cold_by_pixels_across(bencher: Bencher, width: usize) {
+    let mut props = Props::default();
+    cold(bencher, Path::best(), &table(&mut props, width));
+}
+
+#[divan::bench(args = [270, 540, 1080])]
+fn warm_by_pixels_across(bencher: Bencher, width: usize) {
+    let mut props = Props::default();
+    warm(bencher, Path::best(), &mut table(&mut props, width));
+}
+
+/// The first lamps of the table, and then more of them somewhere.
+fn with_lamps(scene: &mut Scene, count: usize) {
+    let mut random = Random(11);
+    let first = scene.lamps.clone();
+    let more = (0..count).map(|at| Lamp { center_mm: random.within(testing::SIZE_MM), ..first[at % first.len()] });
+    scene.lamps = first.iter().copied().chain(more).take(count).collect();
+}
+
+#[divan::bench(args = [4, 16, 64])]
+fn cold_by_lamps(bencher: Bencher, count: usize) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_lamps(&mut scene, count);
+    cold(bencher, Path::best(), &scene);
+}
+
+#[divan::bench(args = [4, 16, 64])]
+fn warm_by_lamps(bencher: Bencher, count: usize) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_lamps(&mut scene, count);
+    warm(bencher, Path::best(), &mut scene);
+}
+
+/// Posts of 2 mm beside what stands there already.
+fn with_posts(scene: &mut Scene, count: u16) {
+    let mut random = Random(12);
+    let post = |at| Occluder { shape: Shape::disc(random.within(testing::SIZE_MM), 2.0), group: Group(2000 + at) };
+    scene.occluders.extend((0..count).map(post));
+}
+
+#[divan::bench(args = [0, 100, 400])]
+fn cold_by_more_occluders(bencher: Bencher, count: u16) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_posts(&mut scene, count);
+    cold(bencher, Path::best(), &scene);
+}
+
+#[divan::bench(args = [0, 100, 400])]
+fn warm_by_more_occluders(bencher: Bencher, count: u16) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_posts(&mut scene, count);
+    warm(bencher, Path::best(), &mut scene);
+}
+
+/// So many balls, somewhere.
+fn with_balls(scene: &mut Scene, count: u16) {
+    let mut random = Random(13);
+    let groups: Vec<Group> = scene.balls.drain(..).map(|ball| ball.group).collect();
+    scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
+    for at in 0..count {
+        let (center_mm, group) = (random.within(testing::SIZE_MM), Group(1000 + at));
+        scene.balls.push(Ball { center_mm, radius_mm: 13.5, group, rotation: [0.0, 0.0, 0.0, 1.0] });
+        scene.occluders.push(Occluder { shape: Shape::disc(center_mm, 13.5), group });
+    }
+}
+
+#[divan::bench(args = [0, 3, 12])]
+fn cold_by_balls(bencher: Bencher, count: u16) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_balls(&mut scene, count);
+    cold(bencher, Path::best(), &scene);
+}
+
+#[divan::bench(args = [0, 3, 12])]
+fn warm_by_balls(bencher: Bencher, count: u16) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    with_balls(&mut scene, count);
+    warm(bencher, Path::best(), &mut scene);
+}

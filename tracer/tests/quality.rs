@@ -1,0 +1,42 @@
+//! The gate: the exact light against 16,384 stratified shadow rays to every lamp from every point.
+
+use rayon::prelude::*;
+use tracer::quality::{Quality, judge};
+use tracer::{Scene, View, testing};
+
+fn passes(what: &str, quality: Quality) {
+    assert!(quality.points > 0 && quality.passes(), "{what}: {quality:?}");
+}
+
+/// The same scene in fewer pixels.
+fn smaller<'a>(scene: &Scene<'a>, floor: &'a tracer::Floor) -> Scene<'a> {
+    let shrunk = scene.view.width as f64 / floor.width as f64;
+    let view =
+        View { width: floor.width, height: floor.height, mm_per_px: scene.view.mm_per_px * shrunk, ..scene.view };
+    Scene { view, floor, ..scene.clone() }
+}
+
+#[test]
+fn the_table_passes() {
+    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, testing::SIZE_MM));
+    let (props, small_props) = (testing::props(&view), testing::props(&small));
+    let scene = testing::table(view, &props);
+    passes("table", judge(&scene, Some(&testing::table(small, &small_props)), 60, 1));
+}
+
+#[test]
+fn the_room_passes() {
+    let (floor, small) = (testing::white(200, 200), testing::white(20, 20));
+    let scene = testing::room(1.3, &floor);
+    passes("room", judge(&scene, Some(&testing::room(1.3, &small)), 120, 2));
+}
+
+#[test]
+fn twenty_jumbles_pass() {
+    let (floor, small) = (testing::white(160, 160), testing::white(10, 10));
+    (0..20).into_par_iter().for_each(|seed| {
+        let scene = testing::mixed_jumble(seed, &floor);
+        let small = (seed % 4 == 0).then(|| smaller(&scene, &small));
+        passes(&format!("jumble {seed}"), judge(&scene, small.as_ref(), 40, seed));
+    });
+}
