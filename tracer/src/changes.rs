@@ -176,7 +176,7 @@ impl Nearby {
     /// Whether the tile at `place` may look different; `memory`, what it saw in the last picture, forgets what is not so
     /// any more.
     pub fn reach(&self, place: &Place, memory: &mut TileMemory) -> bool {
-        let &Place { x, y, middle_mm, radius_mm, ref bounds } = place;
+        let &Place { x, y, middle_mm, radius_mm, ref bounds, .. } = place;
         let room = radius_mm + MARGIN_MM;
         if self.repainted || self.moved_tops.iter().any(|moved| moved.overlaps(bounds)) {
             memory.forget();

@@ -15,7 +15,7 @@ impl Workspace {
         let scene = stage.scene;
         let floor = scene.floor;
         let &Place { x, y, .. } = place;
-        let (width, height) = (scene.view.width.min(x + TILE) - x, scene.view.height.min(y + TILE) - y);
+        let (width, height) = place.inside;
         // What a few points need is read whole, and then packed.
         let art = if self.whole { &mut self.ground.albedo } else { &mut self.art };
         stage.art.read(stage.path, x, y, art);

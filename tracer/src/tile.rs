@@ -220,6 +220,7 @@ impl Workspace {
         if !memory.base.holds {
             let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
             self.light_from_everywhere(stage, layers);
+            place.repeat_edges(&mut self.picture);
             memory.keep_base(stage.path, &self.picture);
         }
         for index in 0..self.lit.len() {
@@ -230,6 +231,7 @@ impl Workspace {
             if !sight.holds && place.is_reached(lamp) {
                 let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 if self.light(stage, at, place, layers) {
+                    place.repeat_edges(&mut self.picture);
                     memory.keep(*number, stage.path, &self.picture);
                 } else {
                     memory.sight(*number).keep_dark(self.between.hidden_by.filter(|_| layers == 0));
@@ -240,6 +242,7 @@ impl Workspace {
             if !memory.glow(glow.mask.place()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 self.glow(place, glow.mask);
+                place.repeat_edges(&mut self.picture);
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
@@ -283,6 +286,7 @@ impl Workspace {
             self.glow(place, glow.mask);
             self.add_picture(glow.color);
         }
+        place.repeat_edges(&mut self.out);
     }
 
     fn add_picture(&mut self, color: Rgb) {
@@ -465,6 +469,8 @@ pub(crate) struct Place {
     pub radius_mm: f64,
     /// A box around it, mm.
     pub bounds: Bounds,
+    /// How many of its columns and rows are in the picture.
+    pub inside: (usize, usize),
 }
 
 impl Place {
@@ -475,7 +481,22 @@ impl Place {
         let middle_mm = view.origin_mm + (DVec2::new(x as f64, y as f64) + DVec2::splat(half)) * view.mm_per_px;
         let radius_mm = half * std::f64::consts::SQRT_2 * view.mm_per_px;
         let bounds = Bounds::of(middle_mm, middle_mm).grown((half + 1.0) * view.mm_per_px);
-        Place { x, y, middle_mm, radius_mm, bounds }
+        Place { x, y, middle_mm, radius_mm, bounds, inside: (TILE.min(view.width - x), TILE.min(view.height - y)) }
+    }
+
+    /// Beyond the picture's edge a tile shows what is at the edge, so that the glare there is the picture's own.
+    fn repeat_edges(&self, tile: &mut Light) {
+        let (columns, rows) = self.inside;
+        if (columns, rows) == (TILE, TILE) {
+            return;
+        }
+        for plane in tile {
+            for row in 0..TILE {
+                plane[row] = plane[row.min(rows - 1)];
+                let last = plane[row][columns - 1];
+                plane[row][columns..].fill(last);
+            }
+        }
     }
 
     /// Whether a lamp's light may come here.

@@ -31,7 +31,7 @@ fn lone_tube(floor: &Floor) -> Scene<'_> {
 
 fn rendered(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render(scene, &mut radiance);
+    Renderer::new().render_anew(scene, &mut radiance);
     radiance
 }
 
