@@ -99,8 +99,12 @@ impl Renderer {
             if limits::wrong_with_view(&scene.view).is_some() {
                 return radiance.resize(0, 0);
             }
-            return self.render_with(&scene.drawable(), sampling, radiance);
+            return self.draw(&scene.drawable(), sampling, radiance);
         }
+        self.draw(scene, sampling, radiance);
+    }
+
+    fn draw(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
         if scene.view.width == 0 || scene.view.height == 0 {
             return;
