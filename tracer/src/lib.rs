@@ -45,6 +45,7 @@ mod surfaces;
 pub mod testing;
 mod tile;
 pub mod tone;
+mod union;
 mod view;
 mod visibility;
 mod wedge;
