@@ -54,14 +54,14 @@ impl Falloff {
         let none = [0.0; LANES];
         let mut to = Arriving { x: none, y: none, square: none, light: none };
         match self.tube {
-            None => self.from_middle(x, y, &mut to),
-            Some((along, half)) => self.from_tube(x, y, along, half, &mut to),
+            None => self.point_light(x, y, &mut to),
+            Some((along, half)) => self.tube_light(x, y, along, half, &mut to),
         }
         to
     }
 
     #[inline(always)]
-    fn from_middle(&self, x: &Lanes, y: &Lanes, to: &mut Arriving) {
+    fn point_light(&self, x: &Lanes, y: &Lanes, to: &mut Arriving) {
         for i in 0..LANES {
             let (ux, uy) = (self.x - x[i], self.y - y[i]);
             let square = ux * ux + uy * uy;
@@ -73,7 +73,7 @@ impl Falloff {
 
     /// The integral of dt / (t^2 + q^2) along the segment, over its length: see [`Lamp::falloff`].
     #[inline(always)]
-    fn from_tube(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, to: &mut Arriving) {
+    fn tube_light(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, to: &mut Arriving) {
         for i in 0..LANES {
             let (mx, my) = (self.x - x[i], self.y - y[i]);
             let middle = mx * along[0] + my * along[1];

@@ -48,6 +48,7 @@ mod surroundings;
 pub mod testing;
 mod tile;
 pub mod tone;
+mod union;
 mod view;
 mod visibility;
 mod wedge;

@@ -5,18 +5,12 @@
 //! union. Intervals are kept as slopes across the way to the lamp, so that the chord is [-r/d, r/d]. A segment that shines
 //! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
 //! ends of the intervals are weighed by what arrives at P before their union is measured.
-//!
-//! The union of any number of intervals needs their ends sorted, but not their pairs kept: a place that no interval
-//! covers, where k have begun, is one where k have ended, so it lies between the k-th end and the next beginning. The
-//! gaps are `max(0, begin[k + 1] - end[k])`, and ends and beginnings are sorted by themselves, with `min` and `max`.
 
 use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
 use crate::obstruction::{Cap, Element, Obstruction, Piece};
 use crate::points::Plane;
 use crate::source::{DiscSource, Seen, Source};
-
-/// The least and the most that an interval of each lane can reach.
-type Limits<'a> = (&'a Lanes, &'a Lanes);
+use crate::union::{uncovered, uncovered_many};
 
 /// A slope that stands for "straight across".
 const STEEP: f32 = 1e18;
@@ -384,62 +378,4 @@ fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32,
         let slope = (center[1] + aside) / square;
         (if crosses { slope } else { STEEP }, if crosses { slope } else { -STEEP })
     })
-}
-
-/// One minus the union of `N` intervals, in registers.
-#[inline(always)]
-fn uncovered<const N: usize>((least, most): Limits, low: &[Lanes], high: &[Lanes], out: &mut Lanes) {
-    for i in 0..LANES {
-        let (mut begin, mut end) = ([0.0; N], [0.0; N]);
-        for k in 0..N {
-            begin[k] = low[k][i];
-            end[k] = high[k][i];
-        }
-        for last in (1..N).rev() {
-            for k in 0..last {
-                (begin[k], begin[k + 1]) = (min(begin[k], begin[k + 1]), max(begin[k], begin[k + 1]));
-                (end[k], end[k + 1]) = (min(end[k], end[k + 1]), max(end[k], end[k + 1]));
-            }
-        }
-        let mut gaps = begin[0] - least[i];
-        for k in 1..N {
-            gaps += max(begin[k] - end[k - 1], 0.0);
-        }
-        gaps += most[i] - end[N - 1];
-        out[i] = clamp(gaps / (most[i] - least[i]), 0.0, 1.0);
-    }
-}
-
-/// One minus the union of any number of intervals, sorted in place.
-#[inline(always)]
-fn uncovered_many((least, most): Limits, low: &mut [Lanes], high: &mut [Lanes], out: &mut Lanes) {
-    sort(low);
-    sort(high);
-    let mut gaps = low[0];
-    for i in 0..LANES {
-        gaps[i] -= least[i];
-    }
-    for (begin, end) in low[1..].iter().zip(high.iter()) {
-        for i in 0..LANES {
-            gaps[i] += max(begin[i] - end[i], 0.0);
-        }
-    }
-    let last = &high[high.len() - 1];
-    for i in 0..LANES {
-        out[i] = clamp((gaps[i] + most[i] - last[i]) / (most[i] - least[i]), 0.0, 1.0);
-    }
-}
-
-/// Sorts each lane by itself.
-#[inline(always)]
-fn sort(rows: &mut [Lanes]) {
-    for last in (1..rows.len()).rev() {
-        for k in 0..last {
-            let (lower, upper) = rows.split_at_mut(k + 1);
-            let (a, b) = (&mut lower[k], &mut upper[0]);
-            for i in 0..LANES {
-                (a[i], b[i]) = (min(a[i], b[i]), max(a[i], b[i]));
-            }
-        }
-    }
 }

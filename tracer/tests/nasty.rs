@@ -11,20 +11,21 @@ use tracer::{
 const SIDE: usize = 40;
 
 /// Numbers that are likely to be in the way of something.
-fn number() -> impl Strategy<Value = f64> {
+fn number() -> BoxedStrategy<f64> {
     prop_oneof![
         4 => -60.0..100.0f64,
         2 => (0..9u8).prop_map(|at| f64::from(at) * 5.0 + 0.5),
         1 => prop_oneof![Just(0.0), Just(-0.0), Just(1e-300), Just(1e-9), Just(1e6), Just(-1e6), Just(1e12), Just(1e300)],
         1 => prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(f64::NEG_INFINITY), Just(f64::MAX), Just(-1.0)],
     ]
+    .boxed()
 }
 
-fn place() -> impl Strategy<Value = DVec2> {
-    (number(), number()).prop_map(|(x, y)| DVec2::new(x, y))
+fn place() -> BoxedStrategy<DVec2> {
+    (number(), number()).prop_map(|(x, y)| DVec2::new(x, y)).boxed()
 }
 
-fn shape() -> impl Strategy<Value = Shape> {
+fn shape() -> BoxedStrategy<Shape> {
     let circle = || (place(), number()).prop_map(|(center, radius)| Circle { center, radius });
     prop_oneof![
         (place(), number()).prop_map(|(at, radius)| Shape::disc(at, radius)),
@@ -35,6 +36,7 @@ fn shape() -> impl Strategy<Value = Shape> {
             radius
         }),
     ]
+    .boxed()
 }
 
 fn lamp() -> impl Strategy<Value = Lamp> {

@@ -35,7 +35,7 @@ pub(super) fn lamp(thing: &Thing, numbers: &Numbers, group_of: impl Fn(&str) -> 
 /// The middle of a lamp, and what of it shines: a circle is a bulb, a line a tube.
 fn form(thing: &Thing) -> Result<(DVec2, Emitter), String> {
     if let Some(Circle { center, radius }) = thing.outline.circle() {
-        return within("radius", radius).map(|radius_mm| (center, Emitter::Disc { radius_mm }));
+        return within("the radius", radius).map(|radius_mm| (center, Emitter::Disc { radius_mm }));
     }
     let line = thing.outline.line().ok_or("a lamp is drawn as a circle (a bulb) or as one straight line (a tube)")?;
     let half_mm = line.along() * 0.5;
@@ -50,7 +50,7 @@ fn within(what: &str, size_mm: f64) -> Result<f64, String> {
     if size_mm <= MOST_MM {
         Ok(size_mm)
     } else {
-        Err(format!("{what} of a lamp must be at most {MOST_MM} mm, and it is {size_mm} mm"))
+        Err(format!("{what} of a lamp must be at most {MOST_MM} mm, and it is {size_mm:?} mm"))
     }
 }
 
