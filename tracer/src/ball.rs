@@ -10,7 +10,7 @@ use crate::irradiance::Light;
 use crate::lanes::{Path, clamp, max};
 use crate::points::TILE;
 use crate::silhouette::Silhouettes;
-use crate::{Ball, Lamp, Rgb, View, exact, surroundings as room};
+use crate::{Ball, Filter, Lamp, Rgb, View, exact, filter, surroundings as room};
 use geometry::DVec2;
 use rayon::prelude::*;
 
@@ -36,8 +36,8 @@ pub(crate) struct Glint {
 const TUBE_RADIUS_MM: f32 = 3.0;
 
 impl Glint {
-    /// `lamp`, of which the ball sees `fraction`.
-    pub fn new(lamp: &Lamp, ball: &Ball, fraction: f32) -> Glint {
+    /// `lamp`, of which the ball sees `fraction` of each channel.
+    pub fn new(lamp: &Lamp, ball: &Ball, fraction: [f64; 3]) -> Glint {
         let from_ball = lamp.center_mm - ball.center_mm;
         let tube = lamp.tube();
         let half = tube.map_or(0.0, DVec2::length);
@@ -47,7 +47,7 @@ impl Glint {
             radius: if tube.is_some() { TUBE_RADIUS_MM } else { max(lamp.radius_mm() as f32, 1.0) },
             along: [along.x as f32, along.y as f32],
             half: half as f32,
-            color: lamp.color.map(|c| c * fraction),
+            color: [0, 1, 2].map(|channel: usize| lamp.color[channel] * fraction[channel] as f32),
         }
     }
 }
@@ -84,6 +84,7 @@ impl Patch {
         path: Path,
         ball: &Ball,
         lamps: impl Iterator<Item = (&'a Lamp, &'a Candidates)>,
+        filters: &[Filter],
         all: &Silhouettes,
     ) {
         self.glints.clear();
@@ -94,13 +95,18 @@ impl Patch {
                 continue;
             }
             candidates.narrow(path, &Cone::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
-            let (place, group) = (ball.center_mm, Some(ball.group));
-            let seen = exact::visible_fraction_of(all, &self.near, lamp, place, group, &mut self.intervals) as f32;
-            if seen > 0.0 {
+            let met = filter::met(filters, |group| self.near.group.contains(&group));
+            let seen = filter::passed(met.as_slice(), |away| {
+                let mut without = [ball.group; filter::MOST + 1];
+                without[1..=away.len()].copy_from_slice(away);
+                let (without, place) = (&without[..=away.len()], ball.center_mm);
+                exact::visible_fraction_of(all, &self.near, lamp, place, without, &mut self.intervals)
+            });
+            if seen != [0.0; 3] {
                 self.glints.push(Glint::new(lamp, ball, seen));
             }
             for channel in 0..3 {
-                self.arriving[channel] += lamp.color[channel] * falloff * seen;
+                self.arriving[channel] += lamp.color[channel] * falloff * seen[channel] as f32;
             }
         }
     }

@@ -103,6 +103,11 @@ impl Candidates {
         (0..self.len()).any(|at| self.counts(at))
     }
 
+    /// Whether anything of a group may cast a shadow, as the last [`Candidates::classify`] found.
+    pub fn casts(&self, group: Group) -> bool {
+        (0..self.len()).any(|at| self.group[at] == group && self.counts(at))
+    }
+
     /// Whether the link from the disc before `at` (the disc alone, where a chain of one starts) may cast a shadow.
     pub fn counts(&self, at: usize) -> bool {
         self.link_counts(&self.code, at)

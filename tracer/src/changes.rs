@@ -7,7 +7,7 @@
 use crate::memory::TileMemory;
 use crate::points::TILE;
 use crate::tile::Place;
-use crate::{Ball, Glow, Lamp, Mask, Rgb, Scene, View};
+use crate::{Ball, Filter, Glow, Lamp, Mask, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
@@ -49,13 +49,14 @@ pub(crate) struct Changes {
     inlays: Vec<Inlay>,
     balls: Vec<Ball>,
     ambient: Rgb,
+    filters: Vec<Filter>,
     view: Option<View>,
     art: [usize; 8],
     /// The glows of this picture, kept for the next.
     next: Vec<Inlay>,
     /// Whether all is different.
     pub everything: bool,
-    /// Whether the art is another.
+    /// Whether the art is another, or what passes through filters: nothing that was seen holds.
     pub repainted: bool,
     /// Whether the light from everywhere is another.
     dawned: bool,
@@ -78,7 +79,8 @@ impl Changes {
         let (below, above) = (floor.floor.as_ptr() as usize, floor.tops.as_ptr() as usize);
         let (leans, gloss) = (floor.normals.as_ptr() as usize, floor.gloss.to_bits() as usize);
         let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len(), leans, gloss];
-        self.repainted = self.art != art || self.view != Some(scene.view);
+        self.repainted = self.art != art || self.view != Some(scene.view) || self.filters != scene.filters;
+        self.filters.clone_from(&scene.filters);
         self.dawned = self.ambient != scene.ambient;
         self.everything = self.repainted || self.dawned;
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));

@@ -4,7 +4,7 @@
 
 use crate::candidates::Candidates;
 use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
-use crate::{Group, Lamp, Rgb, Scene};
+use crate::{Group, Lamp, Rgb, Scene, filter};
 use geometry::{Circle, DVec2, Taper, trig};
 
 /// A point no deeper than this in a shape only touches it, mm: turning the axes has rounded it there.
@@ -23,28 +23,32 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
             candidates.set(lamp, &silhouettes);
-            let seen = visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, exclude, &mut Vec::new());
+            let met = filter::met(&scene.filters, |group| candidates.group.contains(&group));
+            let seen = filter::passed(met.as_slice(), |removed| {
+                let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
+                visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, &without, &mut Vec::new())
+            });
             for channel in 0..3 {
-                sum[channel] += f64::from(lamp.color[channel]) * falloff * seen;
+                sum[channel] += f64::from(lamp.color[channel]) * falloff * seen[channel];
             }
         }
     }
     sum.map(|light| light as f32)
 }
 
-/// How much of `lamp` the point sees past `candidates`, but for one group; `intervals` is room to work in.
+/// How much of `lamp` the point sees past `candidates`, but for some groups; `intervals` is room to work in.
 pub(crate) fn visible_fraction_of(
     all: &Silhouettes,
     candidates: &Candidates,
     lamp: &Lamp,
     point: DVec2,
-    without: Option<Group>,
+    without: &[Group],
     intervals: &mut Vec<(f64, f64)>,
 ) -> f64 {
     let chord = Chord::new(lamp, point);
     intervals.clear();
     for at in 0..candidates.len() {
-        if Some(candidates.group[at]) == without {
+        if without.contains(&candidates.group[at]) {
             continue;
         }
         let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };

@@ -22,8 +22,8 @@ pub(crate) struct Gaze<'a, 'b> {
 }
 
 impl Gaze<'_, '_> {
-    /// Finds how much of the lamp each point sees, past everything but one group.
-    pub fn sees(&mut self, points: &Points, without: Option<Group>) -> Verdict {
+    /// Finds how much of the lamp each point sees, past everything but some groups.
+    pub fn sees(&mut self, points: &Points, without: &[Group]) -> Verdict {
         if let Some(sampling) = &self.stage.sampling {
             let view = &self.stage.scene.view;
             let size = (view.width, view.height);

@@ -7,7 +7,7 @@
 use crate::lanes::LANES;
 use crate::points::{Plane, Points, TILE};
 use crate::wedge::Wedge;
-use crate::{Group, Lamp, Occluder, Rgb, Scene, limits};
+use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene, limits};
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
 
@@ -44,10 +44,14 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
         if rest > 0.0 {
             let name = Name::new(sampling.seed, index as u64).at(point_mm);
             let rays = Rays { sampling, name, point: point_mm };
-            let arriving = rays.arriving(&scene.occluders, lamp, exclude, &mut near);
-            let strength = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest * arriving.seen;
+            let seen = if scene.filters.is_empty() {
+                [rays.arriving(&scene.occluders, lamp, exclude.as_slice(), &mut near).seen; 3]
+            } else {
+                rays.arriving_through(scene, lamp, exclude)
+            };
+            let strength = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
             for channel in 0..3 {
-                sum[channel] += f64::from(lamp.color[channel]) * strength;
+                sum[channel] += f64::from(lamp.color[channel]) * strength * seen[channel];
             }
         }
     }
@@ -62,7 +66,7 @@ impl Sampling {
         lamp: &Lamp,
         points: &Points,
         at: Place,
-        without: Option<Group>,
+        without: &[Group],
         fraction: &mut Plane,
     ) {
         let of_lamp = Name::new(self.seed, 0).at(lamp.center_mm);
@@ -104,12 +108,12 @@ impl Rays {
         &self,
         occluders: &'a [Occluder],
         lamp: &Lamp,
-        without: Option<Group>,
+        without: &[Group],
         near: &mut Vec<&'a Shape>,
     ) -> Arriving {
         let chord = self.chord(lamp);
         let wedge = Wedge::new(self.point, chord.a, chord.b);
-        let counts = |occluder: &&Occluder| Some(occluder.group) != without && Some(occluder.group) != lamp.inside;
+        let counts = |occluder: &&Occluder| !without.contains(&occluder.group) && Some(occluder.group) != lamp.inside;
         near.clear();
         near.extend(
             occluders
@@ -152,6 +156,49 @@ impl Rays {
             }
         }
         Arriving { seen: seen / f64::from(count), all: all / f64::from(count) }
+    }
+
+    /// The mean over a lamp of `1 / (d^2 + height^2)`, 1/mm^2, where each ray is tinted by every filter that it meets.
+    fn arriving_through(&self, scene: &Scene, lamp: &Lamp, without: Option<Group>) -> [f64; 3] {
+        let chord = self.chord(lamp);
+        let counts = |occluder: &&Occluder| Some(occluder.group) != without && Some(occluder.group) != lamp.inside;
+        let drawn = |occluder: &&Occluder| limits::wrong_with_shape(&occluder.shape).is_none();
+        let near: Vec<&Occluder> = scene.occluders.iter().filter(counts).filter(drawn).collect();
+        let height_square = lamp.height_mm() * lamp.height_mm();
+        let mut seen = [0.0; 3];
+        for sample in 0..self.sampling.samples.max(1) {
+            let target = chord.a + chord.along() * self.place(sample);
+            let place = if lamp.tube().is_some() { target } else { lamp.center_mm };
+            let arrives = 1.0 / (self.point.distance_squared(place) + height_square);
+            let tint = self.tint(target, &near, &scene.filters);
+            for channel in 0..3 {
+                seen[channel] += arrives * tint[channel];
+            }
+        }
+        seen.map(|sum| sum / f64::from(self.sampling.samples.max(1)))
+    }
+
+    /// What is left of a ray: nothing where a wall is in the way, else the product of the tints of the filters.
+    fn tint(&self, target: DVec2, near: &[&Occluder], filters: &[Filter]) -> [f64; 3] {
+        let far = self.point.distance(target);
+        let ray = Ray::towards(self.point, target);
+        let met = |occluder: &Occluder| {
+            let shape = &occluder.shape;
+            let inside = shape.distance(self.point).0 < 0.0;
+            inside || ray.is_some_and(|ray| shape.cast(&ray).is_some_and(|hit| hit.distance <= far))
+        };
+        let mut tint = [1.0; 3];
+        let mut passed: Vec<Group> = Vec::new();
+        for occluder in near.iter().filter(|occluder| met(occluder)) {
+            let Some(filter) = filters.iter().find(|filter| filter.group == occluder.group) else { return [0.0; 3] };
+            if !passed.contains(&filter.group) {
+                passed.push(filter.group);
+                for channel in 0..3 {
+                    tint[channel] *= f64::from(filter.tint[channel]);
+                }
+            }
+        }
+        tint
     }
 
     /// Leaves out what meets no ray of some neighbouring samples.

@@ -78,15 +78,15 @@ pub(crate) enum Verdict {
 }
 
 impl Obstruction {
-    /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for one
-    /// group. The unit vector `axis` becomes the first axis.
+    /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
+    /// groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
         near: &Candidates,
         all: &Silhouettes,
         middle_mm: DVec2,
         axis: DVec2,
-        without: Option<Group>,
+        without: &[Group],
     ) -> Verdict {
         self.elements.clear();
         self.ends.clear();
@@ -95,7 +95,7 @@ impl Obstruction {
         let place = Place { all, middle_mm, axis };
         let mut chain = 0u16;
         for at in 0..near.len() {
-            let counts = near.counts(at) && Some(near.group[at]) != without;
+            let counts = near.counts(at) && !without.contains(&near.group[at]);
             let alone = near.link[at] == Link::Start;
             let before = if alone { at } else { at - 1 };
             let codes = (near.code[before], near.code[at]);

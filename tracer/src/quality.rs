@@ -52,6 +52,7 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
     let bare = Scene {
         lamps: scene.lamps.clone(),
         occluders: scene.occluders.clone(),
+        filters: scene.filters.clone(),
         tops: Vec::new(),
         balls: Vec::new(),
         glows: Vec::new(),
@@ -138,7 +139,7 @@ impl<'a> Hard<'a> {
             || self.lamps.iter().any(|(lamp, candidates)| {
                 let seen = || {
                     let room = &mut Vec::new();
-                    exact::visible_fraction_of(&self.silhouettes, candidates, lamp, point, None, room)
+                    exact::visible_fraction_of(&self.silhouettes, candidates, lamp, point, &[], room)
                 };
                 lamp.falloff(point) > 0.0 && (0.01..0.99).contains(&seen())
             })

@@ -390,7 +390,7 @@ impl Renderer {
             let (path, lamps, all) = (self.path, &self.lamps, &self.silhouettes);
             self.patches.par_iter_mut().zip(&scene.balls).for_each(|(patch, ball)| {
                 let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.candidates));
-                patch.look(path, ball, lamps, all);
+                patch.look(path, ball, lamps, &scene.filters, all);
                 patch.render(ball, table);
             });
         }

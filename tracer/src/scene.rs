@@ -20,6 +20,8 @@ pub struct Scene<'a> {
     pub lamps: Vec<Lamp>,
     /// What casts shadows.
     pub occluders: Vec<Occluder>,
+    /// Which occluders light passes, tinted.
+    pub filters: Vec<Filter>,
     /// Surfaces above the floor, from the lowest to the highest.
     pub tops: Vec<Top>,
     /// The balls, above every top.
@@ -39,6 +41,16 @@ pub struct Occluder {
     pub shape: Shape,
     /// What it belongs to.
     pub group: Group,
+}
+
+/// A group whose occluders are translucent: coloured glass, or thin plastic. Light on its way is tinted once by each
+/// filter that it meets, however many of the filter's pieces are in the way, so its shadow is a coloured one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Filter {
+    /// Whose occluders.
+    pub group: Group,
+    /// What passes of each colour, 0 to 1.
+    pub tint: Rgb,
 }
 
 /// A visible surface above the floor.

@@ -22,7 +22,7 @@ use crate::response::{combine, means_of};
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
-use crate::{Lamp, Rgb, Scene, ball};
+use crate::{Group, Lamp, Rgb, Scene, ball, filter};
 use geometry::{Bounds, DVec2};
 
 /// Everything that the tiles of one picture have in common.
@@ -106,6 +106,8 @@ pub(crate) struct Workspace {
     pub(crate) packed: Light,
     /// The tile in the light of one lamp.
     pub(crate) picture: Light,
+    /// Room to sum up pictures with filters and without.
+    sum: Light,
     /// The tile under all lamps, where that is what is made.
     pub out: Light,
 }
@@ -138,6 +140,7 @@ impl Workspace {
             printed: Albedo::none(),
             packed: DARKNESS,
             picture: DARKNESS,
+            sum: DARKNESS,
             out: DARKNESS,
         }
     }
@@ -279,24 +282,14 @@ impl Workspace {
             let at = self.lit[index];
             let lamp = &stage.lamps[at].lamp;
             if place.is_reached(lamp) && self.light(stage, at, place, layers) {
-                self.add_picture(lamp.color);
+                add(&self.picture, lamp.color, &mut self.out);
             }
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             self.glow(place, glow.mask);
-            self.add_picture(glow.color);
+            add(&self.picture, glow.color, &mut self.out);
         }
         place.repeat_edges(&mut self.out);
-    }
-
-    fn add_picture(&mut self, color: Rgb) {
-        for (channel, color) in color.into_iter().enumerate() {
-            for (out, light) in self.out[channel].iter_mut().zip(&self.picture[channel]) {
-                for i in 0..LANES {
-                    out[i] += light[i] * color;
-                }
-            }
-        }
     }
 
     /// The tile's surfaces with their art, from memory if that holds; says how many tops there are.
@@ -379,12 +372,32 @@ impl Workspace {
     /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::picture`]; says whether there is
     /// any.
     fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> bool {
-        let lamp = &stage.lamps[at].lamp;
         self.look_at(stage, at, place);
-        let beam = Falloff::new(lamp, place.middle_mm);
+        let near = &self.near[at];
+        let met = filter::met(&stage.scene.filters, |group| near.casts(group));
+        if met.as_slice().is_empty() {
+            return self.light_past(stage, at, place, layers, &[]);
+        }
+        let mut lit = false;
+        self.sum = DARKNESS;
+        filter::each_set(met.as_slice(), |away, part| {
+            if part != [0.0; 3] && self.light_past(stage, at, place, layers, away) {
+                lit = true;
+                add(&self.picture, part, &mut self.sum);
+            }
+        });
+        self.picture = self.sum;
+        // What hides the lamp with every filter away is more than one group can be blamed for.
+        self.between.hidden_by = None;
+        lit
+    }
+
+    /// [`Workspace::light`], past everything but some groups.
+    fn light_past(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize, away: &[Group]) -> bool {
+        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
         let mut lit = false;
         if self.whole || self.floor.count > 0 {
-            let verdict = self.sees(stage, at, place, None);
+            let verdict = self.sees(stage, at, place, None, away);
             if verdict != Verdict::Dark {
                 lit = true;
                 let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
@@ -398,7 +411,7 @@ impl Workspace {
             }
         }
         for layer in 0..layers {
-            let verdict = self.sees(stage, at, place, Some(layer));
+            let verdict = self.sees(stage, at, place, Some(layer), away);
             if verdict == Verdict::Dark {
                 continue;
             }
@@ -427,11 +440,19 @@ impl Workspace {
         near.classify(stage.path, &Cone::new(lamp, place.middle_mm, place.radius_mm));
     }
 
-    /// Finds how much of a lamp that was looked at each point of the floor or of a top sees.
-    fn sees(&mut self, stage: &Stage, at: usize, place: &Place, layer: Option<usize>) -> Verdict {
+    /// Finds how much of a lamp that was looked at each point of the floor or of a top sees, past everything but some
+    /// groups and the top's own.
+    fn sees(&mut self, stage: &Stage, at: usize, place: &Place, layer: Option<usize>, away: &[Group]) -> Verdict {
         let floor = if self.whole { stage.whole_tile } else { &self.floor };
-        let top = |layer: usize| (&self.tops[layer].points, Some(stage.scene.tops[self.tops[layer].form].group));
-        let (points, without) = layer.map_or((floor, None), top);
+        let mut without = [Group(0); filter::MOST + 1];
+        without[..away.len()].copy_from_slice(away);
+        let mut count = away.len();
+        let points = layer.map_or(floor, |layer| {
+            let TopLayer { form, points, .. } = &self.tops[layer];
+            without[count] = stage.scene.tops[*form].group;
+            count += 1;
+            points
+        });
         let mut gaze = Gaze {
             stage,
             near: &self.near[at],
@@ -442,7 +463,18 @@ impl Workspace {
             room: &mut self.room,
             fraction: &mut self.fraction,
         };
-        gaze.sees(points, without)
+        gaze.sees(points, &without[..count])
+    }
+}
+
+/// Adds a picture in light of a colour.
+fn add(picture: &Light, color: Rgb, sum: &mut Light) {
+    for ((sum, picture), color) in sum.iter_mut().zip(picture).zip(color) {
+        for (sum, line) in sum.iter_mut().zip(picture) {
+            for i in 0..LANES {
+                sum[i] += line[i] * color;
+            }
+        }
     }
 }
 

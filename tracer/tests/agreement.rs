@@ -36,6 +36,7 @@ fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::ZERO, mm_per_px: 1.0 },
         lamps,
         occluders,
+        filters: Vec::new(),
         tops: Vec::new(),
         balls: Vec::new(),
         glows: Vec::new(),

@@ -28,6 +28,7 @@ fn lone_lamp(floor: &Floor) -> Scene<'_> {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::splat(-half), mm_per_px: 1.0 },
         lamps: vec![lamp],
         occluders: Vec::new(),
+        filters: Vec::new(),
         tops: Vec::new(),
         balls: Vec::new(),
         glows: Vec::new(),

@@ -90,6 +90,7 @@ fn scene(floor: &Floor) -> Scene<'_> {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::ZERO, mm_per_px: 1.0 },
         lamps: Vec::new(),
         occluders: Vec::new(),
+        filters: Vec::new(),
         tops: Vec::new(),
         balls: Vec::new(),
         glows: Vec::new(),
