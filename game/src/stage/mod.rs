@@ -20,7 +20,7 @@ use crate::simulation::{LampLight, Snapshot};
 use crate::table::{Lamp, LampKind, Solid, Table, art};
 use geometry::{DVec2, Shape};
 use motion::Motion;
-use tracer::{Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, View};
+use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -62,6 +62,7 @@ impl Printed {
 /// A table, ready to be put on stage.
 pub struct Stage {
     actors: Vec<Actor>,
+    filters: Vec<Filter>,
     plunger: Option<plunger::Rod>,
     /// The first group that no solid uses.
     free_group: u16,
@@ -71,6 +72,8 @@ pub struct Stage {
 /// A solid with what moves it.
 struct Actor {
     solid: Solid,
+    /// What it belongs to in the light.
+    group: Group,
     motion: Motion,
     /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
     bulb: Option<usize>,
@@ -83,8 +86,16 @@ impl Stage {
     pub fn new(table: &Table) -> Stage {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
         let plunger = plunger::Rod::of(&table.layout, Group(free_group));
-        let actors = table.solids.iter().enumerate().filter_map(|(index, _)| Actor::new(table, index)).collect();
-        Stage { actors, plunger, free_group, ambient: table.ambient }
+        let mut actors: Vec<Actor> = (0..table.solids.len()).filter_map(|index| Actor::new(table, index)).collect();
+        let mut filters = Vec::new();
+        for actor in actors.iter_mut().filter(|actor| actor.is_filter()) {
+            // A group of its own: what it belongs to may be as opaque as ever.
+            let group = Group(free_group.saturating_add(1 + filters.len() as u16));
+            actor.group = group;
+            filters.push(Filter { group, tint: tint(&actor.solid.finish) });
+        }
+        let free_group = free_group.saturating_add(filters.len() as u16);
+        Stage { actors, filters, plunger, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -93,6 +104,7 @@ impl Stage {
             view,
             lamps: lamps(&table.lamps, &moment.lamps),
             occluders: Vec::with_capacity(2 * self.actors.len()),
+            filters: self.filters.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
             balls: Vec::with_capacity(moment.pose.balls.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
@@ -131,11 +143,17 @@ impl Actor {
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);
-        Some(Actor { solid, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
+        let group = Group(solid.group);
+        Some(Actor { solid, group, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
+    }
+
+    /// Whether light passes it on its way over the table.
+    fn is_filter(&self) -> bool {
+        self.solid.shadow && self.solid.finish.translucency > 0.0 && self.solid.plastic_mm.is_none()
     }
 
     fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
-        let group = Group(self.solid.group);
+        let group = self.group;
         let placed = self.motion.place(&self.solid, &moment.pose);
         if self.solid.shadow {
             scene.occluders.extend(placed.shadows.iter().map(|&shape| Occluder { shape, group }));
@@ -148,6 +166,11 @@ impl Actor {
         }
         scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
     }
+}
+
+/// What a translucent thing lets pass: its colour, as deep as the glass is thick, so squared.
+fn tint(finish: &Finish) -> Rgb {
+    finish.albedo.map(|channel| finish.translucency * channel * channel)
 }
 
 /// A solid's outlines as it is drawn.

@@ -132,14 +132,15 @@ impl Class {
     }
 
     /// The attributes that a thing of this class may have, without their `data-`.
-    pub fn data(self) -> &'static [&'static str] {
-        match self {
+    pub fn data(self) -> impl Iterator<Item = &'static str> {
+        let own: &[&str] = match self {
             Class::Flipper => &["side", "up-deg"],
             Class::Gate => &["way"],
             Class::Saucer => &["eject-deg", "eject-m-s"],
             Class::Lamp => &["inside"],
             _ => &[],
-        }
+        };
+        own.iter().copied().chain(self.has_finish().then_some("finish"))
     }
 
     /// The numbers that `table.toml` may give to a thing of this class. Defaults are figures of real machines.

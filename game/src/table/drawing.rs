@@ -269,9 +269,10 @@ impl Reader<'_> {
 
     fn data(&mut self, node: Node, class: Class, name: &str) {
         let unknown = node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-"));
-        let unknown: Vec<&str> = unknown.filter(|&data| data != "group" && !class.data().contains(&data)).collect();
+        let unknown: Vec<&str> =
+            unknown.filter(|&data| data != "group" && class.data().all(|known| known != data)).collect();
         for data in unknown {
-            let known: Vec<String> = class.data().iter().map(|data| format!("data-{data}")).collect();
+            let known: Vec<String> = class.data().map(|data| format!("data-{data}")).collect();
             let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
             self.mistake(node, format!("{name}: a {} has no `data-{data}`; it may have {known}", class.word()));
         }
@@ -279,7 +280,7 @@ impl Reader<'_> {
 }
 
 fn thing_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
-    let known = |data: &str| Class::ALL.iter().any(|class| class.data().contains(&data));
+    let known = |data: &str| Class::ALL.iter().any(|class| class.data().any(|known| known == data));
     node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-")).find(|data| known(data))
 }
 

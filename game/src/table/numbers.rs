@@ -73,6 +73,17 @@ impl Numbers {
         self.said(class, name, |settings| settings.finish.as_ref()).and_then(|word| self.finishes.get(word))
     }
 
+    /// The finish of this name.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn finish_named(&self, name: &str) -> Result<&FinishWords, String> {
+        self.finishes.get(name).ok_or_else(|| {
+            let known: Vec<&str> = self.finishes.keys().map(String::as_str).collect();
+            format!("data-finish: there is no [finish.{name}] in table.toml; there are {}", known.join(", "))
+        })
+    }
+
     fn said<'a, T>(&'a self, class: Class, name: &str, what: impl Fn(&'a Settings) -> Option<T>) -> Option<T> {
         self.parts.get(name).and_then(&what).or_else(|| self.classes.get(&class).and_then(&what))
     }

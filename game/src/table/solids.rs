@@ -59,7 +59,7 @@ pub(super) fn solid(
         _ => (part.map(|(_, part)| shapes_mm(part, thing)).unwrap_or_default(), None),
     };
     let shadow = numbers.shadow(thing.class, &thing.name).unwrap_or(thing.class != Class::Plastic);
-    let finish = finish(thing, numbers);
+    let finish = finish(thing, numbers)?;
     Ok(Some(Solid { part: part.map(|(id, _)| id), group, shapes_mm, plastic_mm, shadow, finish }))
 }
 
@@ -96,15 +96,21 @@ fn plastic(thing: &Thing) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String> {
 }
 
 /// How a thing looks: what its finish says, else its class's usual form, in the colour that it is drawn in.
-fn finish(thing: &Thing, numbers: &Numbers) -> Finish {
-    let words = numbers.finish(thing.class, &thing.name).cloned().unwrap_or_default();
+///
+/// # Errors
+/// If the drawing asks for a finish that the numbers do not have.
+fn finish(thing: &Thing, numbers: &Numbers) -> Result<Finish, String> {
+    let words = match thing.data.get("finish") {
+        Some(name) => numbers.finish_named(name)?.clone(),
+        None => numbers.finish(thing.class, &thing.name).cloned().unwrap_or_default(),
+    };
     let FinishWords { albedo, gloss, profile, opacity, translucency, emission, emission_power } = words;
     let (usual_profile, usual_gloss) = usual(thing.class);
     let art = thing.class == Class::Plastic;
     // A plastic's colours are in its art, which the albedo multiplies.
     let drawn = if art { Some([255; 3]) } else { thing.color() };
     let power = emission_power.unwrap_or(1.0);
-    Finish {
+    Ok(Finish {
         albedo: linear(albedo.or(drawn).unwrap_or([160; 3])),
         profile: profile.unwrap_or(usual_profile),
         gloss: gloss.unwrap_or(usual_gloss),
@@ -112,7 +118,7 @@ fn finish(thing: &Thing, numbers: &Numbers) -> Finish {
         emission: emission.map_or([0.0; 3], |color| linear(color).map(|light| light * power)),
         opacity: opacity.unwrap_or(1.0),
         translucency: translucency.unwrap_or(0.0),
-    }
+    })
 }
 
 fn usual(class: Class) -> (Profile, f32) {

@@ -20,6 +20,15 @@ fn one(read: Result<crate::Table, Vec<String>>, file: &str) -> String {
 }
 
 #[track_caller]
+#[test]
+fn a_finish_that_is_not_there_is_named() {
+    let drawn = r#"<line class="wall" data-finish="glas" x1="10" y1="10" x2="90" y2="10"/>"#;
+    let numbers = "[finish.glass]\ntranslucency = 0.5";
+    says(one(read(drawn, numbers), "table.svg:"), &["there is no [finish.glas]", "glass"]);
+    let lamp = r##"<circle id="l" class="lamp" data-finish="glass" fill="#fff" cx="50" cy="50" r="4"/>"##;
+    says(one(read(lamp, numbers), "table.svg:"), &["a lamp has no `data-finish`"]);
+}
+
 fn says(mistake: String, parts: &[&str]) {
     for part in parts {
         assert!(mistake.contains(part), "`{mistake}` does not say `{part}`");

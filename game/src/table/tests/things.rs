@@ -263,7 +263,7 @@ fn the_page_about_drawing_knows_every_word() {
     let page = include_str!("../../../../assets/tables/README.md");
     for class in crate::table::class::Class::ALL {
         let mut words = vec![class.word().to_string()];
-        words.extend(class.data().iter().map(|data| format!("data-{data}")));
+        words.extend(class.data().map(|data| format!("data-{data}")));
         words.extend(class.keys().iter().map(|key| key.name.to_string()));
         for word in words {
             assert!(page.contains(&format!("`{word}")), "assets/tables/README.md does not say `{word}`");
