@@ -161,7 +161,8 @@ impl Picture {
         }
         let place: Rect = scenery.placement.table.moved(shift.0, shift.1);
         let mut canvas = Canvas::new(&mut self.frame);
-        canvas.within(scenery.placement.well).copy(scenery.film.frame(), place, (0, 0));
+        let mut well = canvas.within(scenery.placement.well);
+        self.pool.install(|| well.copy(scenery.film.frame(), place, (0, 0)));
         self.hud.draw_around(&self.table, moment, chrome, &mut self.frame);
         self.hud.draw_over(&self.table, moment, chrome, &mut self.frame);
     }

@@ -13,6 +13,9 @@ pub(crate) const STEP: usize = 4;
 /// Cells that can be read from any tile's first on, though the last tiles' rows end sooner.
 pub(crate) const ROOM: usize = 8;
 
+/// Rows of cells that one task makes.
+const ROWS: usize = 32;
+
 /// Levels, the finest first.
 const LEVELS: usize = 5;
 
@@ -52,7 +55,6 @@ pub(crate) struct Level {
 struct Planes {
     /// The picture's light, kept where the picture does not change.
     means: Vec<f32>,
-    scratch: Vec<f32>,
     /// The glare of this level and of all that are coarser.
     glare: Vec<f32>,
 }
@@ -60,7 +62,7 @@ struct Planes {
 impl Planes {
     fn new(level: &Level) -> Planes {
         let plane = || vec![0.0; level.stride * (level.height + 2)];
-        Planes { means: plane(), scratch: plane(), glare: plane() }
+        Planes { means: plane(), glare: plane() }
     }
 }
 
@@ -116,12 +118,21 @@ impl Pyramid {
             }
             for at in (0..levels.len()).rev() {
                 let (finer, coarser) = channel.split_at_mut(at + 1);
-                let Planes { means, scratch, glare } = &mut finer[at];
-                smooth(path, means, scratch, glare, &levels[at], WEIGHTS[at]);
-                if let Some(coarse) = coarser.first() {
-                    ascend(path, glare, &levels[at], &coarse.glare, &levels[at + 1]);
-                }
-                border(glare, &levels[at]);
+                let Planes { means, glare } = &mut finer[at];
+                let level = &levels[at];
+                let coarse = coarser.first().map(|planes| (planes.glare.as_slice(), &levels[at + 1]));
+                let rows = &mut glare[level.stride..(level.height + 1) * level.stride];
+                rows.par_chunks_mut(level.stride * ROWS).enumerate().for_each(|(chunk, rows)| {
+                    for (row, out) in rows.chunks_mut(level.stride).enumerate() {
+                        let y = chunk * ROWS + row;
+                        let around = &means[y * level.stride..(y + 3) * level.stride];
+                        smooth(path, around, level, WEIGHTS[at], out);
+                        if let Some((coarse, size)) = coarse {
+                            ascend(path, coarse, size, y, level.width, out);
+                        }
+                    }
+                });
+                border(glare, level);
             }
         });
     }
@@ -168,53 +179,42 @@ fn border(plane: &mut [f32], &Level { width, height, stride }: &Level) {
 }
 
 clones! {
-    fn smooth(
-        source: &[f32], scratch: &mut [f32], target: &mut [f32], level: &Level, weight: f32,
-    ) = smooth_plane;
+    /// A 1 2 1 filter both ways, times `weight`, of the middle one of three rows.
+    fn smooth(around: &[f32], level: &Level, weight: f32, out: &mut [f32]) = smooth_row;
 }
 
-/// A 1 2 1 filter both ways, times `weight`.
 #[inline(always)]
-fn smooth_plane(source: &[f32], scratch: &mut [f32], target: &mut [f32], level: &Level, weight: f32) {
-    let &Level { width, height, stride } = level;
-    for y in 0..height + 2 {
-        let row = &source[y * stride..(y + 1) * stride];
-        let out = &mut scratch[y * stride..(y + 1) * stride];
-        for x in 1..=width {
-            out[x] = row[x - 1] + 2.0 * row[x] + row[x + 1];
-        }
-    }
+fn smooth_row(around: &[f32], &Level { width, stride, .. }: &Level, weight: f32, out: &mut [f32]) {
     let weight = weight / 16.0;
-    for y in 1..=height {
-        let above = &scratch[(y - 1) * stride..y * stride];
-        let here = &scratch[y * stride..(y + 1) * stride];
-        let below = &scratch[(y + 1) * stride..(y + 2) * stride];
-        let out = &mut target[y * stride..(y + 1) * stride];
-        for x in 1..=width {
-            out[x] = max(weight * (above[x] + 2.0 * here[x] + below[x]), 0.0);
-        }
+    let column = |shift: usize| {
+        let row = |at: usize| &around[at * stride + shift..][..width];
+        (row(0), row(1), row(2))
+    };
+    let (left, here, right) = (column(0), column(1), column(2));
+    let sum = |(above, here, below): (&[f32], &[f32], &[f32]), x: usize| above[x] + 2.0 * here[x] + below[x];
+    let out = &mut out[1..=width];
+    for x in 0..width {
+        out[x] = max(weight * (sum(left, x) + 2.0 * sum(here, x) + sum(right, x)), 0.0);
     }
 }
 
 clones! {
-    /// Adds the coarser level, stretched to twice its size.
-    fn ascend(plane: &mut [f32], level: &Level, source: &[f32], coarse: &Level) = ascend_plane;
+    /// Adds the coarser level, stretched to twice its size, to row `y`.
+    fn ascend(source: &[f32], coarse: &Level, y: usize, width: usize, out: &mut [f32]) = ascend_row;
 }
 
 #[inline(always)]
-fn ascend_plane(plane: &mut [f32], &Level { width, height, stride }: &Level, source: &[f32], coarse: &Level) {
-    for y in 0..height {
-        let (near, far) = neighbours(y);
-        let (near, far) = (&source[near * coarse.stride..], &source[far * coarse.stride..]);
-        let out = &mut plane[(y + 1) * stride + 1..][..width];
-        for (x, out) in out.iter_mut().enumerate() {
-            let (a, b) = neighbours(x);
-            *out += 0.5625 * near[a] + 0.1875 * (near[b] + far[a]) + 0.0625 * far[b];
-        }
+fn ascend_row(source: &[f32], coarse: &Level, y: usize, width: usize, out: &mut [f32]) {
+    let (near, far) = neighbours(y);
+    let (near, far) = (&source[near * coarse.stride..], &source[far * coarse.stride..]);
+    for (x, out) in out[1..=width].iter_mut().enumerate() {
+        let (a, b) = neighbours(x);
+        *out += 0.5625 * near[a] + 0.1875 * (near[b] + far[a]) + 0.0625 * far[b];
     }
 }
 
 /// The cell that holds a cell of the finer level, and the next nearest, both counted with the border.
+#[inline(always)]
 fn neighbours(at: usize) -> (usize, usize) {
     let near = at / 2 + 1;
     (near, if at.is_multiple_of(2) { near - 1 } else { near + 1 })

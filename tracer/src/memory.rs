@@ -43,11 +43,6 @@ impl Sight {
         Some(Lit { picture, gain: color.map(|channel| channel * self.scale) })
     }
 
-    /// Keeps in mind that nothing is lit, and what hides the lamp if it is one group alone.
-    pub fn keep_dark(&mut self, hidden_by: Option<Group>) {
-        (self.holds, self.hidden_by, self.scale) = (true, hidden_by, 0.0);
-    }
-
     fn keep(&mut self, path: Path, light: &Light, pictures: &mut Vec<Texels>) {
         (self.holds, self.hidden_by) = (true, None);
         let at = *self.picture.get_or_insert_with(|| {
@@ -69,6 +64,8 @@ struct Lit {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileMemory {
     sights: Vec<Sight>,
+    /// Of every sight, what its picture is multiplied by; 0 where there is none. Apart, since most lamps light few tiles.
+    scales: Vec<f32>,
     /// In the light from everywhere, with the light of tops of their own.
     pub base: Sight,
     /// In the light of inserts, known by their masks' places in memory.
@@ -94,6 +91,7 @@ impl TileMemory {
     pub fn sight(&mut self, lamp: usize) -> &mut Sight {
         if self.sights.len() <= lamp {
             self.sights.resize_with(lamp + 1, Sight::default);
+            self.scales.resize(lamp + 1, 0.0);
         }
         &mut self.sights[lamp]
     }
@@ -120,6 +118,14 @@ impl TileMemory {
     /// Keeps the picture in a lamp's light.
     pub fn keep(&mut self, lamp: usize, path: Path, light: &Light) {
         self.sights[lamp].keep(path, light, &mut self.pictures);
+        self.scales[lamp] = self.sights[lamp].scale;
+    }
+
+    /// Keeps in mind that a lamp lights nothing, and what hides it if it is one group alone.
+    pub fn keep_dark(&mut self, lamp: usize, hidden_by: Option<Group>) {
+        let sight = &mut self.sights[lamp];
+        (sight.holds, sight.hidden_by, sight.scale) = (true, hidden_by, 0.0);
+        self.scales[lamp] = 0.0;
     }
 
     /// Keeps the picture in an insert's light.
@@ -132,22 +138,23 @@ impl TileMemory {
     /// Puts the tile in the light of lamps, given by their numbers, and of inserts, given by their masks.
     pub fn light(
         &mut self,
+        path: Path,
         lamps: impl Iterator<Item = (usize, Rgb)>,
         glows: impl Iterator<Item = ((usize, usize), Rgb)>,
     ) {
         self.lit.clear();
         self.means = [[0.0; CELLS]; 3];
-        let TileMemory { lit, means, sights, glows: inserts, .. } = self;
+        let TileMemory { lit, means, sights, scales, glows: inserts, .. } = self;
         let mut add = |sight: &Sight, color: Rgb| {
             if let Some(part) = sight.lit(color) {
-                add_gist(&sight.gist, part.gain, means);
+                add_gist(path, &sight.gist, part.gain, means);
                 lit.push(part);
             }
         };
         add(&self.base, [1.0; 3]);
         for (number, color) in lamps {
-            if let Some(sight) = sights.get(number) {
-                add(sight, color);
+            if scales.get(number).is_some_and(|&scale| scale > 0.0) {
+                add(&sights[number], color);
             }
         }
         // Few tiles have inserts.
@@ -171,6 +178,7 @@ impl TileMemory {
         self.surfaces.holds = false;
         self.base.holds = false;
         self.developed = false;
+        self.scales.fill(0.0);
         for sight in self.sights.iter_mut().chain(self.glows.iter_mut().map(|glow| &mut glow.1)) {
             sight.holds = false;
         }

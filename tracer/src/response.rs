@@ -94,14 +94,24 @@ fn in_batches<'a>(mut parts: impl Iterator<Item = Part<'a>>, mut work: impl FnMu
     }
 }
 
-/// Adds the means of a picture that is multiplied by `gain`.
-pub(crate) fn add_gist(gist: &Gist, gain: [f32; 3], means: &mut Means) {
-    for channel in 0..3 {
-        let gain = gain[channel] * 65_536.0;
-        let (gist, means) = (&gist[channel], &mut means[channel]);
-        for cell in 0..CELLS {
-            means[cell] += f32::from(gist[cell]) * gain;
-        }
+clones! {
+    /// Adds the means of a picture that is multiplied by `gain`.
+    pub(crate) fn add_gist(gist: &Gist, gain: [f32; 3], means: &mut Means) = add_gist_lanes;
+}
+
+#[inline(always)]
+fn add_gist_lanes(gist: &Gist, gain: [f32; 3], means: &mut Means) {
+    let [red, green, blue] = means;
+    add_channel(&gist[0], gain[0], red);
+    add_channel(&gist[1], gain[1], green);
+    add_channel(&gist[2], gain[2], blue);
+}
+
+#[inline(always)]
+fn add_channel(gist: &[u16; CELLS], gain: f32, means: &mut [f32; CELLS]) {
+    let gain = gain * 65_536.0;
+    for cell in 0..CELLS {
+        means[cell] += f32::from(gist[cell]) * gain;
     }
 }
 

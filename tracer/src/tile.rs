@@ -204,11 +204,14 @@ impl Workspace {
         let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
-            let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
             let sight = memory.sight(*number);
             // What one group hides stays hidden while that group stands still.
-            let hidden = sight.holds && sight.hidden_by.is_some_and(|group| !self.moved[at].group.contains(&group));
-            if !hidden && !cone.beyond(lamp.reach_mm) && self.moved[at].classified_any(stage.path, &cone) {
+            let hidden = sight.hidden_by.is_some_and(|group| !self.moved[at].group.contains(&group));
+            if !sight.holds || hidden || !place.is_reached(lamp) {
+                continue;
+            }
+            let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
+            if self.moved[at].classified_any(stage.path, &cone) {
                 sight.holds = false;
                 differs = true;
             }
@@ -237,7 +240,7 @@ impl Workspace {
                     place.repeat_edges(&mut self.picture);
                     memory.keep(*number, stage.path, &self.picture);
                 } else {
-                    memory.sight(*number).keep_dark(self.between.hidden_by.filter(|_| layers == 0));
+                    memory.keep_dark(*number, self.between.hidden_by.filter(|_| layers == 0));
                 }
             }
         }
@@ -249,7 +252,7 @@ impl Workspace {
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
-        memory.light(stage.colors(), stage.glows());
+        memory.light(stage.path, stage.colors(), stage.glows());
         if has_contacts(stage, place) {
             self.compose(stage, place, memory, &[]);
             memory.means = means_of(&self.out);

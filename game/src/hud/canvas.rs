@@ -2,7 +2,11 @@
 //!
 //! Everything is clipped, so nothing that is drawn can be out of place. Lines and shapes are a [`super::Layer`]'s.
 
+use rayon::prelude::*;
 use tracer::Frame;
+
+/// Rows that one task copies.
+const COPIED: usize = 128;
 
 /// A colour, sRGB, 0x00RRGGBB.
 pub type Color = u32;
@@ -119,13 +123,24 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// The pixels of `picture` from its corner `from`, put into `rect` as they are.
+    /// The pixels of `picture` from its corner `from`, put into `rect` as they are, on the threads of the current rayon
+    /// pool.
     pub fn copy(&mut self, picture: &Frame, rect: Rect, from: (i32, i32)) {
         let (left, top) = (rect.x - from.0, rect.y - from.1);
         let whole = Rect::new(left, top, picture.width as i32, picture.height as i32);
-        self.each_row(rect.clipped(whole), |x, y, row| {
-            let start = (y - top) as usize * picture.width + (x - left) as usize;
-            row.copy_from_slice(&picture.pixels[start..start + row.len()]);
+        let rect = rect.clipped(whole).clipped(self.clip);
+        if rect.is_empty() {
+            return;
+        }
+        let width = self.frame.width;
+        let rows = &mut self.frame.pixels[rect.y as usize * width..rect.bottom() as usize * width];
+        rows.par_chunks_mut(width * COPIED).enumerate().for_each(|(chunk, rows)| {
+            for (row, line) in rows.chunks_mut(width).enumerate() {
+                let y = rect.y as usize + chunk * COPIED + row;
+                let start = (y as i32 - top) as usize * picture.width + (rect.x - left) as usize;
+                let line = &mut line[rect.x as usize..rect.right() as usize];
+                line.copy_from_slice(&picture.pixels[start..start + line.len()]);
+            }
         });
     }
 
