@@ -5,8 +5,8 @@
 //! between a lamp and a tile is not known here but to [`crate::memory`].
 
 use crate::memory::TileMemory;
+use crate::place::Place;
 use crate::points::TILE;
-use crate::tile::Place;
 use crate::{Ball, Filter, Glow, Lamp, Mask, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;

@@ -6,8 +6,10 @@ use crate::changes::CONTACT_RADII;
 use crate::irradiance::{DARKNESS, light_floor_ambient, light_top_ambient};
 use crate::lanes::{LANES, max};
 use crate::layer::TopLayer;
+use crate::lighting::scatter;
+use crate::place::Place;
 use crate::points::TILE;
-use crate::tile::{Place, Stage, Workspace, scatter};
+use crate::tile::{Stage, Workspace};
 
 impl Workspace {
     /// Reads the art of the tile, and how its floor leans, for the surfaces that were recalled.

@@ -3,26 +3,24 @@
 
 use crate::albedo::Art;
 use crate::ball::{Patch, Table};
+use crate::bands::{BLOCK, each_tile, means_bands, write_means, write_planes};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
-use crate::glare::{Level, Pyramid, STEP};
-use crate::irradiance::{DARKNESS, Light};
+use crate::glare::Pyramid;
+use crate::irradiance::DARKNESS;
 use crate::lanes::{LANES, Path};
 use crate::memory::{MOST_LAMPS, Past};
 use crate::monte_carlo::Sampling;
 use crate::points::{Points, TILE};
-use crate::response::{Means, means_of};
+use crate::response::means_of;
 use crate::silhouette::Silhouettes;
-use crate::tile::{Lit, Place, Stage, Workspace};
-use crate::{Film, Finish, Radiance, Scene, Top, limits, tone};
+use crate::tile::{Lit, Stage, Workspace};
+use crate::{Film, Finish, Radiance, Scene, Step, Top, limits, tone};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.
-pub(crate) const BLOCK: usize = 2 * TILE;
 
 /// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
 pub struct Renderer {
@@ -59,21 +57,6 @@ macro_rules! stage {
             sampling: $sampling,
         }
     };
-}
-
-/// The steps of [`Renderer::draw`], each named when it is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
-    /// What is new in the scene is known.
-    Prepared,
-    /// Shadows and surfaces are found where something has moved.
-    Shaded,
-    /// The balls mirror the table.
-    Mirrored,
-    /// The glare is taken.
-    Glared,
-    /// All lamps are summed up, and the sums are pixels.
-    Developed,
 }
 
 /// How many renderers there have been: a picture knows by it who drew it.
@@ -415,51 +398,4 @@ fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
 fn stands(old: &Top, new: &Top) -> bool {
     let finish = Finish { emission: old.finish.emission, ..new.finish };
     old.outline == new.outline && old.group == new.group && old.finish == finish
-}
-
-/// Calls `work` for every tile of a band of blocks, with what belongs to each: first a block's tiles, then the next's.
-fn each_tile<T>(scene: &Scene, band: usize, items: impl Iterator<Item = T>, mut work: impl FnMut(&Place, T)) {
-    let top = band * BLOCK;
-    let rows = (top..(top + BLOCK).min(scene.view.height)).step_by(TILE);
-    let blocks = (0..scene.view.width).step_by(BLOCK);
-    let places = blocks.flat_map(|left| {
-        let columns = move || (left..(left + BLOCK).min(scene.view.width)).step_by(TILE);
-        rows.clone().flat_map(move |y| columns().map(move |x| (x, y)))
-    });
-    for ((x, y), item) in places.zip(items) {
-        work(&Place::new(scene, x, y), item);
-    }
-}
-
-/// The rows of cells of every band of blocks.
-fn means_bands(
-    level: Level,
-    [red, green, blue]: [&mut [f32]; 3],
-) -> impl IndexedParallelIterator<Item = [&mut [f32]; 3]> {
-    let band = level.stride * (BLOCK / STEP);
-    let rows = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-    rows.map(|((red, green), blue)| [red, green, blue])
-}
-
-/// Writes a tile into a band of planes, as far as they reach.
-fn write_planes(tile: &Light, x: usize, y: usize, stride: usize, planes: &mut [&mut [f32]; 3]) {
-    for (plane, tile) in planes.iter_mut().zip(tile) {
-        for (row, line) in plane[y * stride..].chunks_mut(stride).zip(tile) {
-            row[x..x + TILE].copy_from_slice(line);
-        }
-    }
-}
-
-/// Writes the means of a tile into a band of cells, as far as the level reaches.
-fn write_means(found: &Means, x: usize, y: usize, level: &Level, means: &mut [&mut [f32]; 3]) {
-    for (plane, found) in means.iter_mut().zip(found) {
-        let rows = plane[y / STEP * level.stride..].chunks_mut(level.stride);
-        for (row, cells) in rows.zip(found.as_chunks::<{ TILE / STEP }>().0) {
-            let row = &mut row[1 + x / STEP..1 + level.width];
-            match row.first_chunk_mut() {
-                Some(whole) => *whole = *cells,
-                None => row.copy_from_slice(&cells[..row.len()]),
-            }
-        }
-    }
 }
