@@ -76,6 +76,13 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["frame", "--out", "x.png", "--table", ""], "a value is required for '--table"),
         (&["dump", "a", "--out", "b", "--from", "3", "--to", "1"], "--from 3 is after --to 1"),
         (&["dump", "a", "--out", "b", "--fps", "0"], "0 is not in 1..=1000"),
+        (&["frame", "--out", "x.png", "--zoom", "0.5"], "a number from 1 to 4"),
+        (&["play", "--zoom", "NaN"], "a number from 1 to 4"),
+        (
+            &["dump", "a", "--out", "b", "--size", "8000x8000", "--zoom", "4"],
+            "--zoom 4 of 8000x8000 pixels is more than",
+        ),
+        (&["replay", "a", "--light", "bright"], "possible values: half, full, auto"),
         (&["verify", "a", "--threads", "257"], "a whole number from 1 to 256"),
         (&["simulate", "--minutes", "0"], "a number above 0"),
         (&["simulate", "--seed", "-1"], "invalid value '-1' for '--seed"),

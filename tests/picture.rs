@@ -2,7 +2,7 @@
 
 use game::hud::Chrome;
 use game::picture::placement::Placement;
-use game::picture::{Moment, Picture};
+use game::picture::{Light, Moment, Picture};
 use game::{Buttons, Simulation, Snapshot, Table};
 use std::sync::{Arc, OnceLock};
 
@@ -93,4 +93,69 @@ fn between_two_ticks_lies_another_picture_and_at_their_ends_their_own() {
     let (start, middle, end) = (at(0.0), at(0.5), at(1.0));
     assert!(start != middle && middle != end);
     assert!(end == pixels(&mut self::picture(2), &current, 120, 240));
+}
+
+#[test]
+fn at_half_the_light_and_close_by_the_bytes_are_the_same_on_any_threads_and_after_any_picture() {
+    let (dark, lit) = (Snapshot::default(), moment());
+    let close = |threads: usize| {
+        let mut picture = picture(threads);
+        picture.set_light(Light::Half);
+        picture.set_zoom(1.5);
+        picture
+    };
+    let expected = pixels(&mut close(1), &lit, 150, 300);
+    let mut used = close(3);
+    used.set_light(Light::Full);
+    pixels(&mut used, &lit, 150, 300);
+    used.set_light(Light::Half);
+    pixels(&mut used, &dark, 90, 180);
+    pixels(&mut used, &dark, 150, 300);
+    assert!(pixels(&mut used, &lit, 150, 300) == expected, "the camera goes there at once, and nothing is left over");
+    assert!(expected != pixels(&mut picture(2), &lit, 150, 300));
+}
+
+/// A window that follows a ball shows what a window does that looks there first: tiles that come into sight are whole.
+#[test]
+fn what_comes_into_sight_is_as_if_it_had_always_been_there() {
+    let mut moved = moment();
+    let mut picture = picture(2);
+    picture.set_zoom(2.0);
+    for step in 0..6 {
+        moved.tick += 40;
+        moved.pose.balls.iter_mut().for_each(|ball| ball.center.y -= 0.12);
+        pixels(&mut picture, &moved, 120, 240);
+        let again = pixels(&mut picture, &moved, 120, 240);
+        // Another size in between: everything is drawn anew, from where the camera is.
+        pixels(&mut picture, &moved, 90, 180);
+        assert!(again == pixels(&mut picture, &moved, 120, 240), "step {step}");
+    }
+}
+
+#[test]
+fn no_size_is_too_small_or_too_odd_for_a_zoom_or_for_half_the_light() {
+    let moment = moment();
+    let mut picture = picture(2);
+    picture.set_light(Light::Half);
+    for (zoom, width, height) in
+        [(4.0, 64, 64), (1.3, 65, 301), (3.9, 301, 65), (1.0, 1, 1), (4.0, 1, 1), (2.0, 3, 200)]
+    {
+        picture.set_zoom(zoom);
+        pixels(&mut picture, &moment, width, height);
+    }
+}
+
+/// Eyes get used to the light, and the film with them: the same lamps look darker after a bright while than after a dark
+/// one.
+#[test]
+fn the_film_follows_the_light_that_eyes_have_got_used_to() {
+    let mut simulation = Simulation::new(table(), 7).expect("the rules run");
+    let usual = simulation.snapshot().eye;
+    (0..4000).for_each(|_| simulation.tick(Buttons::NONE));
+    let adapted = simulation.snapshot();
+    assert!(adapted.eye.light() < 0.9 * usual.light(), "attract mode is dark: {}", adapted.eye.light());
+    let plain = Snapshot { eye: usual, ..adapted.clone() };
+    let sum = |pixels: Vec<u32>| pixels.iter().map(|pixel| u64::from(pixel >> 8 & 255)).sum::<u64>();
+    let mut picture = picture(2);
+    assert!(sum(pixels(&mut picture, &adapted, 90, 180)) > sum(pixels(&mut picture, &plain, 90, 180)));
 }

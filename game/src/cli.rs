@@ -1,5 +1,6 @@
 //! The command line's words.
 
+use crate::picture::Light;
 use clap::builder::NonEmptyStringValueParser;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -59,6 +60,13 @@ pub struct PlayArgs {
     /// Let the bot play
     #[arg(long)]
     pub bot: bool,
+    /// Resolution at which light is found: half is for small machines, auto takes it while the full
+    /// one is too slow for the monitor
+    #[arg(long, value_enum, default_value_t = LightChoice::Auto)]
+    pub light: LightChoice,
+    /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    pub zoom: f64,
     /// Threads that trace light; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
@@ -75,6 +83,13 @@ pub struct ReplayArgs {
     /// Fill the screen
     #[arg(long)]
     pub fullscreen: bool,
+    /// Resolution at which light is found: half is for small machines, auto takes it while the full
+    /// one is too slow for the monitor
+    #[arg(long, value_enum, default_value_t = LightChoice::Auto)]
+    pub light: LightChoice,
+    /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    pub zoom: f64,
     /// Threads that trace light; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
@@ -115,6 +130,12 @@ pub struct DumpArgs {
     /// Where to stop, in seconds of play
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub to: Option<f64>,
+    /// Resolution at which light is found: half is for small machines
+    #[arg(long, value_enum, default_value_t = LightChoice::Full)]
+    pub light: LightChoice,
+    /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    pub zoom: f64,
     /// Threads that trace light; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
@@ -136,6 +157,12 @@ pub struct FrameArgs {
     /// Size of the frame in pixels
     #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
     pub size: Size,
+    /// Resolution at which light is found: half is for small machines
+    #[arg(long, value_enum, default_value_t = LightChoice::Full)]
+    pub light: LightChoice,
+    /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    pub zoom: f64,
     /// Threads that trace light; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
@@ -149,6 +176,17 @@ pub struct FrameArgs {
     /// The PNG file to write
     #[arg(long, value_name = "FILE.png")]
     pub out: PathBuf,
+}
+
+/// At which resolution light is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LightChoice {
+    /// At half the picture's.
+    Half,
+    /// At the picture's own.
+    Full,
+    /// In a window, at the picture's own while that holds the monitor's rate; elsewhere always.
+    Auto,
 }
 
 /// How light is gathered.
@@ -267,8 +305,18 @@ impl Cli {
             Some(Command::Dump(DumpArgs { from: Some(from), to: Some(to), .. })) if from > to => {
                 Err(format!("--from {from} is after --to {to}; nothing is between them"))
             }
+            Some(Command::Dump(DumpArgs { size, zoom, .. }) | Command::Frame(FrameArgs { size, zoom, .. })) => {
+                size.check_zoomed(*zoom)
+            }
             _ => Ok(()),
         }
+    }
+}
+
+impl LightChoice {
+    /// What it is where nobody waits for a picture.
+    pub fn at_rest(self) -> Light {
+        if self == LightChoice::Half { Light::Half } else { Light::Full }
     }
 }
 
@@ -284,6 +332,16 @@ impl Size {
     pub fn is_drawable(self) -> bool {
         let sides = [self.width, self.height].iter().all(|side| *side <= Size::MAX);
         sides && self.width * self.height <= Size::MAX_PIXELS
+    }
+
+    /// What is wrong with a table drawn `zoom` times as large as a picture of this size.
+    fn check_zoomed(self, zoom: f64) -> Result<(), String> {
+        let side = |side: usize| (side as f64 * zoom) as usize;
+        let Size { width, height } = self;
+        if zoom == 1.0 || (Size { width: side(width), height: side(height) }).is_drawable() {
+            return Ok(());
+        }
+        Err(format!("--zoom {zoom} of {width}x{height} pixels is more than can be drawn; give less of one of them"))
     }
 
     fn parse(text: &str) -> Result<Size, String> {
@@ -306,6 +364,13 @@ fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(count @ 1..=256) => Ok(count),
         _ => Err("it must be a whole number from 1 to 256".to_string()),
+    }
+}
+
+fn zoom(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (1.0..=4.0).contains(&value) => Ok(value),
+        _ => Err("it must be a number from 1 to 4".to_string()),
     }
 }
 

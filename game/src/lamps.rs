@@ -3,8 +3,10 @@
 //! Integers only: a lamp's level is part of the state that a recording must reproduce. Refuses to know why a lamp is
 //! lit (the rules) and how its light falls (the tracer).
 
+mod eye;
 mod glow;
 
+pub use eye::{Brightness, Eye, LOOK_TICKS};
 pub use glow::{Glow, Mode};
 
 use crate::Table;
@@ -97,7 +99,12 @@ impl Lamps {
 
     /// What each lamp of `table` does now.
     pub fn lights(&self, table: &Table, now: u64) -> Vec<LampLight> {
-        self.lamps.iter().zip(&table.lamps).map(|(lamp, drawn)| lamp.light(drawn.color, now)).collect()
+        self.each_light(table, now).collect()
+    }
+
+    /// The same, one by one.
+    pub fn each_light<'a>(&'a self, table: &'a Table, now: u64) -> impl Iterator<Item = LampLight> + 'a {
+        self.lamps.iter().zip(&table.lamps).map(move |(lamp, drawn)| lamp.light(drawn.color, now))
     }
 }
 

@@ -2,25 +2,35 @@
 //!
 //! The same moment, size and table give the same bytes on any number of threads, with a window or without.
 
+mod camera;
+mod exposure;
 mod file;
 pub mod placement;
+mod scenery;
 
 pub use file::save_png;
 
 use crate::hud::{Canvas, Chrome, Hud, Rect, Times};
 use crate::simulation::Snapshot;
-use crate::stage::{self, Printed, Stage};
+use crate::stage::{self, Stage};
 use crate::{Failure, Table};
-use placement::Placement;
+use camera::Camera;
 use rayon::ThreadPool;
+use scenery::Scenery;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;
-use tracer::{Film, Frame, Renderer, Step, View};
+use tracer::{Frame, HalfRenderer, Renderer, Step};
 
-/// The factor from the table's light to the film's; the same for every picture, so that a lamp that goes out makes the
-/// table darker.
-const EXPOSURE: f32 = 1.0;
+/// At which resolution the lamps' light is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Light {
+    /// At the picture's own.
+    #[default]
+    Full,
+    /// At half of it.
+    Half,
+}
 
 /// The moment between two ticks.
 #[derive(Clone, Copy)]
@@ -48,21 +58,16 @@ pub struct Picture {
     hud: Hud,
     frame: Frame,
     renderer: Renderer,
+    half: HalfRenderer,
+    light: Light,
+    zoom: f64,
+    camera: Camera,
+    /// The first column and row of the playfield that are shown.
+    corner: (usize, usize),
     /// Shadows by chance instead of exact ones: the slow reference.
     reference: Option<Sampling>,
     scenery: Option<Scenery>,
     times: Times,
-}
-
-/// What depends on the size.
-struct Scenery {
-    placement: Placement,
-    view: View,
-    printed: Printed,
-    /// The playfield.
-    film: Film,
-    /// How far the playfield was moved by a push when it was last drawn, pixels.
-    shift: (i32, i32),
 }
 
 impl Picture {
@@ -72,8 +77,22 @@ impl Picture {
     /// If a font in the program is damaged.
     pub fn new(table: Arc<Table>, pool: ThreadPool) -> Result<Picture, Failure> {
         let (stage, hud, frame) = (Stage::new(&table), Hud::new()?, Frame::default());
-        let (renderer, times) = (Renderer::new(), Times::default());
-        Ok(Picture { pool, table, stage, hud, frame, renderer, reference: None, scenery: None, times })
+        Ok(Picture {
+            pool,
+            table,
+            stage,
+            hud,
+            frame,
+            renderer: Renderer::new(),
+            half: HalfRenderer::new(),
+            light: Light::Full,
+            zoom: 1.0,
+            camera: Camera::default(),
+            corner: (0, 0),
+            reference: None,
+            scenery: None,
+            times: Times::default(),
+        })
     }
 
     /// The table that is drawn.
@@ -93,6 +112,19 @@ impl Picture {
         self.reference = Some(sampling);
     }
 
+    /// From now on, finds light at this resolution.
+    pub fn set_light(&mut self, light: Light) {
+        self.light = light;
+    }
+
+    /// From now on, shows the table this many times (1 to 4) as large as fits into the picture, around the ball.
+    pub fn set_zoom(&mut self, zoom: f64) {
+        if self.zoom != zoom {
+            self.zoom = zoom;
+            self.camera.rest();
+        }
+    }
+
     /// What the last picture cost.
     pub fn times(&self) -> Times {
         self.times
@@ -106,29 +138,8 @@ impl Picture {
         let start = now();
         let moment = stage::blend(moment.previous, moment.current, moment.alpha);
         self.fit(width.max(1), height.max(1))?;
-        if let Some(scenery) = &mut self.scenery {
-            let scene = self.stage.scene(&self.table, &moment, scenery.view, &scenery.printed);
-            let staged = now();
-            let (renderer, film, times) = (&mut self.renderer, &mut scenery.film, &mut self.times);
-            times.stage_ms = ms(start, staged);
-            let mut last = staged;
-            let mut clock = |step: Step| {
-                let now = now();
-                let time_ms = match step {
-                    Step::Prepared => &mut times.prepare_ms,
-                    Step::Shaded => &mut times.shadows_ms,
-                    Step::Mirrored => &mut times.balls_ms,
-                    Step::Glared => &mut times.glare_ms,
-                    Step::Developed => &mut times.develop_ms,
-                };
-                *time_ms = ms(last, now);
-                last = now;
-            };
-            self.pool.install(|| match self.reference {
-                Some(sampling) => renderer.draw_monte_carlo(&scene, sampling, EXPOSURE, film),
-                None => renderer.draw_watched(&scene, EXPOSURE, film, &mut clock),
-            });
-        }
+        self.aim(&moment);
+        self.render(&moment, start);
         let drawn = now();
         self.compose(&moment, chrome);
         self.times.hud_ms = ms(drawn, now());
@@ -136,18 +147,68 @@ impl Picture {
     }
 
     fn fit(&mut self, width: usize, height: usize) -> Result<(), Failure> {
-        let fits = |scenery: &Scenery| (scenery.placement.width, scenery.placement.height) == (width, height);
-        if self.scenery.as_ref().is_some_and(fits) {
-            return Ok(());
+        if !self.scenery.as_ref().is_some_and(|scenery| scenery.fits(width, height, self.zoom)) {
+            let scenery = Scenery::new(&self.table, width, height, self.zoom)?;
+            // The new art may lie in memory where the old art lay.
+            self.renderer.forget();
+            self.half.forget();
+            self.hud.fit(scenery.placement, &mut self.frame);
+            self.scenery = Some(scenery);
         }
-        let placement = Placement::new(width, height, self.table.size_mm);
-        let view = View::fit(placement.table.width as usize, placement.table.height as usize, self.table.size_mm);
-        let printed = Printed::new(&self.table, &view)?;
-        // The new art may lie in memory where the old art lay.
-        self.renderer.forget();
-        self.hud.fit(placement, &mut self.frame);
-        self.scenery = Some(Scenery { placement, view, printed, film: Film::default(), shift: (0, 0) });
-        Ok(())
+        match (&mut self.scenery, self.light) {
+            (Some(scenery), Light::Half) => scenery.print_half(&self.table),
+            _ => Ok(()),
+        }
+    }
+
+    /// Finds which part of the playfield is shown.
+    fn aim(&mut self, moment: &Snapshot) {
+        let Some(scenery) = &mut self.scenery else { return };
+        let rect = scenery.placement.table;
+        let shown_mm = scenery.shown_mm();
+        self.corner = scenery.corner(self.camera.follow(moment, self.table.size_mm, shown_mm));
+        let (width, height) = (rect.width as usize, rect.height as usize);
+        if (width, height) != (scenery.view.width, scenery.view.height) {
+            scenery.film.look_at(self.corner.0, self.corner.1, width, height);
+        }
+    }
+
+    /// The playfield, on its film.
+    fn render(&mut self, moment: &Snapshot, start: Instant) {
+        let Some(scenery) = &mut self.scenery else { return };
+        let exposure = exposure::exposure(moment.eye.light());
+        let (view, light) = (scenery.view, if self.reference.is_some() { Light::Full } else { self.light });
+        let times = &mut self.times;
+        let mut last = start;
+        let mut clock = |step: Option<Step>| {
+            let now = now();
+            let time_ms = match step {
+                None => &mut times.stage_ms,
+                Some(Step::Prepared) => &mut times.prepare_ms,
+                Some(Step::Shaded) => &mut times.shadows_ms,
+                Some(Step::Mirrored) => &mut times.balls_ms,
+                Some(Step::Glared) => &mut times.glare_ms,
+                Some(Step::Developed) => &mut times.develop_ms,
+            };
+            *time_ms = ms(last, now);
+            last = now;
+        };
+        if light == Light::Half
+            && let Some((floor, printed, film)) = scenery.half()
+        {
+            let mut scene = self.stage.scene(&self.table, moment, view, printed);
+            clock(None);
+            let half = &mut self.half;
+            self.pool.install(|| half.draw_watched(&mut scene, floor, exposure, film, &mut |step| clock(Some(step))));
+            return;
+        }
+        let scene = self.stage.scene(&self.table, moment, view, &scenery.printed);
+        clock(None);
+        let (renderer, film, reference) = (&mut self.renderer, &mut scenery.film, self.reference);
+        self.pool.install(|| match reference {
+            Some(sampling) => renderer.draw_monte_carlo(&scene, sampling, exposure, film),
+            None => renderer.draw_watched(&scene, exposure, film, &mut |step| clock(Some(step))),
+        });
     }
 
     /// The playfield in its well, and the display around and over it.
@@ -162,9 +223,11 @@ impl Picture {
         let place: Rect = scenery.placement.table.moved(shift.0, shift.1);
         let mut canvas = Canvas::new(&mut self.frame);
         let mut well = canvas.within(scenery.placement.well);
-        self.pool.install(|| well.copy(scenery.film.frame(), place, (0, 0)));
+        let corner = (self.corner.0 as i32, self.corner.1 as i32);
+        self.pool.install(|| well.copy(scenery.film.frame(), place, corner));
+        let lens = scenery.lens(self.corner);
         self.hud.draw_around(&self.table, moment, chrome, &mut self.frame);
-        self.hud.draw_over(&self.table, moment, chrome, &mut self.frame);
+        self.hud.draw_over(&self.table, moment, chrome, lens, &mut self.frame);
     }
 }
 

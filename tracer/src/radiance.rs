@@ -65,10 +65,15 @@ impl Radiance {
 
     /// The tile whose upper left pixel is (`x`, `y`); what is below the picture is left as it is.
     pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::irradiance::Light) {
-        for (plane, tile) in self.planes.iter().zip(light) {
-            for (row, line) in tile.iter_mut().enumerate().take(self.height - y) {
-                line.copy_from_slice(&plane[(y + row) * self.stride + x..][..LANES]);
-            }
+        for (channel, tile) in light.iter_mut().enumerate() {
+            self.read_plane(channel, x, y, tile);
+        }
+    }
+
+    /// One channel of [`Radiance::read_tile`].
+    pub(crate) fn read_plane(&self, channel: usize, x: usize, y: usize, tile: &mut crate::points::Plane) {
+        for (row, line) in tile.iter_mut().enumerate().take(self.height - y) {
+            line.copy_from_slice(&self.planes[channel][(y + row) * self.stride + x..][..LANES]);
         }
     }
 

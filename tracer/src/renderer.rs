@@ -22,6 +22,8 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+mod layer;
+
 /// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
 pub struct Renderer {
     path: Path,
@@ -102,21 +104,26 @@ impl Renderer {
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        let remembers = self.prepare(scene, radiance.drawn == Some(self.picture));
-        if !remembers {
-            return self.render_afresh(scene, None, radiance);
+        if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
+            return self.render_afresh(scene, None, true, radiance);
         }
         self.look(scene, &mut radiance.glare);
         self.render_balls(scene, &mut radiance.glare);
         if self.past.is_fresh() {
             radiance.glare.gather(self.path);
         }
+        self.compose(scene, &self.patches, radiance);
+        self.picture.1 += 1;
+        radiance.drawn = Some(self.picture);
+    }
+
+    /// Puts together the tiles that are not in `radiance` as they should be.
+    fn compose(&self, scene: &Scene, patches: &[Patch], radiance: &mut Radiance) {
         let stride = radiance.stride();
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
         let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
         let stage = stage!(self, scene, None);
-        let patches = &self.patches;
         bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut planes = [red, green, blue];
@@ -128,8 +135,6 @@ impl Renderer {
                 });
             });
         });
-        self.picture.1 += 1;
-        radiance.drawn = Some(self.picture);
     }
 
     /// Renders `scene` and develops it ([`crate::tone::map`]) in one go: the same pixels, several times as fast, since
@@ -197,11 +202,11 @@ impl Renderer {
         let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         self.prepare(scene, false);
-        self.render_afresh(scene, sampling, radiance);
+        self.render_afresh(scene, sampling, true, radiance);
     }
 
-    /// Renders a scene that was prepared, and forgets it.
-    fn render_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+    /// Renders a scene that was prepared, with its balls and its glare or without them, and forgets it.
+    fn render_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, whole: bool, radiance: &mut Radiance) {
         let stride = radiance.stride();
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
@@ -223,6 +228,15 @@ impl Renderer {
                 });
             },
         );
+        if whole {
+            self.put_balls_on(scene, radiance);
+        }
+        radiance.drawn = None;
+        self.forget();
+    }
+
+    fn put_balls_on(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        let stride = radiance.stride();
         self.render_balls(scene, &mut radiance.glare);
         radiance.glare.gather(self.path);
         for patch in &self.patches {
@@ -234,15 +248,13 @@ impl Renderer {
                 write_planes(&tile, x, y, stride, &mut [red, green, blue]);
             }
         }
-        radiance.drawn = None;
-        self.forget();
     }
 
     /// Draws a scene that was prepared, and forgets it.
     fn draw_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, exposure: f32, film: &mut Film) {
         let mut radiance = std::mem::take(&mut self.radiance);
         radiance.resize(scene.view.width, scene.view.height);
-        self.render_afresh(scene, sampling, &mut radiance);
+        self.render_afresh(scene, sampling, true, &mut radiance);
         tone::map_on(self.path, &radiance, exposure, &mut film.frame);
         self.radiance = radiance;
         film.drawn = None;
@@ -365,7 +377,8 @@ impl Renderer {
         self.changes.tops.extend_from_slice(moved);
     }
 
-    fn render_balls(&mut self, scene: &Scene, glare: &mut Pyramid) {
+    /// Renders the balls of a scene that was prepared, and puts them into the means.
+    pub(crate) fn render_balls(&mut self, scene: &Scene, glare: &mut Pyramid) {
         self.patches.resize_with(scene.balls.len(), Patch::default);
         self.patches.truncate(scene.balls.len());
         if let Some((level, planes)) = glare.means() {

@@ -23,6 +23,12 @@ impl View {
         View { width, height, origin_mm: (size_mm - pixels * mm_per_px) * 0.5, mm_per_px }
     }
 
+    /// The same view at half the resolution; of an odd size, the last pixels reach half over the edge.
+    pub fn halved(&self) -> View {
+        let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
+        View { width, height, mm_per_px: 2.0 * self.mm_per_px, ..*self }
+    }
+
     /// The point of the table at the middle of a pixel, mm.
     pub fn table_from_pixel(&self, x: usize, y: usize) -> DVec2 {
         self.origin_mm + DVec2::new(x as f64 + 0.5, y as f64 + 0.5) * self.mm_per_px

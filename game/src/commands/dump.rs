@@ -24,6 +24,8 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
+    picture.set_light(args.light.at_rest());
+    picture.set_zoom(args.zoom);
     let (width, height) = out.size(args);
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");
     // One frame is written while the next is drawn, and one waits at most.

@@ -24,6 +24,8 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
     let mut picture = Picture::new(table, parallel::pool(args.threads)?)?;
+    picture.set_light(args.light.at_rest());
+    picture.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
         picture.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
     }

@@ -15,7 +15,8 @@ pub fn run(args: PlayArgs) -> Result<(), Failure> {
     let table = Arc::new(Table::load(&args.table).map_err(Failure::of_many)?);
     let seed = args.seed.unwrap_or_else(seed_of_now);
     let play = Play { table, seed, record: args.record, bot: args.bot };
-    window::play(&play, Look { size: args.size, fullscreen: args.fullscreen }, parallel::pool(args.threads)?)
+    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
+    window::play(&play, look, parallel::pool(args.threads)?)
 }
 
 #[expect(clippy::disallowed_methods, reason = "each game that names no seed is another one")]

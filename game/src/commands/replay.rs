@@ -12,5 +12,6 @@ use crate::window::{self, Look};
 /// If the recording cannot be played again, or there is no display.
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
     let replay = Replay::open(&args.file)?;
-    window::watch(replay, Look { size: args.size, fullscreen: args.fullscreen }, parallel::pool(args.threads)?)
+    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
+    window::watch(replay, look, parallel::pool(args.threads)?)
 }

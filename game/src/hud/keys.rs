@@ -8,6 +8,7 @@ pub const HELP: &[(&str, &str)] = &[
     ("1", "start, add a player"),
     ("Esc  \u{b7}  P", "pause"),
     ("R", "watch the last ball"),
+    ("+  \u{2212}", "closer, farther"),
     ("F3  F11  F12", "rays, full screen, picture"),
     ("H  \u{b7}  F1", "these keys"),
 ];
@@ -17,6 +18,7 @@ pub const REPLAY_HELP: &[(&str, &str)] = &[
     ("Space", "pause"),
     ("Left  Right", "5 seconds back, on"),
     ("Up  Down", "faster, slower"),
+    ("+  \u{2212}", "closer, farther"),
     ("F3  F11  F12", "rays, full screen, picture"),
     ("Q  \u{b7}  Esc", "leave"),
 ];

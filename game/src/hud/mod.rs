@@ -24,7 +24,7 @@ pub use keys::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
 pub use layer::Layer;
 pub use overlay::{Debug, Times, Touch};
 
-use crate::picture::placement::Placement;
+use crate::picture::placement::{Lens, Placement};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
 use card::Panes;
@@ -146,13 +146,13 @@ impl Hud {
         }
     }
 
-    /// Draws what lies over the table; the table itself must have been drawn anew.
-    pub fn draw_over(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
+    /// Draws what lies over the table, whose points are where `lens` says; the table itself must have been drawn anew.
+    pub fn draw_over(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, lens: Lens, frame: &mut Frame) {
         let Some(placement) = self.placement else { return };
         let mut canvas = Canvas::new(frame);
         let mut canvas = canvas.within(placement.table);
         if let Some(debug) = &chrome.debug {
-            let subject = overlay::Subject { table, placement: &placement, moment };
+            let subject = overlay::Subject { table, placement: &placement, lens, moment };
             self.overlay.draw(&mut canvas, &mut self.lettering, &subject, debug);
         }
         if let Some(seek) = &chrome.seek {

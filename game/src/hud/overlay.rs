@@ -6,7 +6,7 @@ use super::layer::{Kept, Layer};
 use super::lettering::{Align, Family, Lettering, Style};
 use super::{AMBER, IVORY, NIGHT};
 use crate::Table;
-use crate::picture::placement::Placement;
+use crate::picture::placement::{Lens, Placement};
 use crate::simulation::Snapshot;
 use geometry::{Bounds, Circle, Core, DVec2, Hit, Ray, Shape, Taper, trig};
 use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Part, Pose};
@@ -32,6 +32,14 @@ pub struct Times {
     pub present_ms: f64,
     /// From one picture in the window to the next.
     pub between_ms: f64,
+}
+
+impl Times {
+    /// What drawing the picture cost, all in all, ms.
+    pub fn drawn_ms(&self) -> f64 {
+        let light_ms = self.prepare_ms + self.shadows_ms + self.balls_ms + self.glare_ms + self.develop_ms;
+        self.stage_ms + light_ms + self.hud_ms
+    }
 }
 
 /// An impact that is still shown.
@@ -61,8 +69,10 @@ const RAY: u32 = 0xff_5fd2;
 pub struct Subject<'a> {
     /// The table that is played.
     pub table: &'a Table,
-    /// Where it is on the screen.
+    /// Where what is shown of it is on the screen.
     pub placement: &'a Placement,
+    /// Where its points are there.
+    pub lens: Lens,
     /// What happens on it.
     pub moment: &'a Snapshot,
 }
@@ -70,7 +80,7 @@ pub struct Subject<'a> {
 /// The overlay and what it keeps: what stands still is drawn once.
 #[derive(Default)]
 pub struct Overlay {
-    standing: Kept<()>,
+    standing: Kept<Lens>,
     pane: Kept<()>,
 }
 
@@ -86,7 +96,7 @@ impl Overlay {
     /// Draws the overlay.
     pub fn draw(&mut self, canvas: &mut Canvas, lettering: &mut Lettering, subject: &Subject, debug: &Debug) {
         let layout = &subject.table.layout;
-        self.standing.lay(canvas, subject.placement.table, (), |layer| {
+        self.standing.lay(canvas, subject.placement.table, subject.lens, |layer| {
             let marks = layout.parts.iter().flat_map(|part| standing(&part.kind)).map(|shape| {
                 let (shape, color) = shape;
                 subject.outline(shape, color, 150)
@@ -130,13 +140,12 @@ impl Overlay {
 
 impl Subject<'_> {
     fn px_per_m(&self) -> f64 {
-        f64::from(self.placement.table.width) / self.table.layout.size_m.x
+        self.lens.px_per_m
     }
 
     /// Where a point of the table, m, is on the screen.
     fn screen(&self, point_m: DVec2) -> DVec2 {
-        let corner = DVec2::new(f64::from(self.placement.table.x), f64::from(self.placement.table.y));
-        corner + point_m * self.px_per_m()
+        self.lens.origin + point_m * self.px_per_m()
     }
 
     fn moving_balls(&self) -> impl Iterator<Item = &BallPose> {

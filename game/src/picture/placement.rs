@@ -28,6 +28,15 @@ pub struct Placement {
     pub side: Side,
 }
 
+/// Where points of the table are in a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// The playfield's upper left corner, pixels; beyond the picture where that is not shown.
+    pub origin: DVec2,
+    /// Pixels a metre.
+    pub px_per_m: f64,
+}
+
 /// Where the display's other parts are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {

@@ -11,7 +11,7 @@ mod tests;
 
 pub use snapshot::{Display, LampLight, Snapshot};
 
-use crate::lamps::Lamps;
+use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
 use crate::rules::{Moment, Program, Rules};
 use crate::{Buttons, Failure, Table};
 use physics::{Contact, Controls, Event, Layout, Machine, Pose};
@@ -30,6 +30,9 @@ pub struct Simulation {
     machine: Machine,
     rules: Rules,
     lamps: Lamps,
+    /// What pictures are exposed for; no part of the game.
+    eye: Eye,
+    brightness: Arc<Brightness>,
     tick: u64,
     /// The buttons of the last tick: the rules hear of changes only.
     buttons: Buttons,
@@ -59,7 +62,8 @@ impl Simulation {
         let machine = Machine::new(layout).map_err(|error| refused(&table, &error))?;
         let mut lamps = Lamps::new(&table);
         let rules = Rules::new(program, seed, &mut lamps)?;
-        Ok(Simulation { table, machine, rules, lamps, tick: 0, buttons: Buttons::NONE })
+        let (eye, brightness) = (Eye::default(), Arc::new(Brightness::new(&table)));
+        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick: 0, buttons: Buttons::NONE })
     }
 
     /// The table that is played.
@@ -82,6 +86,9 @@ impl Simulation {
         };
         self.rules.tick(&moment, &mut self.lamps);
         self.lamps.tick(self.tick);
+        if self.tick.is_multiple_of(LOOK_TICKS) {
+            self.brightness.show(&self.lamps, &self.table, self.tick, &mut self.eye);
+        }
         self.buttons = buttons;
     }
 
@@ -116,6 +123,7 @@ impl Simulation {
             tick: self.tick,
             pose: self.pose(),
             lamps: self.lamps.lights(&self.table, self.tick),
+            eye: self.eye,
             display: self.display(),
         }
     }
@@ -147,7 +155,7 @@ impl Simulation {
         hash_of(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
     }
 
-    /// Everything that can change what happens next.
+    /// Everything that can change what happens next, and what its pictures depend on.
     pub fn save(&self) -> Vec<u8> {
         save::write(&Saved {
             version: SIMULATION_VERSION,
@@ -157,6 +165,7 @@ impl Simulation {
             machine: self.machine.save(),
             rules: Cow::Borrowed(self.rules.state()),
             lamps: Cow::Borrowed(&self.lamps),
+            eye: self.eye,
         })
     }
 
@@ -187,8 +196,9 @@ impl Simulation {
         let saved = save::read(bytes, &table)?;
         let machine = Machine::restore(layout, &saved.machine).map_err(|error| refused(&table, &error))?;
         let rules = Rules::restored(program, saved.rules.into_owned());
-        let lamps = saved.lamps.into_owned();
-        Ok(Simulation { table, machine, rules, lamps, tick: saved.tick, buttons: saved.buttons })
+        let (lamps, eye, brightness) = (saved.lamps.into_owned(), saved.eye, Arc::new(Brightness::new(&table)));
+        let (tick, buttons) = (saved.tick, saved.buttons);
+        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick, buttons })
     }
 }
 

@@ -1,7 +1,7 @@
 //! A simulation as bytes: what it is saved to, and what its hashes are taken of.
 
 use super::SIMULATION_VERSION;
-use crate::lamps::Lamps;
+use crate::lamps::{Eye, Lamps};
 use crate::rules::State;
 use crate::{Buttons, Failure, Table};
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use xxhash_rust::xxh3::xxh3_64;
 /// Bytes of the checksum at the end.
 const CHECKSUM: usize = 8;
 
-/// Everything of a simulation that can change what happens next.
+/// Everything of a simulation that can change what happens next, and what its pictures depend on.
 #[derive(Serialize, Deserialize)]
 pub struct Saved<'a> {
     /// [`SIMULATION_VERSION`].
@@ -28,6 +28,8 @@ pub struct Saved<'a> {
     pub rules: Cow<'a, State>,
     /// The lamps.
     pub lamps: Cow<'a, Lamps>,
+    /// The light that somebody has got used to.
+    pub eye: Eye,
 }
 
 /// The bytes of a simulation, a checksum at their end.

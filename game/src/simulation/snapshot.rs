@@ -1,5 +1,6 @@
 //! What a picture needs to know of a moment: plain data, independent of the simulation it came from.
 
+use crate::lamps::Eye;
 use physics::Pose;
 
 /// What a picture needs to know of a moment.
@@ -11,6 +12,8 @@ pub struct Snapshot {
     pub pose: Pose,
     /// Each lamp of the table, in its order.
     pub lamps: Vec<LampLight>,
+    /// The light that somebody at the table has got used to.
+    pub eye: Eye,
     /// What the display shows.
     pub display: Display,
 }

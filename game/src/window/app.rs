@@ -3,22 +3,24 @@
 use super::clock::{Clock, Speed};
 use super::keys::{Act, Held, Meaning, meaning};
 use super::painter::{Order, Painter};
+use super::quality::Quality;
 use super::reload::Reload;
 use super::screenshot::Screenshot;
 use super::session::{Cover, Session, chrome, complaint, snapshots, title};
 use super::surface::Surface;
-use super::{Look, Wake, opening, surface};
+use super::{Look, Wake, opening, surface, zoom};
+use crate::cli::LightChoice;
 use crate::hud::Times;
 use crate::picture::Picture;
 use crate::{Buttons, Failure, Table};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tracer::Frame;
-use winit::application::ApplicationHandler;
-use winit::event::{ElementState, KeyEvent, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
-use winit::keyboard::{KeyCode, PhysicalKey};
-use winit::window::{Fullscreen, Window, WindowId};
+use winit::keyboard::KeyCode;
+use winit::window::{Fullscreen, Window};
+
+mod events;
 
 /// How long a notice stands.
 const NOTICE: Duration = Duration::from_secs(5);
@@ -30,6 +32,8 @@ const RESTING: Duration = Duration::from_millis(200);
 pub struct App {
     session: Session,
     look: Look,
+    /// Which light holds the monitor's rate.
+    quality: Quality,
     proxy: EventLoopProxy<Wake>,
     /// Until there is a window to paint for.
     picture: Option<Picture>,
@@ -71,6 +75,7 @@ impl App {
         App {
             session,
             look,
+            quality: Quality::default(),
             proxy,
             picture: Some(picture),
             painter: None,
@@ -239,6 +244,8 @@ impl App {
             Act::Overlay => self.overlay = !self.overlay,
             Act::Screenshot => self.screenshot(),
             Act::LastBall => self.last_ball(),
+            Act::Closer => self.look.zoom = zoom::closer(self.look.zoom),
+            Act::Farther => self.look.zoom = zoom::farther(self.look.zoom),
         }
     }
 
@@ -306,6 +313,7 @@ impl App {
             self.times = Times { present_ms: self.times.present_ms, between_ms: self.times.between_ms, ..done.times };
             match done.frame {
                 Ok(frame) => {
+                    self.judge();
                     self.used = std::mem::replace(&mut self.shown, frame);
                     self.present();
                     self.times.between_ms = milliseconds(self.shown_at, now());
@@ -313,6 +321,13 @@ impl App {
                 }
                 Err(failure) => self.tell(failure.to_string()),
             }
+        }
+    }
+
+    /// While nothing moves, a picture costs next to nothing, and says as much.
+    fn judge(&mut self) {
+        if self.is_running() {
+            self.quality.judge(self.times.drawn_ms(), self.interval.as_secs_f64() * 1000.0);
         }
     }
 
@@ -369,6 +384,8 @@ impl App {
             alpha,
             width: size.width as usize,
             height: size.height as usize,
+            light: if self.look.light == LightChoice::Auto { self.quality.light() } else { self.look.light.at_rest() },
+            zoom: self.look.zoom,
             chrome,
             table: self.new_table.take(),
             used: std::mem::take(&mut self.used),
@@ -381,54 +398,6 @@ impl App {
         let rest = if self.is_running() { TICKING } else { RESTING };
         let until = now + rest;
         ControlFlow::WaitUntil(if self.dirty && !busy && !self.hidden { until.min(self.next_frame) } else { until })
-    }
-}
-
-impl ApplicationHandler<Wake> for App {
-    fn resumed(&mut self, events: &ActiveEventLoop) {
-        if self.window.is_some() {
-            return;
-        }
-        if let Err(failure) = self.open(events) {
-            self.failure = Some(failure);
-            events.exit();
-        }
-    }
-
-    fn user_event(&mut self, _events: &ActiveEventLoop, _wake: Wake) {
-        // What woke the loop is collected before it waits again.
-    }
-
-    fn window_event(&mut self, events: &ActiveEventLoop, _window: WindowId, event: WindowEvent) {
-        match event {
-            WindowEvent::CloseRequested => events.exit(),
-            WindowEvent::RedrawRequested => self.present(),
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => self.dirty = true,
-            WindowEvent::Occluded(hidden) => {
-                self.hidden = hidden;
-                self.dirty = true;
-            }
-            WindowEvent::Focused(focused) => self.focus(focused),
-            WindowEvent::KeyboardInput {
-                event: KeyEvent { physical_key: PhysicalKey::Code(key), state, repeat: false, .. },
-                is_synthetic,
-                ..
-            } => {
-                let down = state == ElementState::Pressed;
-                // A key that was already down when the window got the focus was not pressed for the game.
-                if !(is_synthetic && down) {
-                    self.key(events, key, down);
-                }
-            }
-            _ => {}
-        }
-    }
-
-    fn about_to_wait(&mut self, events: &ActiveEventLoop) {
-        self.catch_up();
-        self.collect();
-        self.order();
-        events.set_control_flow(self.wait());
     }
 }
 

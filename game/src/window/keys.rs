@@ -32,6 +32,10 @@ pub enum Act {
     Screenshot,
     /// Watch the last ball.
     LastBall,
+    /// Look closer at the table.
+    Closer,
+    /// Look at more of it.
+    Farther,
 }
 
 /// What a key means while a game is played.
@@ -52,6 +56,8 @@ pub fn meaning(key: KeyCode) -> Option<Meaning> {
         KeyCode::F3 => Once(Act::Overlay),
         KeyCode::F12 => Once(Act::Screenshot),
         KeyCode::KeyR => Once(Act::LastBall),
+        KeyCode::Equal | KeyCode::NumpadAdd => Once(Act::Closer),
+        KeyCode::Minus | KeyCode::NumpadSubtract => Once(Act::Farther),
         _ => return None,
     })
 }
@@ -116,6 +122,10 @@ mod tests {
             (KeyCode::KeyR, Act::LastBall),
             (KeyCode::KeyH, Act::Help),
             (KeyCode::F1, Act::Help),
+            (KeyCode::Equal, Act::Closer),
+            (KeyCode::NumpadAdd, Act::Closer),
+            (KeyCode::Minus, Act::Farther),
+            (KeyCode::NumpadSubtract, Act::Farther),
         ];
         keys.iter().for_each(|(key, act)| assert_eq!(meaning(*key), Some(Meaning::Act(*act)), "{key:?}"));
         assert_eq!(meaning(KeyCode::KeyA), None);

@@ -13,14 +13,16 @@ mod keys;
 mod last_ball;
 mod opening;
 mod painter;
+mod quality;
 mod reload;
 mod screenshot;
 mod session;
 mod surface;
 mod touches;
 mod viewing;
+mod zoom;
 
-use crate::cli::Size;
+use crate::cli::{LightChoice, Size};
 use crate::picture::Picture;
 use crate::recording::Replay;
 use crate::{Failure, Table};
@@ -33,12 +35,16 @@ use viewing::Viewing;
 use winit::event_loop::EventLoop;
 
 /// What a window is opened with.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Look {
     /// Its size in pixels; by default most of the monitor's height.
     pub size: Option<Size>,
     /// Whether it fills the screen.
     pub fullscreen: bool,
+    /// At which resolution light is found.
+    pub light: LightChoice,
+    /// How much larger than the window the table is drawn, 1 to 4.
+    pub zoom: f64,
 }
 
 /// Who plays what, and what is written down of it.

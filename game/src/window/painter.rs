@@ -4,7 +4,7 @@
 //! it is idle and is woken when the picture is done; what happens in between is simply never drawn.
 
 use crate::hud::{Chrome, Times};
-use crate::picture::{Moment, Picture};
+use crate::picture::{Light, Moment, Picture};
 use crate::{Failure, Snapshot, Table};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -22,6 +22,10 @@ pub struct Order {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
+    /// At which resolution light is found.
+    pub light: Light,
+    /// How much larger than the window the table is drawn.
+    pub zoom: f64,
     /// What the window adds.
     pub chrome: Chrome,
     /// The table, if it is another than the last time.
@@ -90,6 +94,8 @@ fn paint(picture: &mut Picture, order: Order) -> Done {
     if let Some(table) = order.table {
         picture.set_table(table);
     }
+    picture.set_light(order.light);
+    picture.set_zoom(order.zoom);
     let moment = Moment { previous: &order.previous, current: &order.current, alpha: order.alpha };
     let mut copy = order.used;
     let frame = picture.draw(moment, order.width, order.height, &order.chrome).map(|frame| {

@@ -6,7 +6,7 @@ use crate::bot::Bot;
 use crate::cli::Size;
 use crate::commands::parallel;
 use crate::hud::Chrome;
-use crate::picture::{Moment, Picture};
+use crate::picture::{Light, Moment, Picture};
 use crate::{Failure, Simulation, Snapshot, Table};
 use std::sync::Arc;
 use tracer::monte_carlo::Sampling;
@@ -80,25 +80,6 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
         });
         drawn.map(|()| ms)
     };
-    for moment in moments {
-        draw(&mut picture, moment)?;
-    }
-    let mut columns: [Vec<f64>; 8] = Default::default();
-    for moment in moments {
-        let whole_ms = draw(&mut picture, moment)?;
-        let times = picture.times();
-        let parts = [
-            whole_ms,
-            times.stage_ms,
-            times.prepare_ms,
-            times.shadows_ms,
-            times.balls_ms,
-            times.glare_ms,
-            times.develop_ms,
-            times.hud_ms,
-        ];
-        columns.iter_mut().zip(parts).for_each(|(column, part)| column.push(part));
-    }
     let row = |variant: &str, mut times_ms: Vec<f64>| {
         let ms = quantile(&mut times_ms, 0.5);
         Row {
@@ -112,22 +93,59 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
             ..Row::default()
         }
     };
-    let names = [
-        "whole frame",
-        "- scene",
-        "- what is new in it",
-        "- shadows and surfaces anew",
-        "- balls",
-        "- glare",
-        "- sum of all lamps, tone map",
-        "- display",
-    ];
-    let mut rows: Vec<Row> = names.into_iter().zip(columns).map(|(name, column)| row(name, column)).collect();
+    let mut rows = Vec::new();
+    for (light, names) in [(Light::Full, &FULL), (Light::Half, &HALF)] {
+        picture.set_light(light);
+        for moment in moments {
+            draw(&mut picture, moment)?;
+        }
+        let mut columns: [Vec<f64>; 8] = Default::default();
+        for moment in moments {
+            let whole_ms = draw(&mut picture, moment)?;
+            let times = picture.times();
+            let parts = [
+                whole_ms,
+                times.stage_ms,
+                times.prepare_ms,
+                times.shadows_ms,
+                times.balls_ms,
+                times.glare_ms,
+                times.develop_ms,
+                times.hud_ms,
+            ];
+            columns.iter_mut().zip(parts).for_each(|(column, part)| column.push(part));
+        }
+        rows.extend(names.iter().zip(columns).map(|(name, column)| row(name, column)));
+    }
     picture.use_reference(Sampling { samples: REFERENCE_SAMPLES, seed: 0, stratified: true });
     let slow_ms = draw(&mut picture, &moments[0])?;
     rows.push(row(&format!("(reference, {REFERENCE_SAMPLES} rays a lamp)"), vec![slow_ms]));
     Ok(rows)
 }
+
+/// What is told of a frame, and of its parts.
+const FULL: [&str; 8] = [
+    "whole frame",
+    "- scene",
+    "- what is new in it",
+    "- shadows and surfaces anew",
+    "- balls",
+    "- glare",
+    "- sum of all lamps, tone map",
+    "- display",
+];
+
+/// The same, where light is found at half the resolution.
+const HALF: [&str; 8] = [
+    "whole frame, half light",
+    "- scene",
+    "- guides, what glows",
+    "- lamps at half the resolution",
+    "- balls",
+    "- glare",
+    "- upscale, tone map",
+    "- display",
+];
 
 /// Rays to each lamp that the slow reference is timed with: few, for it is slow.
 const REFERENCE_SAMPLES: u32 = 4;

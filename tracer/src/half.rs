@@ -1,0 +1,259 @@
+//! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
+//!
+//! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
+//! resolution by [`crate::upscale`]. What glows by itself, the balls and the glare are made at the full resolution, as
+//! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
+
+use crate::glare::{Level, STEP};
+use crate::irradiance::DARKNESS;
+use crate::lanes::{LANES, Path};
+use crate::points::TILE;
+
+use crate::upscale::{Halves, Neighbourhood, upscale};
+use crate::{Film, Finish, Floor, Radiance, Renderer, Scene, Step, View, tone};
+use rayon::prelude::*;
+use std::cell::RefCell;
+use std::mem::take;
+
+/// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
+/// in it than before.
+pub struct HalfRenderer {
+    path: Path,
+    /// All light but what surfaces have of their own, at half the resolution, without the balls.
+    lamps: Layer,
+    /// Under a white sky: at half the resolution, and at the full one.
+    guides: [Layer; 2],
+    /// Which surface is seen, as a number: at half the resolution, and at the full one.
+    marks: [Layer; 2],
+    /// Light that surfaces have of their own, at the full resolution.
+    glows: Layer,
+    /// The tops' finishes, while others are in their place.
+    finishes: Vec<Finish>,
+    /// Which tiles are not on the film as they should be.
+    stale: Vec<bool>,
+}
+
+/// A picture that only what has changed is made anew of.
+struct Layer {
+    renderer: Renderer,
+    radiance: Radiance,
+}
+
+impl Layer {
+    fn render(&mut self, scene: &Scene) {
+        self.renderer.render_table(scene, &mut self.radiance);
+    }
+}
+
+thread_local! {
+    static NEIGHBOURHOOD: RefCell<Neighbourhood> = RefCell::new(Neighbourhood::new());
+}
+
+impl Default for HalfRenderer {
+    fn default() -> HalfRenderer {
+        HalfRenderer::new()
+    }
+}
+
+impl HalfRenderer {
+    /// A renderer for this machine's best instruction set.
+    pub fn new() -> HalfRenderer {
+        HalfRenderer::on(Path::best())
+    }
+
+    /// A renderer on a chosen instruction set: the same bits on each.
+    pub fn on(path: Path) -> HalfRenderer {
+        let layer = || Layer { renderer: Renderer::on(path), radiance: Radiance::default() };
+        HalfRenderer {
+            path,
+            lamps: layer(),
+            guides: [layer(), layer()],
+            marks: [layer(), layer()],
+            glows: layer(),
+            finishes: Vec::new(),
+            stale: Vec::new(),
+        }
+    }
+
+    /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// any number. The scene is as it was afterwards.
+    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut Film) {
+        self.draw_watched(scene, half, exposure, film, &mut |_| {});
+    }
+
+    /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
+    pub fn draw_watched<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        exposure: f32,
+        film: &mut Film,
+        done: &mut (dyn FnMut(Step) + Send),
+    ) {
+        film.resize(scene.view.width, scene.view.height);
+        if scene.view.width == 0 || scene.view.height == 0 {
+            return;
+        }
+        let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
+        self.render_layers(scene, half, done);
+        let changed = self.look_for_stale(&scene.view, known);
+        if changed {
+            self.take_means(film);
+        }
+        done(Step::Shaded);
+        self.lamps.renderer.render_balls(scene, &mut film.glare);
+        done(Step::Mirrored);
+        if changed {
+            film.glare.gather(self.path);
+        }
+        done(Step::Glared);
+        self.develop(exposure, film);
+        done(Step::Developed);
+        film.drawn = Some((self.lamps.renderer.picture(), exposure));
+    }
+
+    /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
+    pub fn forget(&mut self) {
+        let HalfRenderer { lamps, guides, marks, glows, .. } = self;
+        for layer in [lamps, glows].into_iter().chain(guides).chain(marks) {
+            layer.renderer.forget();
+        }
+    }
+
+    /// Makes every layer true, from the scene with parts of it left out.
+    fn render_layers<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, done: &mut (dyn FnMut(Step) + Send)) {
+        let (full, view) = (scene.floor, scene.view);
+        let (lamps, occluders, balls) = (take(&mut scene.lamps), take(&mut scene.occluders), take(&mut scene.balls));
+        let ambient = std::mem::replace(&mut scene.ambient, [0.0; 3]);
+        self.glows.render(scene);
+        let glows = take(&mut scene.glows);
+        self.finishes.clear();
+        self.finishes.extend(scene.tops.iter().map(|top| top.finish));
+        for (number, top) in scene.tops.iter_mut().enumerate() {
+            top.finish.emission = [mark(number), 0.0, 0.0];
+            top.finish.art = false;
+        }
+        let [half_marks, full_marks] = &mut self.marks;
+        full_marks.render(scene);
+        (scene.floor, scene.view) = (half, view.halved());
+        half_marks.render(scene);
+        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
+            top.finish = Finish { emission: [0.0; 3], ..*finish };
+        }
+        scene.ambient = [1.0; 3];
+        let [half_guide, full_guide] = &mut self.guides;
+        half_guide.render(scene);
+        (scene.floor, scene.view) = (full, view);
+        full_guide.render(scene);
+        done(Step::Prepared);
+        (scene.lamps, scene.occluders, scene.balls, scene.ambient) = (lamps, occluders, balls, ambient);
+        (scene.floor, scene.view) = (half, view.halved());
+        self.lamps.render(scene);
+        (scene.floor, scene.view, scene.glows) = (full, view, glows);
+        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
+            top.finish = *finish;
+        }
+    }
+
+    /// Finds which tiles have to be developed again; says whether there is any.
+    fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
+        let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
+        if !known || self.stale.len() != across * down {
+            self.stale.clear();
+            self.stale.resize(across * down, true);
+            return true;
+        }
+        let half = view.halved();
+        let full = [&self.glows, &self.guides[1], &self.marks[1]];
+        let mut any = false;
+        for (at, stale) in self.stale.iter_mut().enumerate() {
+            let (x, y) = (at % across * TILE, at / across * TILE);
+            let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
+            let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
+            let lamps = &self.lamps.renderer;
+            let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+            let fresh = full.iter().any(|layer| layer.renderer.is_fresh_at(view, x, y))
+                || corners.iter().any(|&(x, y)| lamps.is_fresh_at(&half, x, y));
+            *stale |= fresh;
+            any |= fresh;
+        }
+        any
+    }
+
+    /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
+    fn take_means(&self, film: &mut Film) {
+        let lamps = &self.lamps.radiance;
+        let glows = self.glows.radiance.glare.means();
+        let (Some((level, means)), Some((_, glows))) = (film.glare.means_mut(), glows) else { return };
+        means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
+            mean_of_four(
+                &lamps.planes[channel],
+                [lamps.stride(), lamps.height()],
+                &level,
+                &glows[level.stride..],
+                means,
+            );
+        });
+    }
+
+    /// Puts the tiles on film that are not there as they should be.
+    fn develop(&mut self, exposure: f32, film: &mut Film) {
+        let HalfRenderer { path, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, stale, .. } =
+            self;
+        let (path, width, window) = (*path, film.frame.width, film.window);
+        let glare = &film.glare;
+        let halves = Halves { light: &lamps.radiance, guide: &half_guide.radiance, marks: &half_marks.radiance };
+        let (guide, marks, glows, balls) =
+            (&guide.radiance, &marks.radiance, &glows.radiance, lamps.renderer.patches());
+        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(stale.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (pixels, stale))| {
+            NEIGHBOURHOOD.with_borrow_mut(|from| {
+                let (mut full, mut mark, mut own, mut out) = (DARKNESS, DARKNESS[0], DARKNESS, DARKNESS);
+                let mut tile = [[0; LANES]; TILE];
+                let y = band * TILE;
+                for (x, stale) in (0..width).step_by(TILE).zip(stale) {
+                    *stale |= glare.differs(x, y);
+                    if !*stale || !Film::wants(window, x, y) {
+                        continue;
+                    }
+                    *stale = false;
+                    from.read(halves, x, y);
+                    guide.read_tile(x, y, &mut full);
+                    marks.read_plane(0, x, y, &mut mark);
+                    upscale(path, from, &full, &mark, &mut out);
+                    glows.read_tile(x, y, &mut own);
+                    for (out, own) in out.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
+                        for i in 0..LANES {
+                            out[i] += own[i];
+                        }
+                    }
+                    balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
+                    tone::develop(path, &out, glare, exposure, [x, y], &mut tile);
+                    tone::put(&tile, x, width, pixels);
+                }
+            });
+        });
+    }
+}
+
+/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of the tops
+/// before and after it (multiples of the golden ratio are as far from each other as they can be).
+fn mark(number: usize) -> f32 {
+    let turns = number as f32 * 0.618_034;
+    0.25 + 0.75 * (turns - turns.floor())
+}
+
+/// Writes the means of two by two pixels of a plane, and adds what is in `more`.
+fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &Level, more: &[f32], means: &mut [f32]) {
+    const { assert!(STEP == 4, "a cell is two half-resolution pixels wide") };
+    for row in 0..level.height {
+        let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];
+        let (above, below) = (line(2 * row), line(2 * row + 1));
+        let start = row * level.stride + 1;
+        let (means, more) = (&mut means[start..][..level.width], &more[start..][..level.width]);
+        let pairs = above.as_chunks::<2>().0.iter().zip(below.as_chunks::<2>().0);
+        for ((mean, more), (above, below)) in means.iter_mut().zip(more).zip(pairs) {
+            *mean = ((above[0] + above[1]) + (below[0] + below[1])) * 0.25 + more;
+        }
+    }
+}
