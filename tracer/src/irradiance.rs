@@ -197,8 +197,8 @@ clones! {
 #[inline(always)]
 fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
-    // Where no light comes from everywhere there is no room that could be mirrored.
-    let mirrors = ROOM * gloss * gloss * (0.2126 * ambient[0] + 0.7152 * ambient[1] + 0.0722 * ambient[2]);
+    // The room is in the light from everywhere: where there is none, there is no room that could be mirrored.
+    let mirrors = ambient.map(|ambient| ROOM * gloss * gloss * ambient);
     for block in 0..blocks {
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
@@ -206,7 +206,7 @@ fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambien
         for i in 0..LANES {
             let up = 2.0 * nz[i];
             let [red, green, blue] = surroundings::seen([up * nx[i], up * ny[i], up * nz[i] - 1.0], [0.0; 3]);
-            (room[0][i], room[1][i], room[2][i]) = (mirrors * red, mirrors * green, mirrors * blue);
+            (room[0][i], room[1][i], room[2][i]) = (mirrors[0] * red, mirrors[1] * green, mirrors[2] * blue);
         }
         for channel in 0..3 {
             let (own, emission) = (finish.albedo[channel], finish.emission[channel]);
@@ -222,4 +222,4 @@ fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambien
 }
 
 /// How bright the room is in polished tops, in light from everywhere.
-const ROOM: f32 = 5.0;
+const ROOM: f32 = 4.0;

@@ -135,7 +135,7 @@ mod tests {
     fn the_light_of_a_bulb_is_the_integral_of_its_falloff() {
         let kind = LampKind::Bulb {
             center_mm: DVec2::splat(500.0),
-            radius_mm: 1.0,
+            emitter: tracer::Emitter::Disc { radius_mm: 1.0 },
             height_mm: 30.0,
             reach_mm: 400.0,
             inside: None,
@@ -143,7 +143,7 @@ mod tests {
         let lamp = Lamp { name: String::new(), color: [255; 3], power: 2.0, kind };
         let light = tracer::Lamp {
             center_mm: DVec2::splat(500.0),
-            radius_mm: 1.0,
+            emitter: tracer::Emitter::Disc { radius_mm: 1.0 },
             height_mm: 30.0,
             reach_mm: 400.0,
             color: [1.0; 3],

@@ -12,7 +12,7 @@ const RATE: f64 = 12.0;
 /// How far ahead of a ball it looks, s: a little less than its own delay on a steady way, which is 2 / rate.
 const AHEAD_S: f64 = 0.12;
 /// But no farther than this, mm.
-const AHEAD_MM: f64 = 160.0;
+const AHEAD_MM: f64 = 250.0;
 /// How much of a ball's way to the side it goes along with: the flippers are in the middle.
 const SIDEWAYS: f64 = 0.8;
 /// A tick, s.
