@@ -40,6 +40,8 @@ pub struct Quality {
     full_need: f64,
     /// How many times as much it needs as half of it.
     ratio: f64,
+    /// Half the resolution was measured to need more: it is not tried again.
+    useless: bool,
 }
 
 impl Default for Quality {
@@ -53,6 +55,7 @@ impl Default for Quality {
             patience_ms: PATIENCE_MS[0],
             full_need: 0.0,
             ratio: USUAL_RATIO,
+            useless: false,
         }
     }
 }
@@ -89,7 +92,7 @@ impl Quality {
         if self.since_ms > HELD_MS {
             self.patience_ms = PATIENCE_MS[0];
         }
-        if self.reason_ms >= SLOW_MS {
+        if self.reason_ms >= SLOW_MS && !self.useless {
             self.full_need = need;
             self.change(Light::Half);
         }
@@ -97,6 +100,10 @@ impl Quality {
 
     fn look_at_half(&mut self, need: f64, passed_ms: f64) {
         if self.full_need > 0.0 && self.since_ms > 2.0 * AVERAGED_MS {
+            if need > self.full_need {
+                self.useless = true;
+                return self.change(Light::Full);
+            }
             self.ratio = (self.full_need / need.max(1e-3)).clamp(1.2, 6.0);
             self.full_need = 0.0;
         }
@@ -116,6 +123,13 @@ impl Quality {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn half_that_needs_more_is_given_up_for_good() {
+        let (quality, changes) = run(120.0, |_| 1.2 * BUDGET_MS, |_| 2.0 * BUDGET_MS);
+        assert_eq!(quality.light(), Light::Full);
+        assert_eq!(changes.len(), 2, "{changes:?}");
+    }
 
     const BUDGET_MS: f64 = 1000.0 / 60.0;
 
