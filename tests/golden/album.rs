@@ -57,10 +57,10 @@ impl Album {
         let Difference { pixels, most } = difference(&expected, frame);
         let gain = 255 / usize::from(most.max(1));
         save(&side_by_side(&expected, frame, gain), &shown);
-        let sizes = format!("{}x{} and is now {}x{}", expected.width, expected.height, frame.width, frame.height);
         Err(format!(
-            "{path} was {sizes}: {pixels} pixels differ, by {most} levels of 255 at most; see {seen} (expected | \
-             difference x {gain} | actual), and if the new one is right, renew it with `{BLESS}`"
+            "{path} is not what is drawn now{}: {pixels} pixels differ, by {most} levels of 255 at most; see {seen} \
+             (expected | difference x {gain} | actual), and if the new one is right, renew it with `{BLESS}`",
+            resized(&expected, frame)
         ))
     }
 }
@@ -106,6 +106,12 @@ fn extent(a: &Frame, b: &Frame) -> (usize, usize) {
     (a.width.max(b.width), a.height.max(b.height))
 }
 
+/// Says which sizes two frames have, if they are not the same.
+fn resized(expected: &Frame, actual: &Frame) -> String {
+    let [before, now] = [expected, actual].map(|frame| format!("{}x{}", frame.width, frame.height));
+    if before == now { String::new() } else { format!(" ({before}, now {now})") }
+}
+
 fn difference(a: &Frame, b: &Frame) -> Difference {
     let (width, height) = extent(a, b);
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
@@ -139,7 +145,7 @@ fn empty_album(name: &str) -> Album {
 
 /// A small picture with every pixel another colour.
 fn sample(width: usize, height: usize) -> Frame {
-    let pixels = (0..width * height).map(|at| at as u32 * 0x01_0307 & 0xff_ffff).collect();
+    let pixels = (0..width * height).map(|at| (at as u32 * 0x01_0307) & 0xff_ffff).collect();
     Frame { width, height, pixels }
 }
 
@@ -159,7 +165,7 @@ fn one_changed_pixel_fails_and_is_shown_between_the_expected_and_the_actual_fram
     actual.pixels[y * 31 + x] ^= 0x00_0200;
     album.renew("sample", &expected);
     let said = album.compare("sample", &actual).unwrap_err();
-    assert!(said.contains(": 1 pixels differ, by 2 levels of 255 at most"), "{said}");
+    assert!(said.contains("is not what is drawn now: 1 pixels differ, by 2 levels of 255 at most"), "{said}");
     assert!(said.contains(BLESS), "{said}");
     let shown = album.differences.join("sample.png");
     assert!(said.contains(&shown.display().to_string()), "{said}");
@@ -184,7 +190,7 @@ fn a_frame_of_another_size_fails_with_both_sizes() {
     album.renew("sample", &sample(6, 4));
     let taller = Frame { width: 6, height: 5, pixels: [sample(6, 4).pixels, vec![0; 6]].concat() };
     let said = album.compare("sample", &taller).unwrap_err();
-    assert!(said.contains("was 6x4 and is now 6x5: 6 pixels differ, by 255 levels"), "{said}");
+    assert!(said.contains("is not what is drawn now (6x4, now 6x5): 6 pixels differ, by 255 levels"), "{said}");
     let shown = read(&album.differences.join("sample.png")).unwrap();
     assert_eq!((shown.width, shown.height), (18, 5));
     assert_eq!(shown.pixels[4 * 18..][..18], [[0; 6], [0xff_ffff; 6], [0; 6]].concat());
