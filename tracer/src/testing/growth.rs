@@ -39,3 +39,34 @@ pub fn with_balls(scene: &mut Scene, count: u16) {
         scene.occluders.push(Occluder { shape: Shape::disc(center_mm, BALL_MM), group });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{View, testing};
+
+    #[test]
+    fn a_scene_has_as_much_in_it_as_was_asked_for() {
+        let view = View::fit(16, 32, SIZE_MM);
+        let props = testing::props(&view);
+        let table = testing::table(view, &props);
+        for count in [0, 4, 16, 64] {
+            let mut scene = table.clone();
+            with_lamps(&mut scene, count);
+            let kept = count.min(table.lamps.len());
+            assert_eq!((scene.lamps.len(), &scene.lamps[..kept]), (count, &table.lamps[..kept]));
+        }
+        for count in [0, 3, 12] {
+            let mut scene = table.clone();
+            with_posts(&mut scene, count);
+            assert_eq!(scene.occluders.len(), table.occluders.len() + usize::from(count));
+            let mut scene = table.clone();
+            with_balls(&mut scene, count);
+            assert_eq!(scene.balls.len(), usize::from(count));
+            assert_eq!(scene.occluders.len(), table.occluders.len() - table.balls.len() + usize::from(count));
+            let shadowed =
+                |ball: &Ball| scene.occluders.iter().filter(|occluder| occluder.group == ball.group).count() == 1;
+            assert!(scene.balls.iter().all(shadowed), "every ball has its own shadow");
+        }
+    }
+}
