@@ -271,6 +271,8 @@ pub enum Bench {
     Room,
     /// A whole frame of the table, stage by stage.
     Table,
+    /// How a frame's cost grows with pixels, lamps, occluders and balls, on a generated table.
+    Growth,
     /// Headless play.
     Tick,
     /// How exact the light is, against shadow rays.

@@ -4,9 +4,9 @@
 //! `cargo bench -p tracer --bench light`
 
 use divan::Bencher;
-use geometry::{DVec2, Shape};
-use tracer::testing::{self, Props, Random};
-use tracer::{Ball, Group, Lamp, Occluder, Path, Radiance, Renderer, Scene, View};
+use geometry::DVec2;
+use tracer::testing::{self, Props};
+use tracer::{Path, Radiance, Renderer, Scene, View};
 
 fn main() {
     divan::main();
@@ -73,19 +73,11 @@ fn warm_by_pixels_across(bencher: Bencher, width: usize) {
     warm(bencher, Path::best(), &mut table(&mut props, width));
 }
 
-/// The first lamps of the table, and then more of them somewhere.
-fn with_lamps(scene: &mut Scene, count: usize) {
-    let mut random = Random(11);
-    let first = scene.lamps.clone();
-    let more = (0..count).map(|at| Lamp { center_mm: random.within(testing::SIZE_MM), ..first[at % first.len()] });
-    scene.lamps = first.iter().copied().chain(more).take(count).collect();
-}
-
 #[divan::bench(args = [4, 16, 64])]
 fn cold_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_lamps(&mut scene, count);
+    testing::with_lamps(&mut scene, count);
     cold(bencher, Path::best(), &scene);
 }
 
@@ -93,22 +85,15 @@ fn cold_by_lamps(bencher: Bencher, count: usize) {
 fn warm_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_lamps(&mut scene, count);
+    testing::with_lamps(&mut scene, count);
     warm(bencher, Path::best(), &mut scene);
-}
-
-/// Posts of 2 mm beside what stands there already.
-fn with_posts(scene: &mut Scene, count: u16) {
-    let mut random = Random(12);
-    let post = |at| Occluder { shape: Shape::disc(random.within(testing::SIZE_MM), 2.0), group: Group(2000 + at) };
-    scene.occluders.extend((0..count).map(post));
 }
 
 #[divan::bench(args = [0, 100, 400])]
 fn cold_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_posts(&mut scene, count);
+    testing::with_posts(&mut scene, count);
     cold(bencher, Path::best(), &scene);
 }
 
@@ -116,27 +101,15 @@ fn cold_by_more_occluders(bencher: Bencher, count: u16) {
 fn warm_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_posts(&mut scene, count);
+    testing::with_posts(&mut scene, count);
     warm(bencher, Path::best(), &mut scene);
-}
-
-/// So many balls, somewhere.
-fn with_balls(scene: &mut Scene, count: u16) {
-    let mut random = Random(13);
-    let groups: Vec<Group> = scene.balls.drain(..).map(|ball| ball.group).collect();
-    scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
-    for at in 0..count {
-        let (center_mm, group) = (random.within(testing::SIZE_MM), Group(1000 + at));
-        scene.balls.push(Ball { center_mm, radius_mm: 13.5, group, rotation: [0.0, 0.0, 0.0, 1.0] });
-        scene.occluders.push(Occluder { shape: Shape::disc(center_mm, 13.5), group });
-    }
 }
 
 #[divan::bench(args = [0, 3, 12])]
 fn cold_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_balls(&mut scene, count);
+    testing::with_balls(&mut scene, count);
     cold(bencher, Path::best(), &scene);
 }
 
@@ -144,6 +117,6 @@ fn cold_by_balls(bencher: Bencher, count: u16) {
 fn warm_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    with_balls(&mut scene, count);
+    testing::with_balls(&mut scene, count);
     warm(bencher, Path::best(), &mut scene);
 }

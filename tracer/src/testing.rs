@@ -1,9 +1,11 @@
 //! Scenes made by a program: for measurements, for tests and to look at.
 
 use crate::{Ball, Emitter, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+mod growth;
 mod jumble;
 mod room;
 
+pub use growth::{with_balls, with_lamps, with_posts};
 pub use jumble::{any_shape, jumble, mixed_jumble};
 pub use room::room;
 

@@ -3,6 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
+mod growth;
 mod quality;
 mod room;
 mod table;
@@ -62,6 +63,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Table | Bench::All) {
         rows.extend(table::rows(args.size, args.threads)?);
     }
+    if matches!(args.bench, Bench::Growth | Bench::All) {
+        rows.extend(growth::rows(args.size, args.threads)?);
+    }
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
     }
@@ -73,7 +77,7 @@ fn json(rows: &[Row]) -> String {
 }
 
 fn table(rows: &[Row]) -> String {
-    let mut text = format!("{:6} {:34} {:>10} {:>7} {:>10}\n", "bench", "variant", "size", "threads", "ms");
+    let mut text = format!("{:6} {:44} {:>10} {:>7} {:>10}\n", "bench", "variant", "size", "threads", "ms");
     for row in rows {
         let size = row.size.as_deref().unwrap_or("");
         let mut more = Vec::new();
@@ -86,7 +90,7 @@ fn table(rows: &[Row]) -> String {
         }
         let more = more.join(", ");
         let line =
-            format!("{:6} {:34} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
+            format!("{:6} {:44} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
         text += line.trim_end();
         text.push('\n');
     }
