@@ -5,14 +5,12 @@
 //! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
 use crate::glare::{Level, STEP};
-use crate::irradiance::DARKNESS;
+use crate::irradiance::{DARKNESS, Light};
 use crate::lanes::{LANES, Path};
 use crate::points::TILE;
-
-use crate::upscale::{Halves, Neighbourhood, upscale};
+use crate::upscale::{Guides, Print};
 use crate::{Film, Finish, Floor, Radiance, Renderer, Scene, Step, View, tone};
 use rayon::prelude::*;
-use std::cell::RefCell;
 use std::mem::take;
 
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
@@ -29,24 +27,32 @@ pub struct HalfRenderer {
     glows: Layer,
     /// The tops' finishes, while others are in their place.
     finishes: Vec<Finish>,
-    /// Which tiles are not on the film as they should be.
-    stale: Vec<bool>,
+    tiles: Vec<Tile>,
+}
+
+/// A tile of the picture.
+#[derive(Clone, Debug)]
+struct Tile {
+    print: Print,
+    /// Whether a surface has light of its own.
+    glows: bool,
+    /// Whether it is not on the film as it should be.
+    stale: bool,
 }
 
 /// A picture that only what has changed is made anew of.
 struct Layer {
     renderer: Renderer,
     radiance: Radiance,
+    /// Whether any tile of the last one was made anew.
+    fresh: bool,
 }
 
 impl Layer {
     fn render(&mut self, scene: &Scene) {
         self.renderer.render_table(scene, &mut self.radiance);
+        self.fresh = self.renderer.is_fresh();
     }
-}
-
-thread_local! {
-    static NEIGHBOURHOOD: RefCell<Neighbourhood> = RefCell::new(Neighbourhood::new());
 }
 
 impl Default for HalfRenderer {
@@ -63,7 +69,7 @@ impl HalfRenderer {
 
     /// A renderer on a chosen instruction set: the same bits on each.
     pub fn on(path: Path) -> HalfRenderer {
-        let layer = || Layer { renderer: Renderer::on(path), radiance: Radiance::default() };
+        let layer = || Layer { renderer: Renderer::on(path), radiance: Radiance::default(), fresh: true };
         HalfRenderer {
             path,
             lamps: layer(),
@@ -71,7 +77,7 @@ impl HalfRenderer {
             marks: [layer(), layer()],
             glows: layer(),
             finishes: Vec::new(),
-            stale: Vec::new(),
+            tiles: Vec::new(),
         }
     }
 
@@ -157,27 +163,42 @@ impl HalfRenderer {
 
     /// Finds which tiles have to be developed again; says whether there is any.
     fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
+        let HalfRenderer { path, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
+            self;
         let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
-        if !known || self.stale.len() != across * down {
-            self.stale.clear();
-            self.stale.resize(across * down, true);
-            return true;
-        }
+        let another = tiles.len() != across * down;
+        tiles.resize(across * down, Tile { print: Print::none(), glows: false, stale: true });
+        let guides = Guides {
+            half_guide: &half_guide.radiance,
+            half_marks: &half_marks.radiance,
+            guide: &guide.radiance,
+            marks: &marks.radiance,
+        };
         let half = view.halved();
-        let full = [&self.glows, &self.guides[1], &self.marks[1]];
-        let mut any = false;
-        for (at, stale) in self.stale.iter_mut().enumerate() {
+        let look = |(at, tile): (usize, &mut Tile)| {
             let (x, y) = (at % across * TILE, at / across * TILE);
             let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
             let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
-            let lamps = &self.lamps.renderer;
             let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
-            let fresh = full.iter().any(|layer| layer.renderer.is_fresh_at(view, x, y))
-                || corners.iter().any(|&(x, y)| lamps.is_fresh_at(&half, x, y));
-            *stale |= fresh;
-            any |= fresh;
-        }
-        any
+            let is_fresh = |layer: &Layer| another || layer.fresh && layer.renderer.is_fresh_at(view, x, y);
+            let is_fresh_around =
+                |layer: &Layer| layer.fresh && corners.iter().any(|&(x, y)| layer.renderer.is_fresh_at(&half, x, y));
+            let printed =
+                is_fresh(guide) || is_fresh(marks) || is_fresh_around(half_guide) || is_fresh_around(half_marks);
+            if printed {
+                tile.print.take(*path, guides, x, y);
+            }
+            let glowing = is_fresh(glows);
+            if glowing {
+                let mut light = DARKNESS;
+                glows.radiance.read_tile(x, y, &mut light);
+                tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
+            }
+            let fresh = !known || printed || glowing || is_fresh_around(lamps);
+            tile.stale |= fresh;
+            fresh
+        };
+        tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
     }
 
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
@@ -198,41 +219,37 @@ impl HalfRenderer {
 
     /// Puts the tiles on film that are not there as they should be.
     fn develop(&mut self, exposure: f32, film: &mut Film) {
-        let HalfRenderer { path, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, stale, .. } =
-            self;
+        let HalfRenderer { path, lamps, glows, tiles, .. } = self;
         let (path, width, window) = (*path, film.frame.width, film.window);
-        let glare = &film.glare;
-        let halves = Halves { light: &lamps.radiance, guide: &half_guide.radiance, marks: &half_marks.radiance };
-        let (guide, marks, glows, balls) =
-            (&guide.radiance, &marks.radiance, &glows.radiance, lamps.renderer.patches());
-        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(stale.par_chunks_mut(width.div_ceil(TILE)));
-        bands.enumerate().for_each(|(band, (pixels, stale))| {
-            NEIGHBOURHOOD.with_borrow_mut(|from| {
-                let (mut full, mut mark, mut own, mut out) = (DARKNESS, DARKNESS[0], DARKNESS, DARKNESS);
-                let mut tile = [[0; LANES]; TILE];
-                let y = band * TILE;
-                for (x, stale) in (0..width).step_by(TILE).zip(stale) {
-                    *stale |= glare.differs(x, y);
-                    if !*stale || !Film::wants(window, x, y) {
-                        continue;
-                    }
-                    *stale = false;
-                    from.read(halves, x, y);
-                    guide.read_tile(x, y, &mut full);
-                    marks.read_plane(0, x, y, &mut mark);
-                    upscale(path, from, &full, &mark, &mut out);
-                    glows.read_tile(x, y, &mut own);
-                    for (out, own) in out.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
-                        for i in 0..LANES {
-                            out[i] += own[i];
-                        }
-                    }
-                    balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
-                    tone::develop(path, &out, glare, exposure, [x, y], &mut tile);
-                    tone::put(&tile, x, width, pixels);
+        let (glare, light, glows, balls) = (&film.glare, &lamps.radiance, &glows.radiance, lamps.renderer.patches());
+        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (pixels, tiles))| {
+            let (mut own, mut out, mut developed) = (DARKNESS, DARKNESS, [[0; LANES]; TILE]);
+            let y = band * TILE;
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
+                tile.stale |= glare.differs(x, y);
+                if !tile.stale || !Film::wants(window, x, y) {
+                    continue;
                 }
-            });
+                tile.stale = false;
+                tile.print.light(path, light, x, y, &mut out);
+                if tile.glows {
+                    glows.read_tile(x, y, &mut own);
+                    add(&own, &mut out);
+                }
+                balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
+                tone::develop(path, &out, glare, exposure, [x, y], &mut developed);
+                tone::put(&developed, x, width, pixels);
+            }
         });
+    }
+}
+
+fn add(more: &Light, light: &mut Light) {
+    for (light, more) in light.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
+        for i in 0..LANES {
+            light[i] += more[i];
+        }
     }
 }
 

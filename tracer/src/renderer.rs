@@ -2,13 +2,12 @@
 //! then the balls that mirror them, then the glare, then the tiles themselves.
 
 use crate::albedo::Art;
-use crate::ball::{Patch, Table};
+use crate::ball::Patch;
 use crate::bands::{BLOCK, each_tile, means_bands, write_means, write_planes};
 use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
 use crate::glare::Pyramid;
-use crate::irradiance::DARKNESS;
 use crate::lanes::{LANES, Path};
 use crate::memory::{MOST_LAMPS, Past};
 use crate::monte_carlo::Sampling;
@@ -22,6 +21,7 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+mod balls;
 mod layer;
 
 /// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
@@ -235,21 +235,6 @@ impl Renderer {
         self.forget();
     }
 
-    fn put_balls_on(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let stride = radiance.stride();
-        self.render_balls(scene, &mut radiance.glare);
-        radiance.glare.gather(self.path);
-        for patch in &self.patches {
-            for (x, y) in patch.tiles() {
-                let mut tile = DARKNESS;
-                radiance.read_tile(x, y, &mut tile);
-                patch.blend(x, y, &mut tile);
-                let [red, green, blue] = &mut radiance.planes;
-                write_planes(&tile, x, y, stride, &mut [red, green, blue]);
-            }
-        }
-    }
-
     /// Draws a scene that was prepared, and forgets it.
     fn draw_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, exposure: f32, film: &mut Film) {
         let mut radiance = std::mem::take(&mut self.radiance);
@@ -375,26 +360,6 @@ impl Renderer {
             }
         }
         self.changes.tops.extend_from_slice(moved);
-    }
-
-    /// Renders the balls of a scene that was prepared, and puts them into the means.
-    pub(crate) fn render_balls(&mut self, scene: &Scene, glare: &mut Pyramid) {
-        self.patches.resize_with(scene.balls.len(), Patch::default);
-        self.patches.truncate(scene.balls.len());
-        if let Some((level, planes)) = glare.means() {
-            let table = Table { view: &scene.view, level, planes, ambient: scene.ambient };
-            let (path, lamps, all) = (self.path, &self.lamps, &self.silhouettes);
-            self.patches.par_iter_mut().zip(&scene.balls).for_each(|(patch, ball)| {
-                let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.candidates));
-                patch.look(path, ball, lamps, &scene.filters, all);
-                patch.render(ball, table);
-            });
-        }
-        if let Some((level, mut planes)) = glare.means_mut() {
-            for patch in &self.patches {
-                patch.blend_means(&level, planes.each_mut().map(|plane| &mut **plane));
-            }
-        }
     }
 }
 

@@ -4,12 +4,14 @@
 //! guide (what the pixel shows under a white sky), filtered, and multiplied by the guide of the full resolution: art and
 //! print stay as sharp as they are. A second guide tells one surface from another, and half-resolution pixels of another
 //! surface count next to nothing: joint bilateral upsampling (J. Kopf, M. Cohen, D. Lischinski, M. Uyttendaele, 2007).
-//! This module refuses to know where light, guide and mark come from.
+//!
+//! All but the light stands still where nothing moves, so a tile keeps the weights of each pixel's four neighbours and
+//! the guides' quotient ([`Print`]). This module refuses to know where light, guide and mark come from.
 
 use crate::Radiance;
 use crate::irradiance::Light;
-use crate::lanes::{LANES, Lanes, clones, max};
-use crate::points::{Plane, TILE};
+use crate::lanes::{LANES, Lanes, Path, clones, max, min};
+use crate::points::{AREA, Plane, TILE};
 
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
 const SIDE: usize = TILE / 2 + 2;
@@ -17,108 +19,197 @@ const SIDE: usize = TILE / 2 + 2;
 /// The square of the difference of two marks that halves a pixel's weight.
 const LIKENESS: f32 = 1.0 / 1024.0;
 
-/// A plane of the half resolution around a tile, each row at the full resolution twice: the pixel that a full pixel is
-/// in, and the next nearest beside it.
+/// Half of the lanes. In this module the pixels of a row are sorted, the even ones first: so their neighbours lie side by
+/// side, as they lie in memory.
+const HALF: usize = LANES / 2;
+
+/// The largest weight that is kept.
+const MOST_WEIGHT: f32 = 255.0;
+
+/// Quotients are kept as square roots, in these parts of 1: up to 64, beyond which a pixel would be a few times as bright
+/// as paper that nobody prints on, to a four-thousandth of 1.
+const PARTS: f32 = 8192.0;
+
+/// A plane of the half resolution around a tile, for each of its rows and each (sorted) pixel across: the half-resolution
+/// pixel that it is in, and the next nearest beside it.
 type Spread = [[Lanes; 2]; SIDE];
 
-/// What one tile is brought to the full resolution from.
-pub(crate) struct Neighbourhood {
-    light: [Spread; 3],
-    guide: [Spread; 3],
-    mark: Spread,
+/// Nothing around a tile.
+const NOTHING: Spread = [[[0.0; LANES]; 2]; SIDE];
+
+/// What turns the light around a tile into the tile's own.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(crate) struct Print {
+    /// How much the four nearest half-resolution pixels count, for each (sorted) pixel: the largest 255.
+    weights: [[u8; AREA]; 4],
+    /// The guide over the weighted sum of the guides around it, red, green and blue, times [`MOST_WEIGHT`].
+    quotients: [[u16; AREA]; 3],
 }
 
-/// Light, guide and mark of a picture at half the resolution.
+/// Guide and mark of a picture at half the resolution, and at the full one; a mark is the first channel.
 #[derive(Clone, Copy)]
-pub(crate) struct Halves<'a> {
-    pub light: &'a Radiance,
+pub(crate) struct Guides<'a> {
+    pub half_guide: &'a Radiance,
+    pub half_marks: &'a Radiance,
     pub guide: &'a Radiance,
-    /// Its first channel is the mark.
     pub marks: &'a Radiance,
 }
 
-impl Neighbourhood {
-    /// Nothing yet.
-    pub fn new() -> Neighbourhood {
-        let dark = [[[0.0; LANES]; 2]; SIDE];
-        Neighbourhood { light: [dark; 3], guide: [dark; 3], mark: dark }
+impl Print {
+    /// Nothing.
+    pub fn none() -> Print {
+        Print { weights: [[0; AREA]; 4], quotients: [[0; AREA]; 3] }
     }
 
-    /// Reads what the tile needs whose upper left pixel, at the full resolution, is (`x`, `y`).
-    pub fn read(&mut self, halves: Halves, x: usize, y: usize) {
+    /// Becomes that of the tile whose upper left pixel, at the full resolution, is (`x`, `y`).
+    pub fn take(&mut self, path: Path, guides: Guides, x: usize, y: usize) {
+        let (mut around, mut plane) = (NOTHING, [[0.0; LANES]; TILE]);
+        read(guides.half_marks, 0, x, y, &mut around);
+        guides.marks.read_plane(0, x, y, &mut plane);
+        weigh(path, &plane, &around, &mut self.weights);
         for channel in 0..3 {
-            spread(halves.light, channel, x, y, &mut self.light[channel]);
-            spread(halves.guide, channel, x, y, &mut self.guide[channel]);
+            read(guides.half_guide, channel, x, y, &mut around);
+            guides.guide.read_plane(channel, x, y, &mut plane);
+            divide(path, &self.weights, &around, &plane, &mut self.quotients[channel]);
         }
-        spread(halves.marks, 0, x, y, &mut self.mark);
+    }
+
+    /// The tile in this light, found at half the resolution; its upper left pixel is (`x`, `y`).
+    pub fn light(&self, path: Path, light: &Radiance, x: usize, y: usize, out: &mut Light) {
+        let mut around = NOTHING;
+        for channel in 0..3 {
+            read(light, channel, x, y, &mut around);
+            multiply(path, &self.weights, &around, &self.quotients[channel], &mut out[channel]);
+        }
     }
 }
 
 /// Reads one channel around a tile; beyond the picture's edge is what is at the edge.
-fn spread(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
+fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
     let (stride, first) = (half.stride(), x / 2);
     for (row, [near, far]) in out.iter_mut().enumerate() {
         let line = (y / 2 + row).saturating_sub(1).min(half.height() - 1);
         let line = &half.planes[channel][line * stride..][..stride];
-        let mut cells = [line[stride - 1]; SIDE];
-        cells[0] = line[first.saturating_sub(1)];
-        match line[first..].first_chunk::<{ SIDE - 1 }>() {
-            Some(whole) => cells[1..].copy_from_slice(whole),
-            None => cells[1..][..stride - first].copy_from_slice(&line[first..]),
-        }
-        for i in 0..LANES {
-            near[i] = cells[1 + i / 2];
-            far[i] = cells[i / 2 + 2 * (i % 2)];
-        }
+        let mut edge = [0.0; SIDE];
+        let inside = first.checked_sub(1).and_then(|before| line[before..].first_chunk());
+        let cells: &[f32; SIDE] = inside.unwrap_or_else(|| {
+            for (at, cell) in edge.iter_mut().enumerate() {
+                *cell = line[(first + at).saturating_sub(1).min(stride - 1)];
+            }
+            &edge
+        });
+        near[..HALF].copy_from_slice(&cells[1..=HALF]);
+        near[HALF..].copy_from_slice(&cells[1..=HALF]);
+        far[..HALF].copy_from_slice(&cells[..HALF]);
+        far[HALF..].copy_from_slice(&cells[2..HALF + 2]);
     }
 }
 
 clones! {
-    /// The light of a tile, whose guide and mark at the full resolution are given.
-    pub(crate) fn upscale(from: &Neighbourhood, guide: &Light, mark: &Plane, out: &mut Light) = upscale_lanes;
+    /// Weighs the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
+    fn weigh(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
+}
+clones! {
+    /// Divides the guide by the weighted sum of those around it.
+    fn divide(
+        weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quotients: &mut [u16; AREA],
+    ) = divide_lanes;
+}
+clones! {
+    /// Multiplies the weighted sum of the light around each pixel.
+    fn multiply(
+        weights: &[[u8; AREA]; 4], around: &Spread, quotients: &[u16; AREA], out: &mut Plane,
+    ) = multiply_lanes;
 }
 
+/// The row of half-resolution pixels that a row of a tile is in, and the next nearest.
 #[inline(always)]
-fn upscale_lanes(from: &Neighbourhood, guide: &Light, mark: &Plane, out: &mut Light) {
+fn nearest(row: usize) -> (usize, usize) {
+    (1 + row / 2, row / 2 + 2 * (row % 2))
+}
+
+/// The pixels of a row, sorted.
+#[inline(always)]
+fn sorted(line: &Lanes) -> Lanes {
+    let mut out = [0.0; LANES];
+    for i in 0..HALF {
+        out[i] = line[2 * i];
+        out[HALF + i] = line[2 * i + 1];
+    }
+    out
+}
+
+/// The nearest whole number, for a value from 0 to 65,535: 2^23 leaves no room for a fraction.
+#[inline(always)]
+fn rounded(value: f32) -> u32 {
+    (value + 8_388_608.0).to_bits() & 0xffff
+}
+
+/// All four weights are multiplied by all four distances, which saves divisions: only their proportions count.
+#[inline(always)]
+fn weigh_lanes(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) {
     for row in 0..TILE {
-        let (near, far) = (1 + row / 2, row / 2 + 2 * (row % 2));
-        let weights = weigh(&mark[row], &from.mark[near], &from.mark[far]);
-        for channel in 0..3 {
-            let (light, own) = (&from.light[channel], &from.guide[channel]);
-            let light = sum(&weights, &light[near], &light[far]);
-            let own = sum(&weights, &own[near], &own[far]);
-            for i in 0..LANES {
-                out[channel][row][i] = guide[channel][row][i] * (light[i] / max(own[i], 1e-30));
-            }
+        let (near, far) = nearest(row);
+        let mark = sorted(&mark[row]);
+        let ([a, b], [c, d]) = (&marks[near], &marks[far]);
+        for i in 0..LANES {
+            let (da, db, dc, dd) = (mark[i] - a[i], mark[i] - b[i], mark[i] - c[i], mark[i] - d[i]);
+            let (qa, qb) = (LIKENESS + da * da, LIKENESS + db * db);
+            let (qc, qd) = (LIKENESS + dc * dc, LIKENESS + dd * dd);
+            let (ab, cd) = (qa * qb, qc * qd);
+            let (wa, wb, wc, wd) = (9.0 * (qb * cd), 3.0 * (qa * cd), 3.0 * (qd * ab), qc * ab);
+            let scale = MOST_WEIGHT / max(max(wa, wb), max(wc, wd));
+            let at = row * LANES + i;
+            weights[0][at] = rounded(wa * scale) as u8;
+            weights[1][at] = rounded(wb * scale) as u8;
+            weights[2][at] = rounded(wc * scale) as u8;
+            weights[3][at] = rounded(wd * scale) as u8;
         }
     }
 }
 
-/// The weights of the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
-///
-/// All four are multiplied by the four distances, which saves the divisions: only their proportions count.
+/// What is around the pixels of a row, each neighbour as often as it counts.
 #[inline(always)]
-fn weigh(mark: &Lanes, near: &[Lanes; 2], far: &[Lanes; 2]) -> [Lanes; 4] {
-    let mut weights = [[0.0; LANES]; 4];
+fn sum(row: usize, weights: &[[u8; AREA]; 4], around: &Spread) -> Lanes {
+    let (near, far) = nearest(row);
+    let ([a, b], [c, d]) = (&around[near], &around[far]);
+    let weights = |neighbour: usize| &weights[neighbour][row * LANES..][..LANES];
+    let (wa, wb, wc, wd) = (weights(0), weights(1), weights(2), weights(3));
+    let mut out = [0.0; LANES];
     for i in 0..LANES {
-        let unlike = |other: f32| LIKENESS + (mark[i] - other) * (mark[i] - other);
-        let (a, b) = (unlike(near[0][i]), unlike(near[1][i]));
-        let (c, d) = (unlike(far[0][i]), unlike(far[1][i]));
-        let (ab, cd) = (a * b, c * d);
-        weights[0][i] = 9.0 * (b * cd);
-        weights[1][i] = 3.0 * (a * cd);
-        weights[2][i] = 3.0 * (d * ab);
-        weights[3][i] = c * ab;
+        out[i] =
+            (f32::from(wa[i]) * a[i] + f32::from(wb[i]) * b[i]) + (f32::from(wc[i]) * c[i] + f32::from(wd[i]) * d[i]);
     }
-    weights
+    out
 }
 
 #[inline(always)]
-fn sum(weights: &[Lanes; 4], near: &[Lanes; 2], far: &[Lanes; 2]) -> Lanes {
-    let mut out = [0.0; LANES];
-    for i in 0..LANES {
-        out[i] = (weights[0][i] * near[0][i] + weights[1][i] * near[1][i])
-            + (weights[2][i] * far[0][i] + weights[3][i] * far[1][i]);
+fn divide_lanes(weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quotients: &mut [u16; AREA]) {
+    for row in 0..TILE {
+        let (guide, sum) = (sorted(&guide[row]), sum(row, weights, around));
+        let out = &mut quotients[row * LANES..][..LANES];
+        for i in 0..LANES {
+            let quotient = MOST_WEIGHT * max(guide[i], 0.0) / max(sum[i], 1e-20);
+            out[i] = rounded(min(quotient.sqrt() * PARTS, 65_535.0)) as u16;
+        }
     }
-    out
+}
+
+#[inline(always)]
+fn multiply_lanes(weights: &[[u8; AREA]; 4], around: &Spread, quotients: &[u16; AREA], out: &mut Plane) {
+    const GAIN: f32 = 1.0 / (MOST_WEIGHT * PARTS * PARTS);
+    for row in 0..TILE {
+        let sum = sum(row, weights, around);
+        let kept = &quotients[row * LANES..][..LANES];
+        let mut lit = [0.0; LANES];
+        for i in 0..LANES {
+            let root = f32::from(kept[i]);
+            lit[i] = sum[i] * (root * root * GAIN);
+        }
+        for i in 0..HALF {
+            out[row][2 * i] = lit[i];
+            out[row][2 * i + 1] = lit[HALF + i];
+        }
+    }
 }

@@ -7,14 +7,14 @@ use crate::simulation::Snapshot;
 use geometry::DVec2;
 use physics::BallPose;
 
-/// How quickly it closes in, 1/s: critically damped, it has closed nine tenths of its way in a third of a second.
-const RATE: f64 = 12.0;
+/// How quickly it closes in, 1/s: critically damped, it has closed nine tenths of its way in 0.28 s.
+const RATE: f64 = 14.0;
 /// How far ahead of a ball it looks, s: a little less than its own delay on a steady way, which is 2 / rate.
-const AHEAD_S: f64 = 0.12;
+const AHEAD_S: f64 = 0.11;
 /// But no farther than this, mm.
-const AHEAD_MM: f64 = 160.0;
-/// How far from the middle of what is shown the balls' own middle may be, in parts of what is shown.
-const OFF: f64 = 0.44;
+const AHEAD_MM: f64 = 330.0;
+/// How far from the middle what it follows may be, in parts of what is shown: nearly at the edge.
+const MARGIN: f64 = 0.42;
 /// How much of a ball's way to the side it goes along with: the flippers are in the middle.
 const SIDEWAYS: f64 = 0.8;
 /// A tick, s.
@@ -41,16 +41,16 @@ impl Camera {
     pub fn follow(&mut self, moment: &Snapshot, size_mm: DVec2, shown_mm: DVec2) -> DVec2 {
         let room = (size_mm - shown_mm).max(DVec2::ZERO) * 0.5;
         let within = |point: DVec2| point.clamp(size_mm * 0.5 - room, size_mm * 0.5 + room);
-        let balls_mm = middle(&moment.pose.balls, size_mm, 0.0);
-        let aim_mm = within(middle(&moment.pose.balls, size_mm, AHEAD_S));
+        let Aim { now_mm, soon_mm } = aim(&moment.pose.balls, size_mm);
+        let aim_mm = within(soon_mm);
         let still = Flight { tick: moment.tick, aim_mm, middle_mm: aim_mm, speed_mm_s: DVec2::ZERO };
         let flight = self.0.get_or_insert(still.clone());
         match moment.tick.checked_sub(flight.tick).filter(|ticks| *ticks <= LONGEST_GAP) {
             Some(ticks) => flight.fly(ticks, aim_mm),
             None => *flight = still,
         }
-        // However fast they are, it does not lose them.
-        flight.middle_mm = flight.middle_mm.clamp(balls_mm - shown_mm * OFF, balls_mm + shown_mm * OFF);
+        // However fast it is, what it follows stays in sight.
+        flight.middle_mm = flight.middle_mm.clamp(now_mm - shown_mm * MARGIN, now_mm + shown_mm * MARGIN);
         within(flight.middle_mm)
     }
 
@@ -75,23 +75,30 @@ impl Flight {
     }
 }
 
-/// The middle of where the balls will be after some time, mm, the lowest counting by far the most; the flippers where there
-/// is none.
-fn middle(balls: &[BallPose], size_mm: DVec2, after_s: f64) -> DVec2 {
+/// Where to look, mm.
+struct Aim {
+    now_mm: DVec2,
+    /// In a moment.
+    soon_mm: DVec2,
+}
+
+/// At the balls, the lowest by far the most; at the flippers where there is none.
+fn aim(balls: &[BallPose], size_mm: DVec2) -> Aim {
     let flippers = DVec2::new(size_mm.x * 0.5, size_mm.y);
-    let (mut sum, mut weights) = (DVec2::ZERO, 0.0);
+    let (mut sum, mut ahead, mut weights) = (DVec2::ZERO, DVec2::ZERO, 0.0);
     for ball in balls.iter().filter(|ball| ball.center.is_finite() && ball.velocity.is_finite()) {
         let center = ball.center * 1000.0;
         let low = (center.y / size_mm.y).clamp(0.0, 1.0) + 0.1;
         let weight = low * low * low * low * low * low * if ball.held { HELD } else { 1.0 };
-        sum += (center + (ball.velocity * 1000.0 * after_s).clamp_length_max(AHEAD_MM)) * weight;
+        sum += center * weight;
+        ahead += (ball.velocity * 1000.0 * AHEAD_S).clamp_length_max(AHEAD_MM) * weight;
         weights += weight;
     }
     if weights == 0.0 {
-        return flippers;
+        return Aim { now_mm: flippers, soon_mm: flippers };
     }
-    let middle = sum / weights;
-    DVec2::new(flippers.x + (middle.x - flippers.x) * SIDEWAYS, middle.y)
+    let towards = |middle: DVec2| DVec2::new(flippers.x + (middle.x - flippers.x) * SIDEWAYS, middle.y);
+    Aim { now_mm: sum / weights, soon_mm: towards((sum + ahead) / weights) }
 }
 
 #[cfg(test)]
@@ -162,10 +169,10 @@ mod tests {
     #[test]
     fn of_several_balls_the_lowest_counts_by_far_the_most_and_no_ball_makes_it_jump() {
         let two = |y: f64| vec![ball(DVec2::new(0.257, 0.2), DVec2::ZERO), ball(DVec2::new(0.257, y), DVec2::ZERO)];
-        assert!(middle(&two(0.9), SIZE, AHEAD_S).y > 850.0);
-        let mut last = middle(&two(0.0), SIZE, AHEAD_S).y;
+        assert!(aim(&two(0.9), SIZE).now_mm.y > 850.0);
+        let mut last = aim(&two(0.0), SIZE).now_mm.y;
         for step in 1..=1000 {
-            let next = middle(&two(f64::from(step) * 0.001), SIZE, AHEAD_S).y;
+            let next = aim(&two(f64::from(step) * 0.001), SIZE).now_mm.y;
             assert!((next - last).abs() < 8.0, "{last} {next}");
             last = next;
         }

@@ -30,13 +30,18 @@ impl Renderer {
         &self.patches
     }
 
+    /// Whether any tile is another than in the picture before.
+    pub(crate) fn is_fresh(&self) -> bool {
+        // A picture that was made from nothing has no memory.
+        self.past.bands.is_empty() || self.past.is_fresh()
+    }
+
     /// Whether the tile that a pixel is in is another than in the picture before, in a picture of this view.
     pub(crate) fn is_fresh_at(&self, view: &View, x: usize, y: usize) -> bool {
         let (band, block) = (y / BLOCK, x / BLOCK);
         let tiles = |from: usize, end: usize| (end.min(from + BLOCK) - from).div_ceil(TILE);
         let (rows, columns) = (tiles(band * BLOCK, view.height), tiles(block * BLOCK, view.width));
         let at = block * (BLOCK / TILE) * rows + y % BLOCK / TILE * columns + x % BLOCK / TILE;
-        // A picture that was made from nothing has no memory.
         self.past.bands.get(band).and_then(|band| band.get(at)).is_none_or(|tile| tile.fresh)
     }
 }
