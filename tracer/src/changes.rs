@@ -64,8 +64,11 @@ pub(crate) struct Changes {
     flashes: Vec<Flash>,
     /// The pixels of inserts that do not glow as they did: left, top, right, bottom.
     glows: Vec<[usize; 4]>,
-    /// Where a ball is or was, and how far it darkens the floor.
+    /// Where a ball is or was, and how far it darkens the floor: a ball mirrors all of the table, so whatever changes may
+    /// show in it.
     contacts: Vec<(DVec2, f64)>,
+    /// Whether the balls are as they were.
+    still: bool,
     /// Where tops are whose own light is not what it was.
     pub tops: Vec<Bounds>,
 }
@@ -90,7 +93,16 @@ impl Changes {
         for ball in self.balls.iter().chain(&scene.balls) {
             self.contacts.push((ball.center_mm, ball.radius_mm * CONTACT_RADII));
         }
+        self.still = self.balls == scene.balls;
         self.balls.clone_from(&scene.balls);
+    }
+
+    /// Leaves balls as they are that lie still where nothing is new; nor has anything moved before a lamp.
+    pub fn leave_still_balls(&mut self) {
+        let quiet = self.flashes.is_empty() && self.glows.is_empty() && self.tops.is_empty();
+        if quiet && self.still && !self.everything {
+            self.contacts.clear();
+        }
     }
 
     /// Light is added up in the lamps' order, so a lamp that has changed places has changed.

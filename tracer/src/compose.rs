@@ -1,6 +1,5 @@
 //! The tile's pictures that no lamp above the floor makes: light from everywhere, light of its own, inserts that glow.
 
-use crate::Mask;
 use crate::albedo;
 use crate::changes::CONTACT_RADII;
 use crate::irradiance::{DARKNESS, light_floor_ambient, light_top_ambient};
@@ -10,6 +9,7 @@ use crate::lighting::scatter;
 use crate::place::Place;
 use crate::points::TILE;
 use crate::tile::{Stage, Workspace};
+use crate::{Ball, Mask};
 
 impl Workspace {
     /// Reads the art of the tile, and how its floor leans, for the surfaces that were recalled.
@@ -89,12 +89,10 @@ impl Workspace {
     /// there, hides the part `(r / s)^2 cos`, s being the distance of its middle.
     pub(crate) fn shade_contacts(&mut self, stage: &Stage, place: &Place) {
         for ball in &stage.scene.balls {
-            let from_tile = ball.center_mm - place.middle_mm;
-            let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
-            let near = from_tile.length_squared() < reach * reach;
-            if !near {
+            if !touches(ball, place) {
                 continue;
             }
+            let from_tile = ball.center_mm - place.middle_mm;
             let (bx, by, radius) = (from_tile.x as f32, from_tile.y as f32, ball.radius_mm as f32);
             for row in 0..TILE {
                 for i in 0..LANES {
@@ -137,10 +135,12 @@ impl Workspace {
     }
 }
 
-/// Whether a ball stands so near that it darkens the tile.
+/// Whether any ball stands so near that it darkens the tile.
 pub(crate) fn has_contacts(stage: &Stage, place: &Place) -> bool {
-    stage.scene.balls.iter().any(|ball| {
-        let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
-        ball.center_mm.distance_squared(place.middle_mm) < reach * reach
-    })
+    stage.scene.balls.iter().any(|ball| touches(ball, place))
+}
+
+fn touches(ball: &Ball, place: &Place) -> bool {
+    let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
+    ball.center_mm.distance_squared(place.middle_mm) < reach * reach
 }

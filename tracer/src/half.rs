@@ -8,9 +8,11 @@ use crate::glare::{Level, STEP};
 use crate::irradiance::{DARKNESS, Light};
 use crate::lanes::{LANES, Path};
 use crate::points::TILE;
+use crate::renderer::drawable;
 use crate::upscale::{Guides, Print};
 use crate::{Film, Finish, Floor, Radiance, Renderer, Scene, Step, View, tone};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::mem::take;
 
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
@@ -82,7 +84,8 @@ impl HalfRenderer {
     }
 
     /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
-    /// any number. The scene is as it was afterwards.
+    /// any number. The scene is as it was afterwards. What [`Scene::check`] refuses is not drawn; of a view that it refuses
+    /// there is no picture.
     pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut Film) {
         self.draw_watched(scene, half, exposure, film, &mut |_| {});
     }
@@ -96,10 +99,31 @@ impl HalfRenderer {
         film: &mut Film,
         done: &mut (dyn FnMut(Step) + Send),
     ) {
-        film.resize(scene.view.width, scene.view.height);
-        if scene.view.width == 0 || scene.view.height == 0 {
-            return;
+        let View { width, height, .. } = scene.view;
+        if width == 0 || height == 0 {
+            return film.resize(width, height);
         }
+        let cleaned = match drawable(scene) {
+            None => return film.resize(0, 0),
+            Some(Cow::Owned(cleaned)) => Some(cleaned),
+            Some(Cow::Borrowed(_)) => None,
+        };
+        match cleaned {
+            Some(mut cleaned) => self.draw_whole(&mut cleaned, half, exposure, film, done),
+            None => self.draw_whole(scene, half, exposure, film, done),
+        }
+    }
+
+    /// Draws a scene in which nothing is wrong.
+    fn draw_whole<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        exposure: f32,
+        film: &mut Film,
+        done: &mut (dyn FnMut(Step) + Send),
+    ) {
+        film.resize(scene.view.width, scene.view.height);
         let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
         self.render_layers(scene, half, done);
         let changed = self.look_for_stale(&scene.view, known);

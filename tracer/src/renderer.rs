@@ -107,9 +107,10 @@ impl Renderer {
         if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
             return self.render_afresh(scene, None, true, radiance);
         }
+        self.leave_still_balls();
         self.look(scene, &mut radiance.glare);
-        self.render_balls(scene, &mut radiance.glare);
         if self.past.is_fresh() {
+            self.render_balls(scene, &mut radiance.glare);
             radiance.glare.gather(self.path);
         }
         self.compose(scene, &self.patches, radiance);
@@ -151,12 +152,15 @@ impl Renderer {
         if !self.prepare(scene, known) {
             return self.draw_afresh(scene, None, exposure, film);
         }
+        self.leave_still_balls();
         done(Step::Prepared);
         self.look(scene, &mut film.glare);
         done(Step::Shaded);
-        self.render_balls(scene, &mut film.glare);
-        done(Step::Mirrored);
         let fresh = self.past.is_fresh();
+        if fresh {
+            self.render_balls(scene, &mut film.glare);
+        }
+        done(Step::Mirrored);
         if fresh {
             film.glare.gather(self.path);
         }
@@ -334,6 +338,12 @@ impl Renderer {
         count <= MOST_LAMPS
     }
 
+    fn leave_still_balls(&mut self) {
+        if self.lamps.iter().all(|lit| lit.moved.len() == 0) {
+            self.changes.leave_still_balls();
+        }
+    }
+
     /// Most tops are where they were in the last frame.
     fn prepare_tops(&mut self, tops: &[Top]) {
         let moved = &mut self.past.moved_tops;
@@ -364,7 +374,7 @@ impl Renderer {
 }
 
 /// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing.
-fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
+pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
     let empty = scene.view.width == 0 || scene.view.height == 0;
     if empty || limits::wrong_with_view(&scene.view).is_some() {
         return None;

@@ -109,8 +109,8 @@ pub fn white(width: usize, height: usize) -> Floor {
     Floor { width, height, floor: vec![[255; 4]; count], tops: vec![[255; 4]; count], ..Floor::default() }
 }
 
-/// All of `floor` from above, in the dark.
-fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
+/// All of `floor` from above, its corner at the table's origin, with nothing on it and in the dark.
+pub fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
     Scene {
         view: View { width: floor.width, height: floor.height, origin_mm: DVec2::ZERO, mm_per_px },
         lamps: Vec::new(),

@@ -1,68 +1,15 @@
 //! The fast light against its slow twins, on scenes that a program makes up.
 
-use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
+use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing::{self, Random};
-use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, View, exact};
+use tracer::testing;
+use tracer::{Floor, Radiance, Renderer, View, exact};
 
 /// 160 x 160 pixels, 1 mm each, all white.
 const SIDE: usize = 160;
 
 fn white() -> Floor {
-    let pixels = vec![[255; 4]; SIDE * SIDE];
-    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new(), gloss: 0.0 }
-}
-
-/// A few lamps, and occluders of every kind thrown in among them: some overlap, some hold a lamp.
-fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
-    let mut random = Random(seed);
-    let size = DVec2::splat(SIDE as f64);
-    let lamps = (0..3)
-        .map(|_| Lamp {
-            center_mm: random.within(size * 1.2) - size * 0.1,
-            emitter: Emitter::Disc { radius_mm: random.between(2.0, 9.0) },
-            height_mm: random.between(20.0, 40.0),
-            reach_mm: random.between(90.0, 260.0),
-            color: [0.1; 3],
-            inside: None,
-        })
-        .collect();
-    let mut occluders = Vec::new();
-    for group in 0..14 {
-        let shape = any_shape(&mut random, size, group);
-        occluders.push(Occluder { shape, group: Group(group) });
-    }
-    Scene {
-        view: View { width: SIDE, height: SIDE, origin_mm: DVec2::ZERO, mm_per_px: 1.0 },
-        lamps,
-        occluders,
-        filters: Vec::new(),
-        tops: Vec::new(),
-        balls: Vec::new(),
-        glows: Vec::new(),
-        floor,
-        ambient: [0.0; 3],
-    }
-}
-
-fn any_shape(random: &mut Random, size: DVec2, kind: u16) -> Shape {
-    let at = random.within(size);
-    let angle = random.between(0.0, std::f64::consts::TAU);
-    let other = at + trig::direction(angle) * random.between(5.0, 60.0);
-    let radius = random.between(0.3, 4.0);
-    match kind % 4 {
-        0 => Shape::disc(at, random.between(0.5, 12.0)),
-        1 => Shape::capsule(at, other, radius),
-        2 => {
-            let circle = Circle { center: at, radius: random.between(5.0, 50.0) };
-            Shape { core: Core::Arc(Arc::new(circle, angle, random.between(0.3, 6.0))), radius }
-        }
-        _ => {
-            let a = Circle { center: at, radius: random.between(3.0, 9.0) };
-            let b = Circle { center: other, radius: random.between(1.0, 5.0) };
-            Shape { core: Core::Taper(Taper { a, b }), radius: 0.5 }
-        }
-    }
+    testing::white(SIDE, SIDE)
 }
 
 #[derive(Default)]
@@ -99,7 +46,7 @@ fn the_lanes_agree_with_monte_carlo() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 0..10 {
-        let scene = jumble(seed, &floor);
+        let scene = testing::jumble(seed, &floor);
         renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
         for at in (seed as usize..SIDE * SIDE).step_by(211) {
@@ -118,7 +65,7 @@ fn the_lanes_agree_with_double_precision() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 10..20 {
-        let scene = jumble(seed, &floor);
+        let scene = testing::jumble(seed, &floor);
         renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
         for at in (0..SIDE * SIDE).step_by(13) {
@@ -138,7 +85,7 @@ fn points_that_touch_an_occluder_are_right_too() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 0..8 {
-        let mut scene = jumble(seed, &floor);
+        let mut scene = testing::jumble(seed, &floor);
         let shape = scene.occluders[seed as usize].shape;
         let (_, away) = shape.distance(DVec2::splat(80.0));
         let inside = DVec2::splat(80.0) - away * shape.distance(DVec2::splat(80.0)).0;
@@ -161,7 +108,7 @@ fn points_that_touch_an_occluder_are_right_too() {
 #[test]
 fn memory_changes_no_bit() {
     let floor = white();
-    let mut scene = jumble(3, &floor);
+    let mut scene = testing::jumble(3, &floor);
     let (mut renderer, mut remembered, mut fresh) = (Renderer::new(), Radiance::default(), Radiance::default());
     for frame in 0..12 {
         let moving = &mut scene.occluders[4].shape;

@@ -3,8 +3,8 @@
 use geometry::{DVec2, Shape};
 use tracer::testing::{self, Props};
 use tracer::{
-    Emitter, Film, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Path, Profile, Renderer, Scene,
-    Top, View,
+    Ball, Emitter, Film, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Path, Profile, Renderer,
+    Scene, Top, View,
 };
 
 /// A table with the art for both resolutions.
@@ -130,12 +130,9 @@ fn an_edge_stays_where_it_is_and_light_does_not_bleed() {
             view,
             lamps: vec![lamp],
             occluders: vec![Occluder { shape: wall, group: Group(1) }],
-            filters: Vec::new(),
             tops: vec![Top { outline: Outline::Polygon(corners), group: Group(1), finish }],
-            balls: Vec::new(),
-            glows: Vec::new(),
-            floor: &floor,
             ambient: [0.001; 3],
+            ..testing::white_view(&floor, 1.0)
         };
         let full = drawn_full(&scene);
         let drawn = drawn_half(&mut scene, &half);
@@ -216,4 +213,17 @@ fn many_lamps_are_drawn_too() {
     let full = drawn_full(&scene);
     let Apart { mean, .. } = apart(&full, &drawn_half(&mut scene, &set.half));
     assert!(mean < 2.0, "{mean}");
+}
+
+/// What a scene may not have is left out, and the rest is drawn as if it had never been there.
+#[test]
+fn what_is_refused_is_not_drawn() {
+    let set = Set::new(90, 180);
+    let mut scene = set.scene();
+    let expected = drawn_half(&mut scene, &set.half);
+    scene.lamps.push(Lamp { center_mm: DVec2::NAN, ..scene.lamps[0] });
+    scene.balls.push(Ball { radius_mm: f64::INFINITY, ..scene.balls[0] });
+    assert!(drawn_half(&mut scene, &set.half) == expected);
+    scene.view.mm_per_px = f64::NAN;
+    assert_eq!(drawn_half(&mut scene, &set.half).pixels.len(), 0);
 }

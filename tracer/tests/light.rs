@@ -9,8 +9,7 @@ use tracer::{
 const SIDE: usize = 96;
 
 fn white() -> Floor {
-    let pixels = vec![[255; 4]; SIDE * SIDE];
-    Floor { width: SIDE, height: SIDE, floor: pixels.clone(), tops: pixels, normals: Vec::new(), gloss: 0.0 }
+    testing::white(SIDE, SIDE)
 }
 
 /// 96 x 96 mm around the origin, one lamp 60 mm above the middle of the view.
@@ -27,13 +26,7 @@ fn lone_lamp(floor: &Floor) -> Scene<'_> {
     Scene {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::splat(-half), mm_per_px: 1.0 },
         lamps: vec![lamp],
-        occluders: Vec::new(),
-        filters: Vec::new(),
-        tops: Vec::new(),
-        balls: Vec::new(),
-        glows: Vec::new(),
-        floor,
-        ambient: [0.0; 3],
+        ..testing::white_view(floor, 1.0)
     }
 }
 

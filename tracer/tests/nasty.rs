@@ -86,17 +86,7 @@ fn ball() -> impl Strategy<Value = Ball> {
 }
 
 fn scene(floor: &Floor) -> Scene<'_> {
-    Scene {
-        view: View { width: SIDE, height: SIDE, origin_mm: DVec2::ZERO, mm_per_px: 1.0 },
-        lamps: Vec::new(),
-        occluders: Vec::new(),
-        filters: Vec::new(),
-        tops: Vec::new(),
-        balls: Vec::new(),
-        glows: Vec::new(),
-        floor,
-        ambient: [0.02; 3],
-    }
+    Scene { ambient: [0.02; 3], ..testing::white_view(floor, 1.0) }
 }
 
 /// Renders, and finds no pixel that is no light.

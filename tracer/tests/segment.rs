@@ -20,13 +20,7 @@ fn lone_tube(floor: &Floor) -> Scene<'_> {
     Scene {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::splat(-0.5 * SIDE as f64), mm_per_px: 1.0 },
         lamps: vec![lamp],
-        occluders: Vec::new(),
-        filters: Vec::new(),
-        tops: Vec::new(),
-        balls: Vec::new(),
-        glows: Vec::new(),
-        floor,
-        ambient: [0.0; 3],
+        ..testing::white_view(floor, 1.0)
     }
 }
 
