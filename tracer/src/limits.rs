@@ -21,7 +21,7 @@ const BRIGHTEST: f32 = 1e9;
 const MOST_PIXELS: (usize, usize) = (1 << 15, 1 << 28);
 
 /// The least and the most millimetres a pixel.
-const MM_PER_PX: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
+const MM_PER_PX: std::ops::RangeInclusive<f64> = 1e-4..=1e4;
 
 impl Scene<'_> {
     /// Whether all of the scene is drawn.
@@ -74,7 +74,7 @@ pub(crate) fn wrong_with_view(view: &View) -> Option<&'static str> {
     }
     let size = DVec2::new(view.width as f64, view.height as f64) * view.mm_per_px;
     let right = MM_PER_PX.contains(&view.mm_per_px) && is_place(view.origin_mm) && is_place(view.origin_mm + size);
-    (!right).then_some("must lie within 10 km of the origin, at 0.0001 to 1000 mm a pixel")
+    (!right).then_some("must lie within 10 km of the origin, at 0.0001 to 10,000 mm a pixel")
 }
 
 pub(crate) fn wrong_with_lamp(lamp: &Lamp) -> Option<&'static str> {
