@@ -3,6 +3,7 @@
 use crate::irradiance::{DARKNESS, Light, Normals};
 use crate::lanes::{LANES, Lanes, Path, clones, max};
 use crate::points::{AREA, Plane, TILE};
+use crate::response::Paint;
 use crate::{Floor, Scene};
 use rayon::prelude::*;
 
@@ -12,7 +13,7 @@ pub(crate) struct Art {
     /// Tiles across.
     across: usize,
     /// Red, green, blue of every tile, in 65,535ths.
-    tiles: Vec<[[u16; AREA]; 3]>,
+    tiles: Vec<Paint>,
     /// Which way every tile leans, if any does: x and y of the normal, in 127ths; nothing for a flat tile.
     normals: Vec<Option<Box<[[i8; AREA]; 2]>>>,
 }
@@ -58,9 +59,14 @@ impl Art {
         })
     }
 
+    /// The paint of the tile whose upper left pixel is (`x`, `y`).
+    pub fn paint(&self, x: usize, y: usize) -> &Paint {
+        &self.tiles[y / TILE * self.across + x / TILE]
+    }
+
     /// The reflectance of the tile whose upper left pixel is (`x`, `y`).
     pub fn read(&self, path: Path, x: usize, y: usize, out: &mut Light) {
-        widen(path, &self.tiles[y / TILE * self.across + x / TILE], out);
+        widen(path, self.paint(x, y), out);
     }
 }
 
@@ -91,11 +97,11 @@ fn lean_lanes([across, down]: &[[i8; AREA]; 2], out: &mut Normals) {
 }
 
 clones! {
-    fn widen(tile: &[[u16; AREA]; 3], out: &mut Light) = widen_lanes;
+    fn widen(tile: &Paint, out: &mut Light) = widen_lanes;
 }
 
 #[inline(always)]
-fn widen_lanes(tile: &[[u16; AREA]; 3], out: &mut Light) {
+fn widen_lanes(tile: &Paint, out: &mut Light) {
     for (plane, kept) in out.iter_mut().zip(tile) {
         for (line, kept) in plane.iter_mut().zip(kept.as_chunks::<LANES>().0) {
             for i in 0..LANES {

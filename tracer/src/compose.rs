@@ -2,12 +2,12 @@
 
 use crate::albedo;
 use crate::changes::CONTACT_RADII;
-use crate::irradiance::{DARKNESS, light_floor_ambient, light_top_ambient};
-use crate::lanes::{LANES, max};
+use crate::irradiance::{DARKNESS, Light, light_floor_ambient, light_top_ambient};
+use crate::lanes::{LANES, clones, max};
 use crate::layer::TopLayer;
 use crate::lighting::scatter;
 use crate::place::Place;
-use crate::points::TILE;
+use crate::points::{Points, TILE};
 use crate::tile::{Stage, Workspace};
 use crate::{Ball, Mask};
 
@@ -85,29 +85,6 @@ impl Workspace {
         }
     }
 
-    /// Darkens what is in [`Workspace::out`] where a ball hides the sky: a sphere that rests on the floor, seen from
-    /// there, hides the part `(r / s)^2 cos`, s being the distance of its middle.
-    pub(crate) fn shade_contacts(&mut self, stage: &Stage, place: &Place) {
-        for ball in &stage.scene.balls {
-            if !touches(ball, place) {
-                continue;
-            }
-            let from_tile = ball.center_mm - place.middle_mm;
-            let (bx, by, radius) = (from_tile.x as f32, from_tile.y as f32, ball.radius_mm as f32);
-            for row in 0..TILE {
-                for i in 0..LANES {
-                    let (dx, dy) = (stage.whole_tile.x[row][i] - bx, stage.whole_tile.y[row][i] - by);
-                    let square = max(dx * dx + dy * dy + radius * radius, 1e-6);
-                    let hidden = radius * radius * radius / (square * square.sqrt());
-                    let open = 1.0 - 0.9 * hidden;
-                    for plane in &mut self.out {
-                        plane[row][i] *= open;
-                    }
-                }
-            }
-        }
-    }
-
     /// Puts the light of an insert, of the colour white, through the art that is printed on it, into
     /// [`Workspace::picture`].
     pub(crate) fn glow(&mut self, place: &Place, mask: &Mask) {
@@ -131,6 +108,40 @@ impl Workspace {
                     self.picture[channel][row][i] = strength * through;
                 }
             }
+        }
+    }
+}
+
+/// Darkens `out` where a ball hides the sky: a sphere that rests on the floor, seen from there, hides the part
+/// `(r / s)^2 cos`, s being the distance of its middle.
+pub(crate) fn shade_contacts(stage: &Stage, place: &Place, out: &mut Light) {
+    for ball in stage.scene.balls.iter().filter(|ball| touches(ball, place)) {
+        let from_tile = ball.center_mm - place.middle_mm;
+        shade_contact(
+            stage.path,
+            stage.whole_tile,
+            [from_tile.x as f32, from_tile.y as f32, ball.radius_mm as f32],
+            out,
+        );
+    }
+}
+
+clones! {
+    fn shade_contact(pixels: &Points, ball: [f32; 3], out: &mut Light) = shade_contact_lanes;
+}
+
+#[inline(always)]
+fn shade_contact_lanes(pixels: &Points, [bx, by, radius]: [f32; 3], out: &mut Light) {
+    let [red, green, blue] = out;
+    for row in 0..TILE {
+        for i in 0..LANES {
+            let (dx, dy) = (pixels.x[row][i] - bx, pixels.y[row][i] - by);
+            let square = max(dx * dx + dy * dy + radius * radius, 1e-6);
+            let hidden = radius * radius * radius / (square * square.sqrt());
+            let open = 1.0 - 0.9 * hidden;
+            red[row][i] *= open;
+            green[row][i] *= open;
+            blue[row][i] *= open;
         }
     }
 }

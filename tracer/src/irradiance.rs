@@ -52,10 +52,19 @@ impl Surface {
 }
 
 clones! {
-    /// The floor's picture in the beam's light, which its points see as far as `fraction` says; `gloss` is 0 to 1.
+    /// What arrives at the floor of the beam's light, which its points see as far as `fraction` says, and what shines
+    /// there in the light's own colour; `gloss` is 0 to 1.
     pub(crate) fn light_floor(
-        points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, out: &mut Light,
+        points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, arriving: &mut Plane,
+        shine: &mut Plane,
     ) = light_floor_lanes;
+}
+
+clones! {
+    /// The floor's picture, of what arrives and of what shines.
+    pub(crate) fn paint_floor(
+        blocks: usize, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light,
+    ) = paint_floor_lanes;
 }
 
 clones! {
@@ -103,15 +112,26 @@ fn power_16(x: f32) -> f32 {
 /// How bright the gloss of a floor of gloss 1 is, seen straight on.
 const COAT: f32 = 1.6;
 
+/// From here on down, the square of the cosine between normal and half vector leaves no shine on the floor.
+const COAT_ENDS: f32 = 1.0 - 6.0 / 32.0;
+
 #[inline(always)]
-fn light_floor_lanes(points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, out: &mut Light) {
+fn light_floor_lanes(
+    points: &Points,
+    floor: &Surface,
+    beam: Falloff,
+    fraction: &[Lanes],
+    gloss: f32,
+    arriving: &mut Plane,
+    shine: &mut Plane,
+) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
     for block in 0..points.blocks() {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
-        let (mut matt, mut shine) = ([0.0; LANES], [0.0; LANES]);
+        let (matt, shine) = (&mut arriving[block], &mut shine[block]);
         let to = beam.arriving(x, y);
         for i in 0..LANES {
             matt[i] = weight[i] * (REFERENCE * to.light[i] * seen[i]);
@@ -119,15 +139,24 @@ fn light_floor_lanes(points: &Points, floor: &Surface, beam: Falloff, fraction: 
         if leans {
             for i in 0..LANES {
                 let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
-                // To the 64th: a coat of lacquer.
-                let c = power_16(answer.cosine_square);
-                shine[i] = coat * matt[i] * (c * c);
+                // A coat of lacquer: near its middle as narrow as the 64th power of the cosine, but it ends.
+                let near = max(answer.cosine_square - COAT_ENDS, 0.0) * (1.0 / (1.0 - COAT_ENDS));
+                let lobe = near * near * near;
+                shine[i] = coat * matt[i] * (lobe * lobe);
                 matt[i] *= answer.matt;
             }
+        } else {
+            *shine = [0.0; LANES];
         }
-        for (out, albedo) in out.iter_mut().zip(&floor.albedo) {
+    }
+}
+
+#[inline(always)]
+fn paint_floor_lanes(blocks: usize, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
+    for (out, albedo) in out.iter_mut().zip(albedo) {
+        for block in 0..blocks {
             for i in 0..LANES {
-                out[block][i] = albedo[block][i] * matt[i] + shine[i];
+                out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
             }
         }
     }

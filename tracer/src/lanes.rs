@@ -101,6 +101,19 @@ macro_rules! clones {
 }
 pub(crate) use clones;
 
+/// Asks the memory for what will be read soon: nothing depends on it but time.
+#[inline(always)]
+pub(crate) fn fetch<T>(things: &[T]) {
+    #[cfg(target_arch = "x86_64")]
+    for at in (0..size_of_val(things)).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: a hint reads nothing, and the address is within `things`.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(things.as_ptr().cast::<i8>().add(at)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = things;
+}
+
 /// The smaller number, in one instruction: `f32::min` also has to think about NaN.
 #[inline(always)]
 pub(crate) fn min(a: f32, b: f32) -> f32 {

@@ -38,6 +38,7 @@ pub mod limits;
 mod memory;
 pub mod monte_carlo;
 mod obstruction;
+mod past;
 mod place;
 mod points;
 pub mod quality;

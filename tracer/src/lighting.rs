@@ -4,8 +4,8 @@
 use crate::cone::Cone;
 use crate::falloff::Falloff;
 use crate::gaze::Gaze;
-use crate::irradiance::{DARKNESS, Light, light_floor, light_top};
-use crate::lanes::{LANES, Lanes};
+use crate::irradiance::{DARKNESS, Light, light_floor, light_top, paint_floor};
+use crate::lanes::{LANES, Lanes, Path};
 use crate::layer::TopLayer;
 use crate::obstruction::Verdict;
 use crate::place::Place;
@@ -13,15 +13,31 @@ use crate::points::{Points, TILE};
 use crate::tile::{Lit, Stage, Workspace};
 use crate::{Group, Rgb, filter};
 
+/// What a lamp lights of a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lighted {
+    /// Nothing.
+    Dark,
+    /// Bare floor, and nothing of its light is tinted.
+    Floor,
+    /// Anything.
+    Colors,
+}
+
 impl Workspace {
-    /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::picture`]; says whether there is
-    /// any.
-    pub(crate) fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> bool {
+    /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is all floor,
+    /// into [`Workspace::arriving`] and [`Workspace::shine`].
+    pub(crate) fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> Lighted {
         self.look_at(stage, at, place);
         let near = &self.near[at];
         let met = filter::met(&stage.scene.filters, |group| near.casts(group));
         if met.as_slice().is_empty() {
-            return self.light_past(stage, at, place, layers, &[]);
+            if layers == 0 {
+                let lit = self.light_floor_past(stage, at, place, &[]);
+                return if lit { Lighted::Floor } else { Lighted::Dark };
+            }
+            let lit = self.light_past(stage, at, place, layers, &[]);
+            return if lit { Lighted::Colors } else { Lighted::Dark };
         }
         let mut lit = false;
         self.sum = DARKNESS;
@@ -34,25 +50,42 @@ impl Workspace {
         self.picture = self.sum;
         // What hides the lamp with every filter away is more than one group can be blamed for.
         self.between.hidden_by = None;
-        lit
+        if lit { Lighted::Colors } else { Lighted::Dark }
+    }
+
+    /// Puts the floor in a lamp's light, past everything but some groups, into [`Workspace::arriving`] and
+    /// [`Workspace::shine`]; says whether there is any.
+    fn light_floor_past(&mut self, stage: &Stage, at: usize, place: &Place, away: &[Group]) -> bool {
+        let verdict = self.sees(stage, at, place, None, away);
+        if verdict == Verdict::Dark {
+            return false;
+        }
+        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
+        let points = if self.whole { stage.whole_tile } else { &self.floor };
+        let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
+        let (arriving, shine) = (&mut self.arriving, &mut self.shine);
+        light_floor(stage.path, points, &self.ground, beam, fraction, stage.scene.floor.gloss, arriving, shine);
+        true
+    }
+
+    /// Puts the whole floor's picture, of what arrives and of what shines, into [`Workspace::picture`].
+    pub(crate) fn paint(&mut self, path: Path) {
+        paint_floor(path, TILE, &self.ground.albedo, &self.arriving, &self.shine, &mut self.picture);
     }
 
     /// [`Workspace::light`], past everything but some groups.
     fn light_past(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize, away: &[Group]) -> bool {
         let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
         let mut lit = false;
-        if self.whole || self.floor.count > 0 {
-            let verdict = self.sees(stage, at, place, None, away);
-            if verdict != Verdict::Dark {
-                lit = true;
-                let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
-                let (points, out) =
-                    if self.whole { (stage.whole_tile, &mut self.picture) } else { (&self.floor, &mut self.packed) };
-                light_floor(stage.path, points, &self.ground, beam, fraction, stage.scene.floor.gloss, out);
-                if !self.whole {
-                    self.picture = DARKNESS;
-                    scatter(&self.floor, &self.packed, &mut self.picture);
-                }
+        if (self.whole || self.floor.count > 0) && self.light_floor_past(stage, at, place, away) {
+            lit = true;
+            if self.whole {
+                self.paint(stage.path);
+            } else {
+                let (blocks, albedo) = (self.floor.blocks(), &self.ground.albedo);
+                paint_floor(stage.path, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
+                self.picture = DARKNESS;
+                scatter(&self.floor, &self.packed, &mut self.picture);
             }
         }
         for layer in 0..layers {

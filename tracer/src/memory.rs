@@ -6,16 +6,25 @@
 //! a list: one that flashes is remembered while it is dark.
 
 use crate::irradiance::Light;
-use crate::response::{CELLS, Gist, Means, Part, Texels, add_gist};
+use crate::lanes::{LANES, fetch};
+use crate::points::Plane;
+use crate::response::{
+    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, floor_means, keep, means_of, put_floor,
+};
 use crate::surfaces::Surfaces;
-use crate::{Group, Lamp, Occluder, Path, Rgb, View};
-use geometry::Bounds;
+use crate::{Group, Path, Rgb};
 
-/// How many lamps are remembered: in a scene of more, every picture is made from nothing.
-pub(crate) const MOST_LAMPS: usize = 160;
-
-/// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
-const MOST_MOVES: usize = 200;
+/// How a picture is kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Form {
+    /// Red, green and blue: three planes.
+    #[default]
+    Colors,
+    /// What arrives at bare floor: one plane.
+    Floor,
+    /// The same, and after it what shines on the floor.
+    GlossyFloor,
+}
 
 /// What one tile shows in the light of one lamp: what the glare needs of it, and where the rest is.
 #[derive(Clone, Debug, Default)]
@@ -24,39 +33,66 @@ pub(crate) struct Sight {
     pub holds: bool,
     /// What hides the lamp from all of the tile, if it is one group alone.
     pub hidden_by: Option<Group>,
-    /// What squares of texels are multiplied by; 0 in darkness.
-    scale: f32,
+    form: Form,
+    /// What squares of texels are multiplied by, and of those of the gloss; 0 in darkness.
+    scales: [f32; 2],
     gist: Gist,
-    /// Which of the tile's pictures it is; none where it never was lit.
-    picture: Option<u32>,
+    /// Which of the tile's planes are its own.
+    planes: std::ops::Range<usize>,
 }
 
 impl Sight {
     /// Whether it is known to be lit.
     fn is_lit(&self) -> bool {
-        self.holds && self.scale > 0.0
+        self.holds && self.scales != [0.0; 2]
     }
 
-    /// The picture, in light of this colour.
-    fn lit(&self, color: Rgb) -> Option<Lit> {
-        let picture = self.picture.filter(|_| self.is_lit())?;
-        Some(Lit { picture, gain: color.map(|channel| channel * self.scale) })
+    /// Its planes, so many at least.
+    fn take<'a>(&mut self, count: usize, planes: &'a mut Vec<Texels>) -> &'a mut [Texels] {
+        if self.planes.len() < count {
+            self.planes = planes.len()..planes.len() + count;
+            planes.resize(self.planes.end, Texels::dark());
+        }
+        &mut planes[self.planes.start..][..count]
     }
 
-    fn keep(&mut self, path: Path, light: &Light, pictures: &mut Vec<Texels>) {
+    fn keep_colors(&mut self, path: Path, light: &Light, planes: &mut Vec<Texels>) {
+        (self.holds, self.hidden_by, self.form) = (true, None, Form::Colors);
+        self.scales = [keep(path, light, self.take(3, planes)), 0.0];
+        let mut means = [[0.0; CELLS]; 3];
+        means_of(path, light, &mut means);
+        self.gist = Gist::of(&means);
+    }
+
+    fn keep_floor(&mut self, path: Path, floor: Bare, planes: &mut Vec<Texels>) {
         (self.holds, self.hidden_by) = (true, None);
-        let at = *self.picture.get_or_insert_with(|| {
-            pictures.push(Texels::dark());
-            pictures.len() as u32 - 1
-        });
-        self.scale = pictures[at as usize].keep(path, light, &mut self.gist);
+        let glossy = floor.shine.as_flattened().iter().any(|&shine| shine > 0.0);
+        self.form = if glossy { Form::GlossyFloor } else { Form::Floor };
+        let texels = self.take(1 + usize::from(glossy), planes);
+        let (matt, gloss) = texels.split_at_mut(1);
+        self.scales =
+            [keep(path, &[*floor.arriving], matt), if glossy { keep(path, &[*floor.shine], gloss) } else { 0.0 }];
+        let mut means = [[0.0; CELLS]; 3];
+        floor_means(path, floor.albedo, floor.arriving, floor.shine, &mut means);
+        self.gist = Gist::of(&means);
     }
 }
 
-/// A picture of a tile in its light.
+/// A tile of bare floor in the light of one lamp.
+#[derive(Clone, Copy)]
+pub(crate) struct Bare<'a> {
+    /// Its reflectance.
+    pub albedo: &'a Light,
+    /// What arrives, and is reflected in the floor's colours.
+    pub arriving: &'a Plane,
+    /// What is reflected in the lamp's own colour.
+    pub shine: &'a Plane,
+}
+
+/// A plane, or the first of three, in its light.
 #[derive(Clone, Copy, Debug)]
 struct Lit {
-    picture: u32,
+    plane: usize,
     gain: Rgb,
 }
 
@@ -64,18 +100,23 @@ struct Lit {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileMemory {
     sights: Vec<Sight>,
-    /// Of every sight, what its picture is multiplied by; 0 where there is none. Apart, since most lamps light few tiles.
-    scales: Vec<f32>,
-    /// In the light from everywhere, with the light of tops of their own.
+    /// Whether it sees any of a lamp, for every sight. Apart, since most lamps light few tiles.
+    shown: Vec<bool>,
+    /// In the light from everywhere, with the light of tops of their own; of a tile of bare floor only what the glare
+    /// needs of it, in white light.
     pub base: Sight,
+    /// Whether it is all bare floor.
+    is_floor: bool,
     /// In the light of inserts, known by their masks' places in memory.
     glows: Vec<((usize, usize), Sight)>,
     /// The pictures of all of these: one after another, so that a tile is put together without a jump.
-    pictures: Vec<Texels>,
-    /// What it is made of in this picture: first the light from everywhere, if there is any.
-    lit: Vec<Lit>,
-    /// Whether the first of these is the light from everywhere.
-    has_base: bool,
+    planes: Vec<Texels>,
+    /// What it is made of in this picture: in colours, of what arrives at the floor, of what shines there.
+    colors: Vec<Lit>,
+    arriving: Vec<Lit>,
+    shine: Vec<Lit>,
+    /// The light from everywhere.
+    ambient: Rgb,
     /// Their sum's means.
     pub means: Means,
     /// What it shows.
@@ -91,7 +132,7 @@ impl TileMemory {
     pub fn sight(&mut self, lamp: usize) -> &mut Sight {
         if self.sights.len() <= lamp {
             self.sights.resize_with(lamp + 1, Sight::default);
-            self.scales.resize(lamp + 1, 0.0);
+            self.shown.resize(lamp + 1, false);
         }
         &mut self.sights[lamp]
     }
@@ -112,65 +153,129 @@ impl TileMemory {
 
     /// Keeps the picture in the light from everywhere.
     pub fn keep_base(&mut self, path: Path, light: &Light) {
-        self.base.keep(path, light, &mut self.pictures);
+        self.is_floor = false;
+        self.base.keep_colors(path, light, &mut self.planes);
+    }
+
+    /// Keeps in mind that all of the tile is floor of this reflectance.
+    pub fn keep_floor_base(&mut self, path: Path, albedo: &Light) {
+        self.is_floor = true;
+        self.base.holds = true;
+        let mut means = [[0.0; CELLS]; 3];
+        means_of(path, albedo, &mut means);
+        self.base.gist = Gist::of(&means);
     }
 
     /// Keeps the picture in a lamp's light.
     pub fn keep(&mut self, lamp: usize, path: Path, light: &Light) {
-        self.sights[lamp].keep(path, light, &mut self.pictures);
-        self.scales[lamp] = self.sights[lamp].scale;
+        self.sights[lamp].keep_colors(path, light, &mut self.planes);
+        self.shown[lamp] = self.sights[lamp].is_lit();
+    }
+
+    /// Keeps the picture in a lamp's light of a tile that is all floor.
+    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: Bare) {
+        self.sights[lamp].keep_floor(path, floor, &mut self.planes);
+        self.shown[lamp] = self.sights[lamp].is_lit();
     }
 
     /// Keeps in mind that a lamp lights nothing, and what hides it if it is one group alone.
     pub fn keep_dark(&mut self, lamp: usize, hidden_by: Option<Group>) {
         let sight = &mut self.sights[lamp];
-        (sight.holds, sight.hidden_by, sight.scale) = (true, hidden_by, 0.0);
-        self.scales[lamp] = 0.0;
+        (sight.holds, sight.hidden_by, sight.scales) = (true, hidden_by, [0.0; 2]);
+        self.shown[lamp] = false;
     }
 
     /// Keeps the picture in an insert's light.
     pub fn keep_glow(&mut self, mask: (usize, usize), path: Path, light: &Light) {
         if let Some((_, sight)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
-            sight.keep(path, light, &mut self.pictures);
+            sight.keep_colors(path, light, &mut self.planes);
         }
     }
 
-    /// Puts the tile in the light of lamps, given by their numbers, and of inserts, given by their masks.
+    /// Puts the tile in the light from everywhere, of lamps, given by their numbers, and of inserts, given by their masks.
     pub fn light(
         &mut self,
         path: Path,
+        ambient: Rgb,
         lamps: impl Iterator<Item = (usize, Rgb)>,
         glows: impl Iterator<Item = ((usize, usize), Rgb)>,
     ) {
-        self.lit.clear();
+        self.ambient = ambient;
         self.means = [[0.0; CELLS]; 3];
-        let TileMemory { lit, means, sights, scales, glows: inserts, .. } = self;
+        if self.is_floor {
+            self.base.gist.add(path, ambient, &mut self.means);
+        }
+        let TileMemory { colors, arriving, shine, means, sights, shown, glows: inserts, .. } = self;
+        [&mut *colors, arriving, shine].into_iter().for_each(Vec::clear);
         let mut add = |sight: &Sight, color: Rgb| {
-            if let Some(part) = sight.lit(color) {
-                add_gist(path, &sight.gist, part.gain, means);
-                lit.push(part);
+            sight.gist.add(path, color, means);
+            let lit = |scale: f32, plane: usize| Lit { plane, gain: color.map(|channel| channel * scale) };
+            let first = lit(sight.scales[0], sight.planes.start);
+            match sight.form {
+                Form::Colors => colors.push(first),
+                Form::Floor | Form::GlossyFloor => arriving.push(first),
+            }
+            if sight.form == Form::GlossyFloor {
+                shine.push(lit(sight.scales[1], sight.planes.start + 1));
             }
         };
-        add(&self.base, [1.0; 3]);
+        if !self.is_floor && self.base.is_lit() {
+            add(&self.base, [1.0; 3]);
+        }
         for (number, color) in lamps {
-            if scales.get(number).is_some_and(|&scale| scale > 0.0) {
+            if shown.get(number).is_some_and(|&shown| shown) {
                 add(&sights[number], color);
             }
         }
         // Few tiles have inserts.
         for (mask, color) in glows.take_while(|_| !inserts.is_empty()) {
-            if let Some((_, sight)) = inserts.iter().find(|glow| glow.0 == mask) {
+            if let Some((_, sight)) = inserts.iter().find(|glow| glow.0 == mask && glow.1.is_lit()) {
                 add(sight, color);
             }
         }
-        self.has_base = self.base.is_lit();
     }
 
-    /// What the tile shows of light from everywhere, and of the lamps and inserts that it is lit by.
-    pub fn parts(&self) -> (impl Iterator<Item = Part<'_>>, impl Iterator<Item = Part<'_>>) {
-        let (base, rest) = self.lit.split_at(usize::from(self.has_base));
-        let part = |lit: &Lit| Part { texels: &self.pictures[lit.picture as usize], gain: lit.gain };
-        (base.iter().map(part), rest.iter().map(part))
+    /// Asks for what [`TileMemory::compose`] will read.
+    fn fetch_planes(&self) {
+        for lit in &self.colors {
+            fetch(&self.planes[lit.plane..lit.plane + 3]);
+        }
+        for lit in self.arriving.iter().chain(&self.shine) {
+            fetch(&self.planes[lit.plane..lit.plane + 1]);
+        }
+    }
+
+    /// Asks for what [`TileMemory::light`] will read.
+    fn fetch_sights(&self) {
+        fetch(&self.shown);
+        for (sight, _) in self.sights.iter().zip(&self.shown).filter(|(_, shown)| **shown) {
+            fetch(std::slice::from_ref(sight));
+        }
+    }
+
+    /// Puts together what the tile shows, on floor of this paint; `shade` darkens the light from everywhere.
+    pub fn compose(&self, path: Path, paint: &Paint, shade: Option<impl FnOnce(&mut Light)>, out: &mut Light) {
+        let gray = |lit: &Lit| Part { texels: &self.planes[lit.plane], gain: lit.gain };
+        let colored = |lit: &Lit| Part { texels: &self.planes[lit.plane..lit.plane + 3], gain: lit.gain };
+        let (base, rest) = self.colors.split_at(usize::from(!self.is_floor && self.base.is_lit()));
+        let arriving = self.arriving.iter().map(gray);
+        if !self.is_floor {
+            out.as_flattened_mut().fill([0.0; LANES]);
+            add_colors(path, base.iter().map(colored), out);
+        }
+        match shade {
+            Some(shade) => {
+                if self.is_floor {
+                    put_floor(path, paint, self.ambient, std::iter::empty(), out);
+                }
+                shade(out);
+                add_floor(path, paint, arriving, out);
+            }
+            None if self.is_floor => put_floor(path, paint, self.ambient, arriving, out),
+            None => add_floor(path, paint, arriving, out),
+        }
+        add_grays(path, self.shine.iter().map(gray), out);
+        add_colors(path, rest.iter().map(colored), out);
     }
 
     /// Nothing holds any more.
@@ -178,85 +283,29 @@ impl TileMemory {
         self.surfaces.holds = false;
         self.base.holds = false;
         self.developed = false;
-        self.scales.fill(0.0);
+        self.shown.fill(false);
         for sight in self.sights.iter_mut().chain(self.glows.iter_mut().map(|glow| &mut glow.1)) {
             sight.holds = false;
         }
     }
 }
 
-/// A lamp that has been seen.
-#[derive(Clone, Debug)]
-pub(crate) struct Known {
-    /// The lamp, black.
-    lamp: Lamp,
-    /// What has moved since it shone last: where it was, and where it went.
-    pub moved: Vec<Occluder>,
-    /// Whether too much has moved to be told.
-    pub lost: bool,
+/// Tiles one after another; while one is looked at, what `fetch` asks for of the next is on its way.
+fn ahead(mut tiles: &mut [TileMemory], fetch: impl Fn(&TileMemory)) -> impl Iterator<Item = &mut TileMemory> {
+    std::iter::from_fn(move || {
+        let (tile, others) = std::mem::take(&mut tiles).split_first_mut()?;
+        others.first().into_iter().for_each(&fetch);
+        tiles = others;
+        Some(tile)
+    })
 }
 
-/// What the last picture was made of, and what has moved since.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Past {
-    view: Option<View>,
-    occluders: Vec<Occluder>,
-    /// The lamps, by the numbers that [`TileMemory`] knows them by.
-    pub known: Vec<Known>,
-    /// The tiles, band by band.
-    pub bands: Vec<Vec<TileMemory>>,
-    /// Where tops have moved.
-    pub moved_tops: Vec<Bounds>,
+/// Tiles that are to be made true.
+pub(crate) fn to_be_lit(tiles: &mut [TileMemory]) -> impl Iterator<Item = &mut TileMemory> {
+    ahead(tiles, TileMemory::fetch_sights)
 }
 
-impl Past {
-    /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
-    pub fn turn_page(&mut self, view: &View, occluders: &[Occluder], bands: usize, tiles: usize) {
-        if self.view.as_ref() != Some(view) || self.known.len() > MOST_LAMPS {
-            self.view = Some(*view);
-            self.known.clear();
-            self.bands.resize_with(bands, Vec::new);
-            for band in &mut self.bands {
-                band.resize_with(tiles, TileMemory::default);
-                band.iter_mut().for_each(TileMemory::forget);
-            }
-        }
-        for at in 0..self.occluders.len().max(occluders.len()) {
-            let (old, new) = (self.occluders.get(at), occluders.get(at));
-            if old != new {
-                for known in &mut self.known {
-                    known.moved.extend(old);
-                    known.moved.extend(new);
-                }
-            }
-        }
-        for known in &mut self.known {
-            if known.moved.len() > MOST_MOVES {
-                known.lost = true;
-                known.moved.clear();
-            }
-        }
-        self.occluders.clear();
-        self.occluders.extend_from_slice(occluders);
-    }
-
-    /// Whether any tile is another than in the last picture.
-    pub fn is_fresh(&self) -> bool {
-        self.bands.iter().flatten().any(|tile| tile.fresh)
-    }
-
-    /// The number of a lamp, which is given one if it is new.
-    pub fn number(&mut self, lamp: &Lamp) -> usize {
-        let black = Lamp { color: [0.0; 3], ..*lamp };
-        self.known.iter().position(|known| known.lamp == black).unwrap_or_else(|| {
-            self.known.push(Known { lamp: black, moved: Vec::new(), lost: true });
-            self.known.len() - 1
-        })
-    }
-
-    /// The lamp of this number has been looked at from everywhere.
-    pub fn looked_at(&mut self, number: usize) {
-        self.known[number].moved.clear();
-        self.known[number].lost = false;
-    }
+/// Tiles that are to be put together.
+pub(crate) fn to_be_composed(tiles: &mut [TileMemory]) -> impl Iterator<Item = &mut TileMemory> {
+    ahead(tiles, TileMemory::fetch_planes)
 }

@@ -1,7 +1,6 @@
 //! Where a tile is: on the screen, and on the table.
 
-use crate::irradiance::Light;
-use crate::points::TILE;
+use crate::points::{Plane, TILE};
 use crate::{Lamp, Mask, Scene};
 use geometry::{Bounds, DVec2};
 
@@ -34,7 +33,7 @@ impl Place {
     }
 
     /// Beyond the picture's edge a tile shows what is at the edge, so that the glare there is the picture's own.
-    pub fn repeat_edges(&self, tile: &mut Light) {
+    pub fn repeat_edges(&self, tile: &mut [Plane]) {
         let (columns, rows) = self.inside;
         if (columns, rows) == (TILE, TILE) {
             return;

@@ -9,10 +9,11 @@ use crate::changes::Changes;
 use crate::coverage::Form;
 use crate::glare::Pyramid;
 use crate::lanes::{LANES, Path};
-use crate::memory::{MOST_LAMPS, Past};
+use crate::memory::{to_be_composed, to_be_lit};
 use crate::monte_carlo::Sampling;
+use crate::past::{MOST_LAMPS, Past};
 use crate::points::{Points, TILE};
-use crate::response::means_of;
+use crate::response::{CELLS, means_of};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Stage, Workspace};
 use crate::{Film, Finish, Radiance, Scene, Step, Top, limits, tone};
@@ -221,13 +222,15 @@ impl Renderer {
             |(at, (((red, green), blue), mut means))| {
                 WORKSPACE.with_borrow_mut(|workspace| {
                     let mut planes = [red, green, blue];
+                    let mut found = [[0.0; CELLS]; 3];
                     let mut block = None;
                     each_tile(scene, at, std::iter::repeat(()), |place, ()| {
                         workspace.enter_block_at(&stage, place, &mut block);
                         workspace.render(&stage, place);
                         let y = place.y - at * BLOCK;
                         write_planes(&workspace.out, place.x, y, stride, &mut planes);
-                        write_means(&means_of(&workspace.out), place.x, y, &level, &mut means);
+                        means_of(stage.path, &workspace.out, &mut found);
+                        write_means(&found, place.x, y, &level, &mut means);
                     });
                 });
             },
@@ -258,7 +261,7 @@ impl Renderer {
                 |(at, (memory, mut means))| {
                     WORKSPACE.with_borrow_mut(|workspace| {
                         let mut block = None;
-                        each_tile(scene, at, memory.iter_mut(), |place, memory| {
+                        each_tile(scene, at, to_be_lit(memory), |place, memory| {
                             workspace.enter_block_at(&stage, place, &mut block);
                             memory.fresh = workspace.differs(&stage, place, memory);
                             if memory.fresh {
@@ -286,7 +289,7 @@ impl Renderer {
         bands.par_iter_mut().zip(pixels).enumerate().with_max_len(1).for_each(|(at, (memory, pixels))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut tile = [[0; LANES]; TILE];
-                each_tile(scene, at, memory.iter_mut(), |place, memory| {
+                each_tile(scene, at, to_be_composed(memory), |place, memory| {
                     memory.developed &= !glare.differs(place.x, place.y);
                     if memory.developed || !wants(place.x, place.y) {
                         return;

@@ -7,19 +7,19 @@ use crate::albedo::{Albedo, Art};
 use crate::bands::BLOCK;
 use crate::candidates::Candidates;
 use crate::changes::{Changes, Nearby};
-use crate::compose::has_contacts;
+use crate::compose::{has_contacts, shade_contacts};
 use crate::cone::Cone;
 use crate::coverage::{Edge, Form};
 use crate::irradiance::{DARKNESS, Light, Normals, Surface};
 use crate::lanes::{LANES, Path};
 use crate::layer::TopLayer;
-use crate::lighting::add;
-use crate::memory::TileMemory;
+use crate::lighting::{Lighted, add};
+use crate::memory::{Bare, TileMemory};
 use crate::monte_carlo::Sampling;
 use crate::obstruction::Obstruction;
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
-use crate::response::{combine, means_of};
+use crate::response::means_of;
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
@@ -105,6 +105,9 @@ pub(crate) struct Workspace {
     pub(crate) printed: Albedo,
     /// The light of one layer, packed.
     pub(crate) packed: Light,
+    /// What arrives at the floor's points of one lamp's light, and what shines there.
+    pub(crate) arriving: Plane,
+    pub(crate) shine: Plane,
     /// The tile in the light of one lamp.
     pub(crate) picture: Light,
     /// Room to sum up pictures with filters and without.
@@ -140,6 +143,8 @@ impl Workspace {
             normals: Normals::level(),
             printed: Albedo::none(),
             packed: DARKNESS,
+            arriving: zero,
+            shine: zero,
             picture: DARKNESS,
             sum: DARKNESS,
             out: DARKNESS,
@@ -226,9 +231,13 @@ impl Workspace {
         let mut layers = None;
         if !memory.base.holds {
             let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-            self.light_from_everywhere(stage, layers);
-            place.repeat_edges(&mut self.picture);
-            memory.keep_base(stage.path, &self.picture);
+            if layers == 0 {
+                memory.keep_floor_base(stage.path, &self.ground.albedo);
+            } else {
+                self.light_from_everywhere(stage, layers);
+                place.repeat_edges(&mut self.picture);
+                memory.keep_base(stage.path, &self.picture);
+            }
         }
         for index in 0..self.lit.len() {
             let at = self.lit[index];
@@ -237,11 +246,19 @@ impl Workspace {
             sight.holds &= !lost;
             if !sight.holds && place.is_reached(lamp) {
                 let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                if self.light(stage, at, place, layers) {
-                    place.repeat_edges(&mut self.picture);
-                    memory.keep(*number, stage.path, &self.picture);
-                } else {
-                    memory.keep_dark(*number, self.between.hidden_by.filter(|_| layers == 0));
+                match self.light(stage, at, place, layers) {
+                    Lighted::Dark => memory.keep_dark(*number, self.between.hidden_by.filter(|_| layers == 0)),
+                    Lighted::Floor => {
+                        let Workspace { arriving, shine, ground, .. } = self;
+                        [&mut *arriving, shine]
+                            .into_iter()
+                            .for_each(|plane| place.repeat_edges(std::slice::from_mut(plane)));
+                        memory.keep_floor(*number, stage.path, Bare { albedo: &ground.albedo, arriving, shine });
+                    }
+                    Lighted::Colors => {
+                        place.repeat_edges(&mut self.picture);
+                        memory.keep(*number, stage.path, &self.picture);
+                    }
                 }
             }
         }
@@ -253,23 +270,18 @@ impl Workspace {
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
-        memory.light(stage.path, stage.colors(), stage.glows());
+        memory.light(stage.path, stage.scene.ambient, stage.colors(), stage.glows());
         if has_contacts(stage, place) {
             self.compose(stage, place, memory, &[]);
-            memory.means = means_of(&self.out);
+            means_of(stage.path, &self.out, &mut memory.means);
         }
     }
 
     /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
     pub fn compose(&mut self, stage: &Stage, place: &Place, memory: &TileMemory, balls: &[ball::Patch]) {
-        let (base, lit) = memory.parts();
-        if has_contacts(stage, place) {
-            combine(stage.path, base, false, &mut self.out);
-            self.shade_contacts(stage, place);
-            combine(stage.path, lit, true, &mut self.out);
-        } else {
-            combine(stage.path, base.chain(lit), false, &mut self.out);
-        }
+        let paint = stage.art.paint(place.x, place.y);
+        let shade = has_contacts(stage, place).then_some(|out: &mut Light| shade_contacts(stage, place, out));
+        memory.compose(stage.path, paint, shade, &mut self.out);
         for ball in balls {
             ball.blend(place.x, place.y, &mut self.out);
         }
@@ -281,13 +293,19 @@ impl Workspace {
         let layers = self.recall(stage, place, &mut Surfaces::default());
         self.light_from_everywhere(stage, layers);
         self.out = self.picture;
-        self.shade_contacts(stage, place);
+        shade_contacts(stage, place, &mut self.out);
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let lamp = &stage.lamps[at].lamp;
-            if place.is_reached(lamp) && self.light(stage, at, place, layers) {
-                add(&self.picture, lamp.color, &mut self.out);
+            if !place.is_reached(lamp) {
+                continue;
             }
+            match self.light(stage, at, place, layers) {
+                Lighted::Dark => continue,
+                Lighted::Floor => self.paint(stage.path),
+                Lighted::Colors => {}
+            }
+            add(&self.picture, lamp.color, &mut self.out);
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             self.glow(place, glow.mask);

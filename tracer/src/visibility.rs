@@ -50,14 +50,16 @@ fn visible_fraction_lanes(
     room: &mut Intervals,
     fraction: &mut Plane,
 ) {
+    // What hid the lamp from the last points may well hide it from the next: it is asked first.
+    let mut first = 0;
     for block in 0..blocks {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
         match source {
             Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
-            Source::Disc(disc) => soft_shadow(x, y, disc, between, room, out),
+            Source::Disc(disc) => soft_shadow(x, y, disc, between, room, &mut first, out),
             Source::Tube(tube) => {
                 let (x, y) = tube.turned(x, y);
-                soft_shadow(&x, &y, tube, between, room, out);
+                soft_shadow(&x, &y, tube, between, room, &mut first, out);
             }
         }
     }
@@ -90,13 +92,23 @@ fn interval<S: Seen>(
 
 /// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
 #[inline(always)]
-fn soft_shadow<S: Seen>(x: &Lanes, y: &Lanes, source: S, between: &Obstruction, room: &mut Intervals, out: &mut Lanes) {
+fn soft_shadow<S: Seen>(
+    x: &Lanes,
+    y: &Lanes,
+    source: S,
+    between: &Obstruction,
+    room: &mut Intervals,
+    first: &mut usize,
+    out: &mut Lanes,
+) {
     let (mut least, mut most) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
         (least[i], most[i]) = source.limits(x[i], y[i]);
     }
     let mut count = 0;
-    for at in 0..between.intervals() {
+    for turn in 0..between.intervals() {
+        // The first one, then those before it, then those after it.
+        let at = if turn == 0 { *first } else { turn - usize::from(turn <= *first) };
         let (begin, end) = (&mut room.low[count], &mut room.high[count]);
         interval(x, y, source, between, at, begin, end);
         let (mut met, mut missed) = (0u32, 0u32);
@@ -108,6 +120,7 @@ fn soft_shadow<S: Seen>(x: &Lanes, y: &Lanes, source: S, between: &Obstruction, 
         }
         if missed == 0 {
             *out = [0.0; LANES];
+            *first = at;
             return;
         }
         count += met as usize;
