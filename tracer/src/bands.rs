@@ -26,7 +26,7 @@ pub(crate) fn each_tile<T>(
         rows.clone().flat_map(move |y| columns().map(move |x| (x, y)))
     });
     for ((x, y), item) in places.zip(items) {
-        work(&Place::new(scene, x, y), item);
+        work(&Place::new(&scene.view, x, y), item);
     }
 }
 

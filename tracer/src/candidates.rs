@@ -94,15 +94,6 @@ impl Candidates {
         cone.classify(path, Discs { x, y, outer, inner }, code);
     }
 
-    /// Classifies, and says whether anything may cast a shadow.
-    pub fn classified_any(&mut self, path: Path, cone: &Cone) -> bool {
-        if self.len() == 0 {
-            return false;
-        }
-        self.classify(path, cone);
-        (0..self.len()).any(|at| self.counts(at))
-    }
-
     /// Whether anything of a group may cast a shadow, as the last [`Candidates::classify`] found.
     pub fn casts(&self, group: Group) -> bool {
         (0..self.len()).any(|at| self.group[at] == group && self.counts(at))

@@ -6,35 +6,37 @@ use crate::irradiance::{DARKNESS, Light, light_floor_ambient, light_top_ambient}
 use crate::lanes::{LANES, clones, max};
 use crate::layer::TopLayer;
 use crate::lighting::scatter;
+use crate::penumbra::ALL_ROWS;
 use crate::place::Place;
 use crate::points::{Points, TILE};
 use crate::tile::{Stage, Workspace};
 use crate::{Ball, Mask};
 
 impl Workspace {
-    /// Reads the art of the tile, and how its floor leans, for the surfaces that were recalled.
-    pub(crate) fn read_art(&mut self, stage: &Stage, place: &Place, layers: usize) {
-        let scene = stage.scene;
-        let floor = scene.floor;
+    /// Reads the art of the floor, and how it leans, for the surfaces that were recalled.
+    pub(crate) fn read_art(&mut self, stage: &Stage, place: &Place) {
         let &Place { x, y, .. } = place;
-        let (width, height) = place.inside;
         // What a few points need is read whole, and then packed.
         let art = if self.whole { &mut self.ground.albedo } else { &mut self.art };
         stage.art.read(stage.path, x, y, art);
-        if !floor.fits(scene) {
-            self.printed.alpha = [[0.0; LANES]; TILE];
-        } else if self.tops[..layers].iter().any(|top| scene.tops[top.form].finish.art) {
-            albedo::read(stage.path, &floor.tops, floor.width, x, y, width, height, &mut self.printed);
-            self.printed.repeat_edges(width, height);
-        }
         let normals = if self.whole { &mut self.ground.normals } else { &mut self.normals };
         self.ground.leans = stage.art.read_normals(stage.path, x, y, normals);
         self.pack_floor();
+    }
+
+    /// Reads what is printed on tops that were found.
+    pub(crate) fn read_prints(&mut self, stage: &Stage, place: &Place, layers: usize) {
+        let (scene, floor) = (stage.scene, stage.scene.floor);
+        let (width, height) = place.inside;
+        let has_art = |layer: &TopLayer| floor.fits(scene) && scene.tops[layer.form].finish.art;
+        if self.tops[..layers].iter().any(has_art) {
+            albedo::read(stage.path, &floor.tops, floor.width, place.x, place.y, width, height, &mut self.printed);
+            self.printed.repeat_edges(width, height);
+        }
         for layer in &mut self.tops[..layers] {
-            if scene.tops[layer.form].finish.art {
+            layer.printed = false;
+            if has_art(layer) {
                 layer.take_print(&self.printed);
-            } else {
-                layer.surface.albedo = [[[1.0; LANES]; TILE]; 3];
             }
         }
     }
@@ -76,12 +78,12 @@ impl Workspace {
         } else {
             self.picture = DARKNESS;
             light_floor_ambient(path, self.floor.blocks(), &self.ground, ambient, &mut self.packed);
-            scatter(&self.floor, &self.packed, &mut self.picture);
+            scatter(&self.floor, ALL_ROWS, &self.packed, &mut self.picture);
         }
-        for TopLayer { form, points, surface } in &self.tops[..layers] {
+        for TopLayer { form, points, surface, .. } in &self.tops[..layers] {
             let finish = &stage.scene.tops[*form].finish;
             light_top_ambient(path, points.blocks(), surface, finish, ambient, &mut self.packed);
-            scatter(points, &self.packed, &mut self.picture);
+            scatter(points, ALL_ROWS, &self.packed, &mut self.picture);
         }
     }
 

@@ -22,8 +22,8 @@ pub(crate) struct Gaze<'a, 'b> {
 }
 
 impl Gaze<'_, '_> {
-    /// Finds how much of the lamp each point sees, past everything but some groups.
-    pub fn sees(&mut self, points: &Points, without: &[Group]) -> Verdict {
+    /// Finds how much of the lamp each point of some blocks sees, past everything but some groups.
+    pub fn sees(&mut self, points: &Points, blocks: u16, without: &[Group]) -> Verdict {
         if let Some(sampling) = &self.stage.sampling {
             let view = &self.stage.scene.view;
             let size = (view.width, view.height);
@@ -37,7 +37,7 @@ impl Gaze<'_, '_> {
         if verdict == Verdict::Mixed {
             self.room.reserve(self.between.intervals());
             let Gaze { stage, between, room, fraction, .. } = self;
-            visible_fraction(stage.path, points.blocks(), &points.x, &points.y, source, between, room, fraction);
+            visible_fraction(stage.path, blocks, &points.x, &points.y, source, between, room, fraction);
         }
         verdict
     }

@@ -52,25 +52,30 @@ impl Surface {
 }
 
 clones! {
-    /// What arrives at the floor of the beam's light, which its points see as far as `fraction` says, and what shines
-    /// there in the light's own colour; `gloss` is 0 to 1.
+    /// What arrives of the beam's light at those blocks of the floor's points whose bits are set, and what shines there
+    /// in the light's own colour, if nothing is in the way; `gloss` is 0 to 1.
     pub(crate) fn light_floor(
-        points: &Points, floor: &Surface, beam: Falloff, fraction: &[Lanes], gloss: f32, arriving: &mut Plane,
+        points: &Points, blocks: u16, floor: &Surface, beam: Falloff, gloss: f32, arriving: &mut Plane,
         shine: &mut Plane,
     ) = light_floor_lanes;
 }
 
 clones! {
-    /// The floor's picture, of what arrives and of what shines.
+    /// Takes away what is not seen, at those blocks whose bits are set.
+    pub(crate) fn veil(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) = veil_lanes;
+}
+
+clones! {
+    /// The floor's picture, of what arrives and of what shines, at those blocks of its points whose bits are set.
     pub(crate) fn paint_floor(
-        blocks: usize, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light,
+        blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light,
     ) = paint_floor_lanes;
 }
 
 clones! {
-    /// A top's picture in the beam's light.
+    /// A top's picture in the beam's light, at those blocks of its points whose bits are set.
     pub(crate) fn light_top(
-        points: &Points, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut Light,
+        points: &Points, blocks: u16, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut Light,
     ) = light_top_lanes;
 }
 
@@ -118,23 +123,23 @@ const COAT_ENDS: f32 = 1.0 - 6.0 / 32.0;
 #[inline(always)]
 fn light_floor_lanes(
     points: &Points,
+    blocks: u16,
     floor: &Surface,
     beam: Falloff,
-    fraction: &[Lanes],
     gloss: f32,
     arriving: &mut Plane,
     shine: &mut Plane,
 ) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
-    for block in 0..points.blocks() {
-        let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
+    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+        let (x, y) = (&points.x[block], &points.y[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
         let (matt, shine) = (&mut arriving[block], &mut shine[block]);
         let to = beam.arriving(x, y);
         for i in 0..LANES {
-            matt[i] = weight[i] * (REFERENCE * to.light[i] * seen[i]);
+            matt[i] = weight[i] * (REFERENCE * to.light[i]);
         }
         if leans {
             for i in 0..LANES {
@@ -152,9 +157,19 @@ fn light_floor_lanes(
 }
 
 #[inline(always)]
-fn paint_floor_lanes(blocks: usize, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
+fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
+    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+        let (seen, arriving, shine) = (&fraction[block], &mut arriving[block], &mut shine[block]);
+        for i in 0..LANES {
+            (arriving[i], shine[i]) = (arriving[i] * seen[i], shine[i] * seen[i]);
+        }
+    }
+}
+
+#[inline(always)]
+fn paint_floor_lanes(blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
     for (out, albedo) in out.iter_mut().zip(albedo) {
-        for block in 0..blocks {
+        for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
             for i in 0..LANES {
                 out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
             }
@@ -165,6 +180,7 @@ fn paint_floor_lanes(blocks: usize, albedo: &Light, arriving: &Plane, shine: &Pl
 #[inline(always)]
 fn light_top_lanes(
     points: &Points,
+    blocks: u16,
     top: &Surface,
     finish: &Finish,
     beam: Falloff,
@@ -173,7 +189,7 @@ fn light_top_lanes(
 ) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
-    for block in 0..points.blocks() {
+    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];

@@ -13,13 +13,15 @@ pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
 pub(crate) struct TopLayer {
     pub form: usize,
     pub points: Points,
+    /// Whether art is printed on it.
+    pub printed: bool,
     pub surface: Surface,
 }
 
 impl TopLayer {
     /// Nothing yet.
     pub fn new() -> TopLayer {
-        TopLayer { form: 0, points: Points::none(), surface: Surface::none() }
+        TopLayer { form: 0, points: Points::none(), printed: false, surface: Surface::none() }
     }
 
     /// Packs the pixels that the outline covers and nothing above hides.
@@ -52,6 +54,7 @@ impl TopLayer {
 
     /// Packs the art at the layer's points: white where nothing is printed.
     pub fn take_print(&mut self, printed: &Albedo) {
+        self.printed = true;
         for point in 0..self.points.count {
             let pixel = usize::from(self.points.pixel[point]);
             let (row, i) = (pixel / LANES, pixel % LANES);

@@ -39,6 +39,7 @@ mod memory;
 pub mod monte_carlo;
 mod obstruction;
 mod past;
+mod penumbra;
 mod place;
 mod points;
 pub mod quality;

@@ -4,12 +4,14 @@
 use crate::cone::Cone;
 use crate::falloff::Falloff;
 use crate::gaze::Gaze;
-use crate::irradiance::{DARKNESS, Light, light_floor, light_top, paint_floor};
+use crate::irradiance::{DARKNESS, Light, light_floor, light_top, paint_floor, veil};
 use crate::lanes::{LANES, Lanes, Path};
 use crate::layer::TopLayer;
 use crate::obstruction::Verdict;
+use crate::penumbra::{ALL_ROWS, Rows};
 use crate::place::Place;
 use crate::points::{Points, TILE};
+use crate::response::scale_of;
 use crate::tile::{Lit, Stage, Workspace};
 use crate::{Group, Rgb, filter};
 
@@ -18,31 +20,32 @@ use crate::{Group, Rgb, filter};
 pub(crate) enum Lighted {
     /// Nothing.
     Dark,
-    /// Bare floor, and nothing of its light is tinted.
-    Floor,
+    /// Bare floor, and nothing of its light is tinted; how much of the lamp it sees.
+    Floor(Verdict),
     /// Anything.
     Colors,
 }
 
 impl Workspace {
-    /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is all floor,
-    /// into [`Workspace::arriving`] and [`Workspace::shine`].
-    pub(crate) fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> Lighted {
+    /// Puts some rows of the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is
+    /// all floor, into [`Workspace::arriving`] and [`Workspace::shine`], before what is in the way, which is in
+    /// [`Workspace::fraction`].
+    pub(crate) fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize, rows: Rows) -> Lighted {
         self.look_at(stage, at, place);
         let near = &self.near[at];
         let met = filter::met(&stage.scene.filters, |group| near.casts(group));
         if met.as_slice().is_empty() {
             if layers == 0 {
-                let lit = self.light_floor_past(stage, at, place, &[]);
-                return if lit { Lighted::Floor } else { Lighted::Dark };
+                let verdict = self.light_floor_past(stage, at, place, &[], rows);
+                return if verdict == Verdict::Dark { Lighted::Dark } else { Lighted::Floor(verdict) };
             }
-            let lit = self.light_past(stage, at, place, layers, &[]);
+            let lit = self.light_past(stage, at, place, layers, &[], rows);
             return if lit { Lighted::Colors } else { Lighted::Dark };
         }
         let mut lit = false;
         self.sum = DARKNESS;
         filter::each_set(met.as_slice(), |away, part| {
-            if part != [0.0; 3] && self.light_past(stage, at, place, layers, away) {
+            if part != [0.0; 3] && self.light_past(stage, at, place, layers, away, rows) {
                 lit = true;
                 add(&self.picture, part, &mut self.sum);
             }
@@ -53,57 +56,101 @@ impl Workspace {
         if lit { Lighted::Colors } else { Lighted::Dark }
     }
 
-    /// Puts the floor in a lamp's light, past everything but some groups, into [`Workspace::arriving`] and
-    /// [`Workspace::shine`]; says whether there is any.
-    fn light_floor_past(&mut self, stage: &Stage, at: usize, place: &Place, away: &[Group]) -> bool {
-        let verdict = self.sees(stage, at, place, None, away);
-        if verdict == Verdict::Dark {
-            return false;
-        }
+    /// What squares of texels are multiplied by where the tile is kept in the light of one lamp: that of all the light
+    /// that it would show were nothing in the way.
+    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> f32 {
+        std::mem::swap(&mut self.picture, &mut self.sum);
         let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
-        let points = if self.whole { stage.whole_tile } else { &self.floor };
-        let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
-        let (arriving, shine) = (&mut self.arriving, &mut self.shine);
-        light_floor(stage.path, points, &self.ground, beam, fraction, stage.scene.floor.gloss, arriving, shine);
-        true
+        self.picture = DARKNESS;
+        if self.whole || self.floor.count > 0 {
+            self.light_floor(stage, beam, ALL_ROWS);
+            self.paint(stage.path, ALL_ROWS);
+        }
+        for layer in 0..layers {
+            self.light_top(stage, beam, layer, ALL_ROWS, Verdict::Lit);
+        }
+        let scale = scale_of(stage.path, &self.picture);
+        std::mem::swap(&mut self.picture, &mut self.sum);
+        scale
     }
 
-    /// Puts the whole floor's picture, of what arrives and of what shines, into [`Workspace::picture`].
-    pub(crate) fn paint(&mut self, path: Path) {
-        paint_floor(path, TILE, &self.ground.albedo, &self.arriving, &self.shine, &mut self.picture);
+    /// Finds how much of a lamp the floor sees, past everything but some groups, and puts its light into
+    /// [`Workspace::arriving`] and [`Workspace::shine`].
+    fn light_floor_past(&mut self, stage: &Stage, at: usize, place: &Place, away: &[Group], rows: Rows) -> Verdict {
+        let verdict = self.sees(stage, at, place, None, away, rows);
+        if verdict != Verdict::Dark {
+            self.light_floor(stage, Falloff::new(&stage.lamps[at].lamp, place.middle_mm), rows);
+        }
+        verdict
+    }
+
+    fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: Rows) {
+        let blocks = self.floor_blocks(rows);
+        let points = if self.whole { stage.whole_tile } else { &self.floor };
+        let (arriving, shine) = (&mut self.arriving, &mut self.shine);
+        light_floor(stage.path, points, blocks, &self.ground, beam, stage.scene.floor.gloss, arriving, shine);
+    }
+
+    /// The blocks of the floor's points that are in some rows.
+    fn floor_blocks(&self, rows: Rows) -> u16 {
+        if self.whole { rows } else { self.floor.blocks_in(rows) }
+    }
+
+    /// Takes from [`Workspace::arriving`] and [`Workspace::shine`] what is in the way.
+    pub(crate) fn veil(&mut self, path: Path, verdict: Verdict, rows: Rows) {
+        if verdict == Verdict::Mixed {
+            veil(path, self.floor_blocks(rows), &self.fraction, &mut self.arriving, &mut self.shine);
+        }
+    }
+
+    /// Puts the floor's picture, of what arrives and of what shines, into some rows of [`Workspace::picture`], which
+    /// was dark.
+    pub(crate) fn paint(&mut self, path: Path, rows: Rows) {
+        let (blocks, albedo) = (self.floor_blocks(rows), &self.ground.albedo);
+        if self.whole {
+            paint_floor(path, blocks, albedo, &self.arriving, &self.shine, &mut self.picture);
+        } else {
+            paint_floor(path, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
+            scatter(&self.floor, blocks, &self.packed, &mut self.picture);
+        }
     }
 
     /// [`Workspace::light`], past everything but some groups.
-    fn light_past(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize, away: &[Group]) -> bool {
-        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
-        let mut lit = false;
-        if (self.whole || self.floor.count > 0) && self.light_floor_past(stage, at, place, away) {
-            lit = true;
-            if self.whole {
-                self.paint(stage.path);
-            } else {
-                let (blocks, albedo) = (self.floor.blocks(), &self.ground.albedo);
-                paint_floor(stage.path, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
-                self.picture = DARKNESS;
-                scatter(&self.floor, &self.packed, &mut self.picture);
-            }
+    fn light_past(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        place: &Place,
+        layers: usize,
+        away: &[Group],
+        rows: Rows,
+    ) -> bool {
+        self.picture = DARKNESS;
+        let bare = self.whole || self.floor.count > 0;
+        let floor = if bare { self.light_floor_past(stage, at, place, away, rows) } else { Verdict::Dark };
+        let mut lit = floor != Verdict::Dark;
+        if lit {
+            self.veil(stage.path, floor, rows);
+            self.paint(stage.path, rows);
         }
+        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
         for layer in 0..layers {
-            let verdict = self.sees(stage, at, place, Some(layer), away);
-            if verdict == Verdict::Dark {
-                continue;
-            }
-            if !lit {
+            let verdict = self.sees(stage, at, place, Some(layer), away, rows);
+            if verdict != Verdict::Dark {
                 lit = true;
-                self.picture = DARKNESS;
+                self.light_top(stage, beam, layer, rows, verdict);
             }
-            let TopLayer { form, points, surface } = &self.tops[layer];
-            let finish = &stage.scene.tops[*form].finish;
-            let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
-            light_top(stage.path, points, surface, finish, beam, fraction, &mut self.packed);
-            scatter(points, &self.packed, &mut self.picture);
         }
         lit
+    }
+
+    /// Adds some rows of a top's picture to [`Workspace::picture`].
+    fn light_top(&mut self, stage: &Stage, beam: Falloff, layer: usize, rows: Rows, verdict: Verdict) {
+        let TopLayer { form, points, surface, .. } = &self.tops[layer];
+        let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
+        let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
+        light_top(stage.path, points, blocks, surface, finish, beam, fraction, &mut self.packed);
+        scatter(points, blocks, &self.packed, &mut self.picture);
     }
 
     /// Finds what may stand between a lamp and the tile.
@@ -120,17 +167,26 @@ impl Workspace {
 
     /// Finds how much of a lamp that was looked at each point of the floor or of a top sees, past everything but some
     /// groups and the top's own.
-    fn sees(&mut self, stage: &Stage, at: usize, place: &Place, layer: Option<usize>, away: &[Group]) -> Verdict {
-        let floor = if self.whole { stage.whole_tile } else { &self.floor };
+    fn sees(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        place: &Place,
+        layer: Option<usize>,
+        away: &[Group],
+        rows: Rows,
+    ) -> Verdict {
         let mut without = [Group(0); filter::MOST + 1];
         without[..away.len()].copy_from_slice(away);
         let mut count = away.len();
-        let points = layer.map_or(floor, |layer| {
+        let (points, blocks) = if let Some(layer) = layer {
             let TopLayer { form, points, .. } = &self.tops[layer];
             without[count] = stage.scene.tops[*form].group;
             count += 1;
-            points
-        });
+            (points, points.blocks_in(rows))
+        } else {
+            (if self.whole { stage.whole_tile } else { &self.floor }, self.floor_blocks(rows))
+        };
         let mut gaze = Gaze {
             stage,
             near: &self.near[at],
@@ -141,7 +197,7 @@ impl Workspace {
             room: &mut self.room,
             fraction: &mut self.fraction,
         };
-        gaze.sees(points, &without[..count])
+        gaze.sees(points, blocks, &without[..count])
     }
 }
 
@@ -156,15 +212,18 @@ pub(crate) fn add(picture: &Light, color: Rgb, sum: &mut Light) {
     }
 }
 
-/// Adds the light of packed points to the pixels that they are.
-pub(crate) fn scatter(points: &Points, packed: &Light, picture: &mut Light) {
-    for (plane, packed) in picture.iter_mut().zip(packed) {
-        for (at, &pixel) in points.pixel[..points.count].iter().enumerate() {
-            let pixel = usize::from(pixel);
-            plane[pixel / LANES][pixel % LANES] += packed[at / LANES][at % LANES];
+/// Adds the light of some blocks of packed points to the pixels that they are.
+pub(crate) fn scatter(points: &Points, blocks: u16, packed: &Light, picture: &mut Light) {
+    let [red, green, blue] = picture.each_mut().map(|plane| plane.as_flattened_mut());
+    for block in (0..points.blocks()).filter(|block| blocks >> block & 1 == 1) {
+        let pixels = &points.pixel[block * LANES..(block * LANES + LANES).min(points.count)];
+        for (at, &pixel) in pixels.iter().enumerate() {
+            red[usize::from(pixel)] += packed[0][block][at];
+            green[usize::from(pixel)] += packed[1][block][at];
+            blue[usize::from(pixel)] += packed[2][block][at];
         }
     }
 }
 
 /// All of a lamp, for every point.
-static ALL: [Lanes; TILE] = [[1.0; LANES]; TILE];
+pub(crate) static ALL: [Lanes; TILE] = [[1.0; LANES]; TILE];

@@ -7,9 +7,12 @@
 
 use crate::irradiance::Light;
 use crate::lanes::{LANES, fetch};
+use crate::lighting::ALL;
+use crate::penumbra::{ALL_ROWS, Rows};
 use crate::points::Plane;
 use crate::response::{
-    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, floor_means, keep, means_of, put_floor,
+    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, encode_rows, means_of, put_floor,
+    scale_of,
 };
 use crate::surfaces::Surfaces;
 use crate::{Group, Path, Rgb};
@@ -34,8 +37,14 @@ pub(crate) struct Sight {
     /// What hides the lamp from all of the tile, if it is one group alone.
     pub hidden_by: Option<Group>,
     form: Form,
-    /// What squares of texels are multiplied by, and of those of the gloss; 0 in darkness.
+    /// Rows that do not hold any more.
+    pub stale: Rows,
+    /// Whether there is any light.
+    is_lit: bool,
+    /// What squares of texels are multiplied by, and of those of the gloss; 0 if there is none.
     scales: [f32; 2],
+    /// Whether these are those of the floor with nothing in the way: then rows can be kept one by one.
+    pub gauged: bool,
     gist: Gist,
     /// Which of the tile's planes are its own.
     planes: std::ops::Range<usize>,
@@ -44,7 +53,17 @@ pub(crate) struct Sight {
 impl Sight {
     /// Whether it is known to be lit.
     fn is_lit(&self) -> bool {
-        self.holds && self.scales != [0.0; 2]
+        self.holds && self.is_lit
+    }
+
+    /// What has to be made anew.
+    pub fn rows_to_make(&self) -> Rows {
+        if self.holds && (self.stale == 0 || self.is_lit && self.gauged) { self.stale } else { ALL_ROWS }
+    }
+
+    /// Nothing of it holds any more.
+    fn forget(&mut self) {
+        (self.holds, self.gauged) = (false, false);
     }
 
     /// Its planes, so many at least.
@@ -56,25 +75,45 @@ impl Sight {
         &mut planes[self.planes.start..][..count]
     }
 
-    fn keep_colors(&mut self, path: Path, light: &Light, planes: &mut Vec<Texels>) {
-        (self.holds, self.hidden_by, self.form) = (true, None, Form::Colors);
-        self.scales = [keep(path, light, self.take(3, planes)), 0.0];
-        let mut means = [[0.0; CELLS]; 3];
-        means_of(path, light, &mut means);
-        self.gist = Gist::of(&means);
+    /// Whether three planes are kept of it.
+    pub fn is_colors(&self) -> bool {
+        self.form == Form::Colors
     }
 
-    fn keep_floor(&mut self, path: Path, floor: Bare, planes: &mut Vec<Texels>) {
-        (self.holds, self.hidden_by) = (true, None);
-        let glossy = floor.shine.as_flattened().iter().any(|&shine| shine > 0.0);
-        self.form = if glossy { Form::GlossyFloor } else { Form::Floor };
-        let texels = self.take(1 + usize::from(glossy), planes);
-        let (matt, gloss) = texels.split_at_mut(1);
-        self.scales =
-            [keep(path, &[*floor.arriving], matt), if glossy { keep(path, &[*floor.shine], gloss) } else { 0.0 }];
-        let mut means = [[0.0; CELLS]; 3];
-        floor_means(path, floor.albedo, floor.arriving, floor.shine, &mut means);
-        self.gist = Gist::of(&means);
+    /// Says what squares of texels of colours are to be multiplied by.
+    pub fn gauge(&mut self, scale: f32) {
+        (self.form, self.gauged, self.scales) = (Form::Colors, true, [scale, 0.0]);
+    }
+
+    /// Keeps some rows in colours; the first time, all.
+    fn keep_colors(&mut self, path: Path, light: &Light, rows: Rows, planes: &mut Vec<Texels>) {
+        (self.holds, self.hidden_by, self.stale) = (true, None, 0);
+        let scale = self.scales[0];
+        let texels = self.take(3, planes);
+        for (plane, texels) in light.iter().zip(&mut *texels) {
+            encode_rows(path, plane, &ALL, rows, scale, texels);
+        }
+        self.is_lit = !texels.iter().all(Texels::is_dark);
+        self.gist.keep_colors(path, texels, scale, rows);
+    }
+
+    /// Keeps some rows of a floor; the first time, all.
+    fn keep_floor(&mut self, path: Path, floor: Bare, rows: Rows, planes: &mut Vec<Texels>) {
+        (self.holds, self.hidden_by, self.stale) = (true, None, 0);
+        if !self.gauged || self.form == Form::Colors {
+            let gauge = |plane: &Plane| scale_of(path, std::slice::from_ref(plane));
+            self.scales = [gauge(floor.arriving), gauge(floor.shine)];
+            self.gauged = true;
+        }
+        self.form = if self.scales[1] > 0.0 { Form::GlossyFloor } else { Form::Floor };
+        let scales = self.scales;
+        let (matt, gloss) = self.take(2, planes).split_at_mut(1);
+        encode_rows(path, floor.arriving, floor.seen, rows, scales[0], &mut matt[0]);
+        if scales[1] > 0.0 {
+            encode_rows(path, floor.shine, floor.seen, rows, scales[1], &mut gloss[0]);
+        }
+        self.is_lit = !(matt[0].is_dark() && (scales[1] == 0.0 || gloss[0].is_dark()));
+        self.gist.keep_floor(path, floor.albedo, [&matt[0], &gloss[0]], scales, rows);
     }
 }
 
@@ -87,6 +126,8 @@ pub(crate) struct Bare<'a> {
     pub arriving: &'a Plane,
     /// What is reflected in the lamp's own colour.
     pub shine: &'a Plane,
+    /// How much of both is not in shadow.
+    pub seen: &'a Plane,
 }
 
 /// A plane, or the first of three, in its light.
@@ -154,7 +195,8 @@ impl TileMemory {
     /// Keeps the picture in the light from everywhere.
     pub fn keep_base(&mut self, path: Path, light: &Light) {
         self.is_floor = false;
-        self.base.keep_colors(path, light, &mut self.planes);
+        self.base.gauge(scale_of(path, light));
+        self.base.keep_colors(path, light, ALL_ROWS, &mut self.planes);
     }
 
     /// Keeps in mind that all of the tile is floor of this reflectance.
@@ -166,29 +208,30 @@ impl TileMemory {
         self.base.gist = Gist::of(&means);
     }
 
-    /// Keeps the picture in a lamp's light.
-    pub fn keep(&mut self, lamp: usize, path: Path, light: &Light) {
-        self.sights[lamp].keep_colors(path, light, &mut self.planes);
+    /// Keeps rows of the picture in a lamp's light.
+    pub fn keep(&mut self, lamp: usize, path: Path, light: &Light, rows: Rows) {
+        self.sights[lamp].keep_colors(path, light, rows, &mut self.planes);
         self.shown[lamp] = self.sights[lamp].is_lit();
     }
 
-    /// Keeps the picture in a lamp's light of a tile that is all floor.
-    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: Bare) {
-        self.sights[lamp].keep_floor(path, floor, &mut self.planes);
+    /// Keeps rows of the picture in a lamp's light of a tile that is all floor.
+    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: Bare, rows: Rows) {
+        self.sights[lamp].keep_floor(path, floor, rows, &mut self.planes);
         self.shown[lamp] = self.sights[lamp].is_lit();
     }
 
     /// Keeps in mind that a lamp lights nothing, and what hides it if it is one group alone.
     pub fn keep_dark(&mut self, lamp: usize, hidden_by: Option<Group>) {
         let sight = &mut self.sights[lamp];
-        (sight.holds, sight.hidden_by, sight.scales) = (true, hidden_by, [0.0; 2]);
+        (sight.holds, sight.hidden_by, sight.stale, sight.is_lit) = (true, hidden_by, 0, false);
         self.shown[lamp] = false;
     }
 
     /// Keeps the picture in an insert's light.
     pub fn keep_glow(&mut self, mask: (usize, usize), path: Path, light: &Light) {
         if let Some((_, sight)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
-            sight.keep_colors(path, light, &mut self.planes);
+            sight.gauge(scale_of(path, light));
+            sight.keep_colors(path, light, ALL_ROWS, &mut self.planes);
         }
     }
 
@@ -281,11 +324,11 @@ impl TileMemory {
     /// Nothing holds any more.
     pub fn forget(&mut self) {
         self.surfaces.holds = false;
-        self.base.holds = false;
+        self.base.forget();
         self.developed = false;
         self.shown.fill(false);
         for sight in self.sights.iter_mut().chain(self.glows.iter_mut().map(|glow| &mut glow.1)) {
-            sight.holds = false;
+            sight.forget();
         }
     }
 }

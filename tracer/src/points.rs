@@ -63,6 +63,16 @@ impl Points {
         }
     }
 
+    /// The blocks that hold any of the points in some rows of the tile; those that were pushed in order.
+    pub fn blocks_in(&self, rows: u16) -> u16 {
+        let row = |at: usize| u32::from(self.pixel[at]) / LANES as u32;
+        let meets = |block: &usize| {
+            let (first, last) = (row(block * LANES), row((block * LANES + LANES).min(self.count) - 1));
+            u32::from(rows) >> first & ((2 << (last - first)) - 1) != 0
+        };
+        (0..self.blocks()).filter(meets).fold(0, |blocks, block| blocks | 1 << block)
+    }
+
     /// How many blocks of [`LANES`] hold the points.
     pub fn blocks(&self) -> usize {
         self.count.div_ceil(LANES)

@@ -13,6 +13,7 @@ impl Workspace {
     pub(crate) fn recall(&mut self, stage: &Stage, place: &Place, kept: &mut Surfaces) -> usize {
         if !kept.holds {
             let layers = self.find_surfaces(stage, place);
+            self.read_prints(stage, place, layers);
             self.keep_surfaces(layers, kept);
         }
         let mm_per_px = stage.scene.view.mm_per_px as f32;
@@ -32,7 +33,7 @@ impl Workspace {
         for (patch, layer) in kept.tops().iter().zip(&mut self.tops) {
             patch.unpack(mm_per_px, layer);
         }
-        self.read_art(stage, place, layers);
+        self.read_art(stage, place);
         layers
     }
 

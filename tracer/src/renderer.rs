@@ -12,6 +12,7 @@ use crate::lanes::{LANES, Path};
 use crate::memory::{to_be_composed, to_be_lit};
 use crate::monte_carlo::Sampling;
 use crate::past::{MOST_LAMPS, Past};
+use crate::penumbra::Penumbra;
 use crate::points::{Points, TILE};
 use crate::response::{CELLS, means_of};
 use crate::silhouette::Silhouettes;
@@ -314,8 +315,8 @@ impl Renderer {
         let mut count = 0;
         for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
             if self.lamps.len() == count {
-                let none = Candidates::default;
-                self.lamps.push(Lit { lamp: *lamp, candidates: none(), moved: none(), lost: true, number: 0 });
+                let (candidates, moved) = (Candidates::default(), Vec::new());
+                self.lamps.push(Lit { lamp: *lamp, candidates, moved, lost: true, number: 0 });
             }
             let lit = &mut self.lamps[count];
             lit.lamp = *lamp;
@@ -324,7 +325,7 @@ impl Renderer {
             let known = &self.past.known[lit.number];
             lit.lost = known.lost;
             self.moved.set(&known.moved);
-            lit.moved.set(lamp, &self.moved);
+            Penumbra::of_all(lamp, &self.moved, &mut lit.moved);
             count += 1;
         }
         self.lamps.truncate(count);
@@ -342,7 +343,7 @@ impl Renderer {
     }
 
     fn leave_still_balls(&mut self) {
-        if self.lamps.iter().all(|lit| lit.moved.len() == 0) {
+        if self.lamps.iter().all(|lit| lit.moved.is_empty()) {
             self.changes.leave_still_balls();
         }
     }

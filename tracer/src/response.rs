@@ -9,6 +9,7 @@
 use crate::Rgb;
 use crate::irradiance::Light;
 use crate::lanes::{LANES, Lanes, Path, clones, max};
+use crate::penumbra::Rows;
 use crate::points::{AREA, Plane, TILE};
 
 /// Cells of [`CELL`] x [`CELL`] pixels in a tile.
@@ -51,6 +52,11 @@ impl Texels {
     pub fn dark() -> Texels {
         Texels([0; AREA])
     }
+
+    /// Whether all of it is dark.
+    pub fn is_dark(&self) -> bool {
+        self.0.iter().fold(0, |all, texel| all | texel) == 0
+    }
 }
 
 /// The means of a picture's cells.
@@ -70,6 +76,31 @@ impl Gist {
             *cell = rounded(mean * steps);
         }
         Gist { scale: most / STEPS, cells }
+    }
+
+    /// Keeps the means of those cells of a floor that have any of some rows: see [`Part`].
+    pub fn keep_floor(&mut self, path: Path, albedo: &Light, planes: [&Texels; 2], scales: [f32; 2], rows: Rows) {
+        let mut means = [[0.0; CELLS]; 3];
+        floor_means(path, albedo, planes, scales, rows, &mut means);
+        // No cell is brighter than white where all arrives.
+        self.keep_rows(&means, (scales[0] + scales[1]) * STEPS, rows);
+    }
+
+    /// Keeps the means of those cells of a picture in colours that have any of some rows.
+    pub fn keep_colors(&mut self, path: Path, planes: &[Texels], scale: f32, rows: Rows) {
+        let mut means = [[0.0; CELLS]; 3];
+        color_means(path, planes, scale, rows, &mut means);
+        self.keep_rows(&means, scale * STEPS, rows);
+    }
+
+    fn keep_rows(&mut self, means: &Means, scale: f32, rows: Rows) {
+        self.scale = scale;
+        let steps = if scale > 0.0 { 1.0 / scale } else { 0.0 };
+        for (cells, means) in self.cells.iter_mut().zip(means) {
+            for at in cells_of(rows).flat_map(|row| row * ROW..(row + 1) * ROW) {
+                cells[at] = rounded(means[at] * steps);
+            }
+        }
     }
 
     /// Adds them, in light of a colour.
@@ -94,18 +125,12 @@ impl<T: ?Sized> Clone for Part<'_, T> {
     }
 }
 
-/// Keeps planes: finite, 0 or more. Returns what squares of texels are to be multiplied by, 0 if all is dark.
-pub(crate) fn keep(path: Path, planes: &[Plane], texels: &mut [Texels]) -> f32 {
+/// What squares of texels are to be multiplied by if these planes, finite, 0 or more, are kept; 0 if all is dark.
+pub(crate) fn scale_of(path: Path, planes: &[Plane]) -> f32 {
     let mut largest = 0.0;
     find_largest(path, planes, &mut largest);
-    if largest < FAINTEST {
-        return 0.0;
-    }
     let per_step = largest.sqrt() / STEPS;
-    for (plane, texels) in planes.iter().zip(texels) {
-        encode(path, plane, 1.0 / per_step, texels);
-    }
-    per_step * per_step
+    if largest < FAINTEST { 0.0 } else { per_step * per_step }
 }
 
 /// Adds colours onto what is in `out`.
@@ -197,24 +222,57 @@ fn means_lanes(light: &Light, means: &mut Means) {
 }
 
 clones! {
-    /// The means of the cells of a floor: its reflectance times what arrives, and what shines on it.
-    pub(crate) fn floor_means(albedo: &Light, arriving: &Plane, shine: &Plane, means: &mut Means) = floor_means_lanes;
+    /// The means of those cells of a floor that have any of some rows: its reflectance times what arrives, and what
+    /// shines on it.
+    fn floor_means(
+        albedo: &Light, planes: [&Texels; 2], scales: [f32; 2], rows: Rows, means: &mut Means,
+    ) = floor_means_lanes;
 }
 
 #[inline(always)]
-fn floor_means_lanes(albedo: &Light, arriving: &Plane, shine: &Plane, means: &mut Means) {
-    for cells in 0..ROW {
-        let rows = cells * CELL..(cells + 1) * CELL;
+fn floor_means_lanes(albedo: &Light, [matt, gloss]: [&Texels; 2], scales: [f32; 2], rows: Rows, means: &mut Means) {
+    for cells in cells_of(rows) {
         let mut sums = [[0.0; LANES]; 3];
-        for row in rows {
+        for row in cells * CELL..(cells + 1) * CELL {
+            let (matt, gloss) = (&matt.0[row * LANES..][..LANES], &gloss.0[row * LANES..][..LANES]);
             for i in 0..LANES {
-                sums[0][i] += albedo[0][row][i] * arriving[row][i] + shine[row][i];
-                sums[1][i] += albedo[1][row][i] * arriving[row][i] + shine[row][i];
-                sums[2][i] += albedo[2][row][i] * arriving[row][i] + shine[row][i];
+                let (arriving, shine) = (f32::from(matt[i]), f32::from(gloss[i]));
+                let (arriving, shine) = (arriving * arriving * scales[0], shine * shine * scales[1]);
+                sums[0][i] += albedo[0][row][i] * arriving + shine;
+                sums[1][i] += albedo[1][row][i] * arriving + shine;
+                sums[2][i] += albedo[2][row][i] * arriving + shine;
             }
         }
         put_means(cells, &sums, means);
     }
+}
+
+clones! {
+    /// The means of those cells of colours that have any of some rows.
+    fn color_means(planes: &[Texels], scale: f32, rows: Rows, means: &mut Means) = color_means_lanes;
+}
+
+#[inline(always)]
+fn color_means_lanes(planes: &[Texels], scale: f32, rows: Rows, means: &mut Means) {
+    for cells in cells_of(rows) {
+        let mut sums = [[0.0; LANES]; 3];
+        for (sums, plane) in sums.iter_mut().zip(planes) {
+            for row in cells * CELL..(cells + 1) * CELL {
+                let line = &plane.0[row * LANES..][..LANES];
+                for i in 0..LANES {
+                    let root = f32::from(line[i]);
+                    sums[i] += root * root * scale;
+                }
+            }
+        }
+        put_means(cells, &sums, means);
+    }
+}
+
+/// The rows of cells that have any of some rows of pixels.
+#[inline(always)]
+fn cells_of(rows: Rows) -> impl Iterator<Item = usize> {
+    (0..ROW).filter(move |cells| rows >> (cells * CELL) & ((1 << CELL) - 1) != 0)
 }
 
 /// Writes the means of a row of cells, whose columns were summed up.
@@ -251,14 +309,19 @@ fn rounded(value: f32) -> u16 {
 }
 
 clones! {
-    fn encode(plane: &Plane, steps: f32, texels: &mut Texels) = encode_lanes;
+    /// Keeps some rows of a plane, times what is seen of it.
+    pub(crate) fn encode_rows(
+        plane: &Plane, seen: &Plane, rows: Rows, scale: f32, texels: &mut Texels,
+    ) = encode_lanes;
 }
 
 #[inline(always)]
-fn encode_lanes(plane: &Plane, steps: f32, texels: &mut Texels) {
-    for (line, out) in plane.iter().zip(texels.0.as_chunks_mut::<LANES>().0) {
+fn encode_lanes(plane: &Plane, seen: &Plane, rows: Rows, scale: f32, texels: &mut Texels) {
+    let steps = if scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
+    for row in (0..TILE).filter(|row| rows >> row & 1 == 1) {
+        let (line, seen, out) = (&plane[row], &seen[row], &mut texels.0[row * LANES..][..LANES]);
         for i in 0..LANES {
-            out[i] = rounded(max(line[i], 0.0).sqrt() * steps);
+            out[i] = rounded((max(line[i], 0.0) * seen[i]).sqrt() * steps);
         }
     }
 }

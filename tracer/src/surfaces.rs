@@ -53,33 +53,46 @@ pub(crate) struct Patch {
     pixel: Vec<u8>,
     weight: Vec<Lanes>,
     normals: [Vec<Lanes>; 3],
+    /// What is printed on it; empty if nothing is.
+    print: [Vec<Lanes>; 3],
 }
 
 impl Patch {
     /// Nothing.
     fn empty() -> Patch {
-        Patch { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: [const { Vec::new() }; 3] }
+        let planes = [const { Vec::new() }; 3];
+        Patch { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: planes.clone(), print: planes }
     }
 
     /// Keeps what a layer shows.
     fn keep(&mut self, layer: &TopLayer) {
-        let TopLayer { form, points, surface: Surface { weight, normals, .. } } = layer;
+        let TopLayer { form, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
         self.form = *form;
         refill(&mut self.pixel, &points.pixel[..points.count]);
         let planes: [&Plane; 4] = [weight, &normals.x, &normals.y, &normals.z];
         for (kept, plane) in [&mut self.weight].into_iter().chain(&mut self.normals).zip(planes) {
             refill(kept, &plane[..points.blocks()]);
         }
+        for (kept, plane) in self.print.iter_mut().zip(albedo) {
+            refill(kept, &plane[..if *printed { points.blocks() } else { 0 }]);
+        }
     }
 
     /// Makes a layer show it again.
     pub fn unpack(&self, mm_per_px: f32, layer: &mut TopLayer) {
-        let TopLayer { form, points, surface: Surface { weight, normals, .. } } = layer;
+        let TopLayer { form, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
         let Normals { x, y, z } = normals;
         *form = self.form;
         points.take(&self.pixel, mm_per_px);
         for (plane, packed) in [weight, x, y, z].into_iter().zip([&self.weight].into_iter().chain(&self.normals)) {
             plane[..packed.len()].copy_from_slice(packed);
+        }
+        *printed = !self.print[0].is_empty();
+        for (plane, packed) in albedo.iter_mut().zip(&self.print) {
+            match *printed {
+                true => plane[..packed.len()].copy_from_slice(packed),
+                false => plane[..points.blocks()].fill([1.0; LANES]),
+            }
         }
     }
 }

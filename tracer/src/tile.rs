@@ -13,10 +13,11 @@ use crate::coverage::{Edge, Form};
 use crate::irradiance::{DARKNESS, Light, Normals, Surface};
 use crate::lanes::{LANES, Path};
 use crate::layer::TopLayer;
-use crate::lighting::{Lighted, add};
+use crate::lighting::{ALL, Lighted, add};
 use crate::memory::{Bare, TileMemory};
 use crate::monte_carlo::Sampling;
-use crate::obstruction::Obstruction;
+use crate::obstruction::{Obstruction, Verdict};
+use crate::penumbra::{ALL_ROWS, Penumbra, Rows};
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
 use crate::response::means_of;
@@ -65,8 +66,8 @@ pub(crate) struct Lit {
     pub lamp: Lamp,
     /// What may stand in its way.
     pub candidates: Candidates,
-    /// What has moved there since it was looked at last.
-    pub moved: Candidates,
+    /// Where the shadows may fall of what has moved since it was looked at last.
+    pub moved: Vec<Penumbra>,
     /// Whether nothing is remembered of it.
     pub lost: bool,
     /// Its number in the tiles' memory.
@@ -80,7 +81,7 @@ pub(crate) struct Workspace {
     entered: bool,
     pub(crate) near: Vec<Candidates>,
     pub(crate) is_near: Vec<bool>,
-    moved: Vec<Candidates>,
+    moved: Vec<Vec<Penumbra>>,
     lit: Vec<usize>,
     /// The lamps before which something has moved.
     stirred: Vec<usize>,
@@ -168,19 +169,18 @@ impl Workspace {
         let middle = corner + DVec2::splat(half);
         self.block = (middle, half * std::f64::consts::SQRT_2);
         self.entered = false;
-        self.moved.resize_with(stage.lamps.len(), Candidates::default);
+        self.moved.resize_with(stage.lamps.len(), Vec::new);
         self.stirred.clear();
         stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
         for (at, Lit { lamp, moved, .. }) in stage.lamps.iter().enumerate() {
-            if moved.len() == 0 {
+            let near = lamp.far_mm() + self.block.1;
+            if moved.is_empty() || lamp.center_mm.distance_squared(middle) > near * near {
                 continue;
             }
-            let cone = Cone::new(lamp, self.block.0, self.block.1);
-            if !cone.beyond(lamp.reach_mm) {
-                moved.narrow(stage.path, &cone, &mut self.moved[at], None);
-                if self.moved[at].len() > 0 {
-                    self.stirred.push(at);
-                }
+            self.moved[at].clear();
+            self.moved[at].extend(moved.iter().filter(|penumbra| penumbra.may_reach(middle, half)));
+            if !self.moved[at].is_empty() {
+                self.stirred.push(at);
             }
         }
     }
@@ -210,17 +210,16 @@ impl Workspace {
         let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
-            let sight = memory.sight(*number);
+            let (sight, moved) = (memory.sight(*number), &self.moved[at]);
             // What one group hides stays hidden while that group stands still.
-            let hidden = sight.hidden_by.is_some_and(|group| !self.moved[at].group.contains(&group));
+            let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|penumbra| penumbra.group != group));
             if !sight.holds || hidden || !place.is_reached(lamp) {
                 continue;
             }
-            let cone = Cone::new(lamp, place.middle_mm, place.radius_mm);
-            if self.moved[at].classified_any(stage.path, &cone) {
-                sight.holds = false;
-                differs = true;
+            for penumbra in moved.iter().filter(|penumbra| penumbra.may_reach(place.middle_mm, place.half_mm)) {
+                sight.stale |= penumbra.rows(place, stage.scene.view.mm_per_px);
             }
+            differs |= sight.stale != 0;
         }
         differs
     }
@@ -235,7 +234,7 @@ impl Workspace {
                 memory.keep_floor_base(stage.path, &self.ground.albedo);
             } else {
                 self.light_from_everywhere(stage, layers);
-                place.repeat_edges(&mut self.picture);
+                place.repeat_edges(&mut self.picture.each_mut());
                 memory.keep_base(stage.path, &self.picture);
             }
         }
@@ -244,29 +243,28 @@ impl Workspace {
             let Lit { lamp, lost, number, .. } = &stage.lamps[at];
             let sight = memory.sight(*number);
             sight.holds &= !lost;
-            if !sight.holds && place.is_reached(lamp) {
+            let rows = sight.rows_to_make();
+            if rows != 0 && place.is_reached(lamp) {
                 let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                match self.light(stage, at, place, layers) {
-                    Lighted::Dark => memory.keep_dark(*number, self.between.hidden_by.filter(|_| layers == 0)),
-                    Lighted::Floor => {
-                        let Workspace { arriving, shine, ground, .. } = self;
-                        [&mut *arriving, shine]
-                            .into_iter()
-                            .for_each(|plane| place.repeat_edges(std::slice::from_mut(plane)));
-                        memory.keep_floor(*number, stage.path, Bare { albedo: &ground.albedo, arriving, shine });
-                    }
-                    Lighted::Colors => {
-                        place.repeat_edges(&mut self.picture);
-                        memory.keep(*number, stage.path, &self.picture);
-                    }
+                // Beyond the picture's edge rows are repeated.
+                let rows = if place.is_whole() { rows } else { ALL_ROWS };
+                let mut lighted = self.light(stage, at, place, layers, rows);
+                let sight = memory.sight(*number);
+                let another = sight.is_colors() != (lighted == Lighted::Colors) && lighted != Lighted::Dark;
+                if another && rows != ALL_ROWS {
+                    lighted = self.light(stage, at, place, layers, ALL_ROWS);
                 }
+                if lighted == Lighted::Colors && (another || !sight.gauged) {
+                    sight.gauge(self.gauge(stage, at, place, layers));
+                }
+                self.keep(stage, place, memory, *number, lighted, if another { ALL_ROWS } else { rows });
             }
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             if !memory.glow(glow.mask.place()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 self.glow(place, glow.mask);
-                place.repeat_edges(&mut self.picture);
+                place.repeat_edges(&mut self.picture.each_mut());
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
@@ -274,6 +272,35 @@ impl Workspace {
         if has_contacts(stage, place) {
             self.compose(stage, place, memory, &[]);
             means_of(stage.path, &self.out, &mut memory.means);
+        }
+    }
+
+    /// Keeps what a lamp was found to light.
+    fn keep(
+        &mut self,
+        stage: &Stage,
+        place: &Place,
+        memory: &mut TileMemory,
+        number: usize,
+        lighted: Lighted,
+        rows: Rows,
+    ) {
+        match lighted {
+            Lighted::Dark => {
+                let alone = memory.surfaces.tops().is_empty();
+                memory.keep_dark(number, self.between.hidden_by.filter(|_| alone));
+            }
+            Lighted::Floor(verdict) => {
+                let Workspace { arriving, shine, fraction, ground, .. } = self;
+                place.repeat_edges(&mut [&mut *arriving, shine, fraction]);
+                let seen = if verdict == Verdict::Lit { &ALL } else { &*fraction };
+                let floor = Bare { albedo: &ground.albedo, arriving, shine, seen };
+                memory.keep_floor(number, stage.path, floor, rows);
+            }
+            Lighted::Colors => {
+                place.repeat_edges(&mut self.picture.each_mut());
+                memory.keep(number, stage.path, &self.picture, rows);
+            }
         }
     }
 
@@ -300,9 +327,13 @@ impl Workspace {
             if !place.is_reached(lamp) {
                 continue;
             }
-            match self.light(stage, at, place, layers) {
+            match self.light(stage, at, place, layers, ALL_ROWS) {
                 Lighted::Dark => continue,
-                Lighted::Floor => self.paint(stage.path),
+                Lighted::Floor(verdict) => {
+                    self.veil(stage.path, verdict, ALL_ROWS);
+                    self.picture = DARKNESS;
+                    self.paint(stage.path, ALL_ROWS);
+                }
                 Lighted::Colors => {}
             }
             add(&self.picture, lamp.color, &mut self.out);
@@ -311,6 +342,6 @@ impl Workspace {
             self.glow(place, glow.mask);
             add(&self.picture, glow.color, &mut self.out);
         }
-        place.repeat_edges(&mut self.out);
+        place.repeat_edges(&mut self.out.each_mut());
     }
 }

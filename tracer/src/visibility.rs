@@ -8,7 +8,7 @@
 
 use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
 use crate::obstruction::{Cap, Element, Obstruction, Piece};
-use crate::points::Plane;
+use crate::points::{Plane, TILE};
 use crate::source::{DiscSource, Seen, Source};
 use crate::union::{uncovered, uncovered_many};
 
@@ -33,16 +33,16 @@ impl Intervals {
 }
 
 clones! {
-    /// The visible fraction of `source` at the first `blocks` blocks of points.
+    /// The visible fraction of `source` at those blocks of points whose bits are set.
     pub(crate) fn visible_fraction(
-        blocks: usize, x: &Plane, y: &Plane, source: Source, between: &Obstruction, room: &mut Intervals,
+        blocks: u16, x: &Plane, y: &Plane, source: Source, between: &Obstruction, room: &mut Intervals,
         fraction: &mut Plane,
     ) = visible_fraction_lanes;
 }
 
 #[inline(always)]
 fn visible_fraction_lanes(
-    blocks: usize,
+    blocks: u16,
     x: &Plane,
     y: &Plane,
     source: Source,
@@ -52,7 +52,7 @@ fn visible_fraction_lanes(
 ) {
     // What hid the lamp from the last points may well hide it from the next: it is asked first.
     let mut first = 0;
-    for block in 0..blocks {
+    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
         match source {
             Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
