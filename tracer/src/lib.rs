@@ -49,6 +49,7 @@ mod renderer;
 mod response;
 pub mod room;
 mod scene;
+mod sight;
 mod silhouette;
 mod source;
 mod step;

@@ -7,128 +7,13 @@
 
 use crate::irradiance::Light;
 use crate::lanes::{LANES, fetch};
-use crate::lighting::ALL;
 use crate::penumbra::{ALL_ROWS, Rows};
-use crate::points::Plane;
 use crate::response::{
-    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, encode_rows, means_of, put_floor,
-    scale_of,
+    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, means_of, put_floor, scale_of,
 };
+use crate::sight::{Bare, Form, Kept, Sight};
 use crate::surfaces::Surfaces;
 use crate::{Group, Path, Rgb};
-
-/// How a picture is kept.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Form {
-    /// Red, green and blue: three planes.
-    #[default]
-    Colors,
-    /// What arrives at bare floor: one plane.
-    Floor,
-    /// The same, and after it what shines on the floor.
-    GlossyFloor,
-}
-
-/// What one tile shows in the light of one lamp: what the glare needs of it, and where the rest is.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Sight {
-    /// Whether what follows still holds.
-    pub holds: bool,
-    /// What hides the lamp from all of the tile, if it is one group alone.
-    pub hidden_by: Option<Group>,
-    form: Form,
-    /// Rows that do not hold any more.
-    pub stale: Rows,
-    /// Whether there is any light.
-    is_lit: bool,
-    /// What squares of texels are multiplied by, and of those of the gloss; 0 if there is none.
-    scales: [f32; 2],
-    /// Whether these are those of the floor with nothing in the way: then rows can be kept one by one.
-    pub gauged: bool,
-    gist: Gist,
-    /// Which of the tile's planes are its own.
-    planes: std::ops::Range<usize>,
-}
-
-impl Sight {
-    /// Whether it is known to be lit.
-    fn is_lit(&self) -> bool {
-        self.holds && self.is_lit
-    }
-
-    /// What has to be made anew.
-    pub fn rows_to_make(&self) -> Rows {
-        if self.holds && (self.stale == 0 || self.is_lit && self.gauged) { self.stale } else { ALL_ROWS }
-    }
-
-    /// Nothing of it holds any more.
-    fn forget(&mut self) {
-        (self.holds, self.gauged) = (false, false);
-    }
-
-    /// Its planes, so many at least.
-    fn take<'a>(&mut self, count: usize, planes: &'a mut Vec<Texels>) -> &'a mut [Texels] {
-        if self.planes.len() < count {
-            self.planes = planes.len()..planes.len() + count;
-            planes.resize(self.planes.end, Texels::dark());
-        }
-        &mut planes[self.planes.start..][..count]
-    }
-
-    /// Whether three planes are kept of it.
-    pub fn is_colors(&self) -> bool {
-        self.form == Form::Colors
-    }
-
-    /// Says what squares of texels of colours are to be multiplied by.
-    pub fn gauge(&mut self, scale: f32) {
-        (self.form, self.gauged, self.scales) = (Form::Colors, true, [scale, 0.0]);
-    }
-
-    /// Keeps some rows in colours; the first time, all.
-    fn keep_colors(&mut self, path: Path, light: &Light, rows: Rows, planes: &mut Vec<Texels>) {
-        (self.holds, self.hidden_by, self.stale) = (true, None, 0);
-        let scale = self.scales[0];
-        let texels = self.take(3, planes);
-        for (plane, texels) in light.iter().zip(&mut *texels) {
-            encode_rows(path, plane, &ALL, rows, scale, texels);
-        }
-        self.is_lit = !texels.iter().all(Texels::is_dark);
-        self.gist.keep_colors(path, texels, scale, rows);
-    }
-
-    /// Keeps some rows of a floor; the first time, all.
-    fn keep_floor(&mut self, path: Path, floor: Bare, rows: Rows, planes: &mut Vec<Texels>) {
-        (self.holds, self.hidden_by, self.stale) = (true, None, 0);
-        if !self.gauged || self.form == Form::Colors {
-            let gauge = |plane: &Plane| scale_of(path, std::slice::from_ref(plane));
-            self.scales = [gauge(floor.arriving), gauge(floor.shine)];
-            self.gauged = true;
-        }
-        self.form = if self.scales[1] > 0.0 { Form::GlossyFloor } else { Form::Floor };
-        let scales = self.scales;
-        let (matt, gloss) = self.take(2, planes).split_at_mut(1);
-        encode_rows(path, floor.arriving, floor.seen, rows, scales[0], &mut matt[0]);
-        if scales[1] > 0.0 {
-            encode_rows(path, floor.shine, floor.seen, rows, scales[1], &mut gloss[0]);
-        }
-        self.is_lit = !(matt[0].is_dark() && (scales[1] == 0.0 || gloss[0].is_dark()));
-        self.gist.keep_floor(path, floor.albedo, [&matt[0], &gloss[0]], scales, rows);
-    }
-}
-
-/// A tile of bare floor in the light of one lamp.
-#[derive(Clone, Copy)]
-pub(crate) struct Bare<'a> {
-    /// Its reflectance.
-    pub albedo: &'a Light,
-    /// What arrives, and is reflected in the floor's colours.
-    pub arriving: &'a Plane,
-    /// What is reflected in the lamp's own colour.
-    pub shine: &'a Plane,
-    /// How much of both is not in shadow.
-    pub seen: &'a Plane,
-}
 
 /// A plane, or the first of three, in its light.
 #[derive(Clone, Copy, Debug)]
@@ -141,15 +26,16 @@ struct Lit {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileMemory {
     sights: Vec<Sight>,
-    /// Whether it sees any of a lamp, for every sight. Apart, since most lamps light few tiles.
-    shown: Vec<bool>,
+    /// The pictures of these. Apart, since most lamps light few tiles.
+    kept: Vec<Kept>,
     /// In the light from everywhere, with the light of tops of their own; of a tile of bare floor only what the glare
     /// needs of it, in white light.
     pub base: Sight,
+    kept_base: Kept,
     /// Whether it is all bare floor.
     is_floor: bool,
     /// In the light of inserts, known by their masks' places in memory.
-    glows: Vec<((usize, usize), Sight)>,
+    glows: Vec<((usize, usize), Sight, Kept)>,
     /// The pictures of all of these: one after another, so that a tile is put together without a jump.
     planes: Vec<Texels>,
     /// What it is made of in this picture: in colours, of what arrives at the floor, of what shines there.
@@ -173,7 +59,7 @@ impl TileMemory {
     pub fn sight(&mut self, lamp: usize) -> &mut Sight {
         if self.sights.len() <= lamp {
             self.sights.resize_with(lamp + 1, Sight::default);
-            self.shown.resize(lamp + 1, false);
+            self.kept.resize_with(lamp + 1, Kept::default);
         }
         &mut self.sights[lamp]
     }
@@ -181,7 +67,7 @@ impl TileMemory {
     /// What an insert's light does in the tile.
     pub fn glow(&mut self, mask: (usize, usize)) -> &mut Sight {
         let at = self.glows.iter().position(|glow| glow.0 == mask).unwrap_or_else(|| {
-            self.glows.push((mask, Sight::default()));
+            self.glows.push((mask, Sight::default(), Kept::default()));
             self.glows.len() - 1
         });
         &mut self.glows[at].1
@@ -195,43 +81,56 @@ impl TileMemory {
     /// Keeps the picture in the light from everywhere.
     pub fn keep_base(&mut self, path: Path, light: &Light) {
         self.is_floor = false;
-        self.base.gauge(scale_of(path, light));
-        self.base.keep_colors(path, light, ALL_ROWS, &mut self.planes);
+        self.kept_base.gauge(scale_of(path, light));
+        self.base.renew(self.kept_base.keep_colors(path, light, ALL_ROWS, &mut self.planes), None);
     }
 
     /// Keeps in mind that all of the tile is floor of this reflectance.
     pub fn keep_floor_base(&mut self, path: Path, albedo: &Light) {
         self.is_floor = true;
-        self.base.holds = true;
         let mut means = [[0.0; CELLS]; 3];
         means_of(path, albedo, &mut means);
-        self.base.gist = Gist::of(&means);
+        self.kept_base.gist = Gist::of(&means);
+        self.base.renew(false, None);
     }
 
-    /// Keeps rows of the picture in a lamp's light.
+    /// Whether a lamp's picture would have to be kept in another way, if it is kept in colours or not.
+    pub fn is_another(&self, lamp: usize, colors: bool) -> bool {
+        (self.kept[lamp].form == Form::Colors) != colors
+    }
+
+    /// Says what squares of texels are multiplied by in a lamp's light, kept in colours.
+    pub fn gauge(&mut self, lamp: usize, scale: f32) {
+        self.sights[lamp].gauged = true;
+        self.kept[lamp].gauge(scale);
+    }
+
+    /// Keeps rows of the picture in a lamp's light, which was gauged.
     pub fn keep(&mut self, lamp: usize, path: Path, light: &Light, rows: Rows) {
-        self.sights[lamp].keep_colors(path, light, rows, &mut self.planes);
-        self.shown[lamp] = self.sights[lamp].is_lit();
+        let is_lit = self.kept[lamp].keep_colors(path, light, rows, &mut self.planes);
+        self.sights[lamp].renew(is_lit, None);
     }
 
-    /// Keeps rows of the picture in a lamp's light of a tile that is all floor.
-    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: Bare, rows: Rows) {
-        self.sights[lamp].keep_floor(path, floor, rows, &mut self.planes);
-        self.shown[lamp] = self.sights[lamp].is_lit();
+    /// Keeps rows of the picture in a lamp's light of a tile that is all floor; the first time, all of them.
+    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: &Bare, rows: Rows) {
+        let (sight, kept) = (&mut self.sights[lamp], &mut self.kept[lamp]);
+        if !sight.gauged || kept.form == Form::Colors {
+            kept.gauge_floor(path, floor);
+            sight.gauged = true;
+        }
+        sight.renew(kept.keep_floor(path, floor, rows, &mut self.planes), None);
     }
 
     /// Keeps in mind that a lamp lights nothing, and what hides it if it is one group alone.
     pub fn keep_dark(&mut self, lamp: usize, hidden_by: Option<Group>) {
-        let sight = &mut self.sights[lamp];
-        (sight.holds, sight.hidden_by, sight.stale, sight.is_lit) = (true, hidden_by, 0, false);
-        self.shown[lamp] = false;
+        self.sights[lamp].renew(false, hidden_by);
     }
 
     /// Keeps the picture in an insert's light.
     pub fn keep_glow(&mut self, mask: (usize, usize), path: Path, light: &Light) {
-        if let Some((_, sight)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
-            sight.gauge(scale_of(path, light));
-            sight.keep_colors(path, light, ALL_ROWS, &mut self.planes);
+        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
+            kept.gauge(scale_of(path, light));
+            sight.renew(kept.keep_colors(path, light, ALL_ROWS, &mut self.planes), None);
         }
     }
 
@@ -246,34 +145,34 @@ impl TileMemory {
         self.ambient = ambient;
         self.means = [[0.0; CELLS]; 3];
         if self.is_floor {
-            self.base.gist.add(path, ambient, &mut self.means);
+            self.kept_base.gist.add(path, ambient, &mut self.means);
         }
-        let TileMemory { colors, arriving, shine, means, sights, shown, glows: inserts, .. } = self;
+        let TileMemory { colors, arriving, shine, means, sights, kept, glows: inserts, .. } = self;
         [&mut *colors, arriving, shine].into_iter().for_each(Vec::clear);
-        let mut add = |sight: &Sight, color: Rgb| {
-            sight.gist.add(path, color, means);
+        let mut add = |kept: &Kept, color: Rgb| {
+            kept.gist.add(path, color, means);
             let lit = |scale: f32, plane: usize| Lit { plane, gain: color.map(|channel| channel * scale) };
-            let first = lit(sight.scales[0], sight.planes.start);
-            match sight.form {
+            let first = lit(kept.scales[0], kept.planes.start);
+            match kept.form {
                 Form::Colors => colors.push(first),
                 Form::Floor | Form::GlossyFloor => arriving.push(first),
             }
-            if sight.form == Form::GlossyFloor {
-                shine.push(lit(sight.scales[1], sight.planes.start + 1));
+            if kept.form == Form::GlossyFloor {
+                shine.push(lit(kept.scales[1], kept.planes.start + 1));
             }
         };
-        if !self.is_floor && self.base.is_lit() {
-            add(&self.base, [1.0; 3]);
+        if self.base.is_lit() {
+            add(&self.kept_base, [1.0; 3]);
         }
         for (number, color) in lamps {
-            if shown.get(number).is_some_and(|&shown| shown) {
-                add(&sights[number], color);
+            if sights.get(number).is_some_and(Sight::is_lit) {
+                add(&kept[number], color);
             }
         }
         // Few tiles have inserts.
         for (mask, color) in glows.take_while(|_| !inserts.is_empty()) {
-            if let Some((_, sight)) = inserts.iter().find(|glow| glow.0 == mask && glow.1.is_lit()) {
-                add(sight, color);
+            if let Some((_, _, kept)) = inserts.iter().find(|glow| glow.0 == mask && glow.1.is_lit()) {
+                add(kept, color);
             }
         }
     }
@@ -290,9 +189,8 @@ impl TileMemory {
 
     /// Asks for what [`TileMemory::light`] will read.
     fn fetch_sights(&self) {
-        fetch(&self.shown);
-        for (sight, _) in self.sights.iter().zip(&self.shown).filter(|(_, shown)| **shown) {
-            fetch(std::slice::from_ref(sight));
+        for (_, kept) in self.sights.iter().zip(&self.kept).filter(|(sight, _)| sight.is_lit()) {
+            fetch(std::slice::from_ref(kept));
         }
     }
 
@@ -300,7 +198,7 @@ impl TileMemory {
     pub fn compose(&self, path: Path, paint: &Paint, shade: Option<impl FnOnce(&mut Light)>, out: &mut Light) {
         let gray = |lit: &Lit| Part { texels: &self.planes[lit.plane], gain: lit.gain };
         let colored = |lit: &Lit| Part { texels: &self.planes[lit.plane..lit.plane + 3], gain: lit.gain };
-        let (base, rest) = self.colors.split_at(usize::from(!self.is_floor && self.base.is_lit()));
+        let (base, rest) = self.colors.split_at(usize::from(self.base.is_lit()));
         let arriving = self.arriving.iter().map(gray);
         if !self.is_floor {
             out.as_flattened_mut().fill([0.0; LANES]);
@@ -326,7 +224,6 @@ impl TileMemory {
         self.surfaces.holds = false;
         self.base.forget();
         self.developed = false;
-        self.shown.fill(false);
         for sight in self.sights.iter_mut().chain(self.glows.iter_mut().map(|glow| &mut glow.1)) {
             sight.forget();
         }

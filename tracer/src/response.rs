@@ -47,12 +47,10 @@ const FAINTEST: f32 = 1e-20;
 #[repr(align(64))]
 pub(crate) struct Texels([u16; AREA]);
 
-impl Texels {
-    /// Darkness.
-    pub fn dark() -> Texels {
-        Texels([0; AREA])
-    }
+/// Darkness.
+pub(crate) static DARK: Texels = Texels([0; AREA]);
 
+impl Texels {
     /// Whether all of it is dark.
     pub fn is_dark(&self) -> bool {
         self.0.iter().fold(0, |all, texel| all | texel) == 0

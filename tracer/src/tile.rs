@@ -14,13 +14,14 @@ use crate::irradiance::{DARKNESS, Light, Normals, Surface};
 use crate::lanes::{LANES, Path};
 use crate::layer::TopLayer;
 use crate::lighting::{ALL, Lighted, add};
-use crate::memory::{Bare, TileMemory};
+use crate::memory::TileMemory;
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::penumbra::{ALL_ROWS, Penumbra, Rows};
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
 use crate::response::means_of;
+use crate::sight::Bare;
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
@@ -249,13 +250,12 @@ impl Workspace {
                 // Beyond the picture's edge rows are repeated.
                 let rows = if place.is_whole() { rows } else { ALL_ROWS };
                 let mut lighted = self.light(stage, at, place, layers, rows);
-                let sight = memory.sight(*number);
-                let another = sight.is_colors() != (lighted == Lighted::Colors) && lighted != Lighted::Dark;
+                let another = lighted != Lighted::Dark && memory.is_another(*number, lighted == Lighted::Colors);
                 if another && rows != ALL_ROWS {
                     lighted = self.light(stage, at, place, layers, ALL_ROWS);
                 }
-                if lighted == Lighted::Colors && (another || !sight.gauged) {
-                    sight.gauge(self.gauge(stage, at, place, layers));
+                if lighted == Lighted::Colors && (another || !memory.sight(*number).gauged) {
+                    memory.gauge(*number, self.gauge(stage, at, place, layers));
                 }
                 self.keep(stage, place, memory, *number, lighted, if another { ALL_ROWS } else { rows });
             }
@@ -295,7 +295,7 @@ impl Workspace {
                 place.repeat_edges(&mut [&mut *arriving, shine, fraction]);
                 let seen = if verdict == Verdict::Lit { &ALL } else { &*fraction };
                 let floor = Bare { albedo: &ground.albedo, arriving, shine, seen };
-                memory.keep_floor(number, stage.path, floor, rows);
+                memory.keep_floor(number, stage.path, &floor, rows);
             }
             Lighted::Colors => {
                 place.repeat_edges(&mut self.picture.each_mut());
