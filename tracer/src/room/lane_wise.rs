@@ -1,8 +1,9 @@
 //! The question of the literal loops, asked for 16 pixels of a row at a time and without a branch.
 
+use super::literal;
 use super::moment::{Disc, Moment, corner};
 use super::run::{color, pack};
-use crate::lanes::{LANES, clones};
+use crate::lanes::{LANES, Lanes, clones, min};
 
 clones! {
     /// Makes the rows from `first_row` on.
@@ -16,8 +17,12 @@ fn band_lanes(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
         let lamps = [0, 1, 2, 3].map(|lamp| Lamp::new(&moment.discs, y, corner(lamp)));
         for start in (0..moment.width).step_by(LANES) {
             let mut chunk = [0; LANES];
+            let mut margins = [0.0; LANES];
             for i in 0..LANES {
-                chunk[i] = pixel(&lamps, &moment.discs, moment.x(start + i), y);
+                chunk[i] = pixel(&lamps, &moment.discs, moment.x(start + i), y, &mut margins[i]);
+            }
+            if margins.iter().fold(f32::MAX, |least, &margin| min(least, margin)) < DOUBT {
+                settle(moment, start, y, &margins, &mut chunk);
             }
             match pixels[start..].first_chunk_mut::<LANES>() {
                 Some(whole) => *whole = chunk,
@@ -26,6 +31,18 @@ fn band_lanes(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
         }
     }
 }
+
+/// Asks the literal question where the edge of a shadow passes too near.
+#[cold]
+#[inline(never)]
+fn settle(moment: &Moment, start: usize, y: f32, margins: &Lanes, chunk: &mut [u32; LANES]) {
+    for i in (0..LANES).filter(|&i| margins[i] < DOUBT) {
+        chunk[i] = literal::pixel(moment, moment.x(start + i), y);
+    }
+}
+
+/// Squares that differ by less, of some 25 at most, may be the other way round for all that rounding knows.
+const DOUBT: f32 = 1e-4;
 
 /// A lamp as a row of pixels sees it.
 #[derive(Clone, Copy, Debug)]
@@ -64,12 +81,15 @@ impl Lamp {
 
 /// A pixel is in a circle, or the line to the lamp meets the circle, which is where (w x c)^2 < r^2 w^2, and does so on
 /// the lamp's side, where w . c > 0. That it may meet it beyond the lamp need not be asked: a lamp stands in a corner,
-/// and there is nothing beyond.
+/// and there is nothing beyond. `margin` becomes how far from the other answer the
+/// nearest of all is.
 #[inline(always)]
-fn pixel(lamps: &[Lamp; 4], discs: &[Disc; 3], x: f32, y: f32) -> u32 {
-    let mut inside = false;
+fn pixel(lamps: &[Lamp; 4], discs: &[Disc; 3], x: f32, y: f32, margin: &mut f32) -> u32 {
+    let (mut inside, mut least) = (false, f32::MAX);
     for disc in discs {
-        inside |= (disc.x - x) * (disc.x - x) + (disc.y - y) * (disc.y - y) < disc.square;
+        let square = (disc.x - x) * (disc.x - x) + (disc.y - y) * (disc.y - y);
+        inside |= square < disc.square;
+        least = min(least, (square - disc.square).abs());
     }
     let mut sum = [0.0; 3];
     for (number, lamp) in lamps.iter().enumerate() {
@@ -79,12 +99,15 @@ fn pixel(lamps: &[Lamp; 4], discs: &[Disc; 3], x: f32, y: f32) -> u32 {
         for (disc, obstacle) in discs.iter().zip(&lamp.discs) {
             let across = obstacle.across + obstacle.slope * x;
             let along = obstacle.along + wx * (disc.x - x);
-            hidden |= (across * across < disc.square * way) & (along > 0.0);
+            let (left, right) = (across * across, disc.square * way);
+            hidden |= (left < right) & (along > 0.0);
+            least = min(least, (left - right).abs());
         }
         let light = if hidden { 0.0 } else { 1.0 / (1.0 + way) };
         for channel in 0..3 {
             sum[channel] += color(number, channel) * light;
         }
     }
+    *margin = least;
     pack(sum[0], sum[1], sum[2])
 }

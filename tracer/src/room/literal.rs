@@ -7,10 +7,15 @@ pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
     for (row, pixels) in pixels.chunks_mut(moment.width).enumerate() {
         let y = moment.y(first_row + row);
         for (column, pixel) in pixels.iter_mut().enumerate() {
-            let [red, green, blue] = light(moment, moment.x(column), y).map(byte);
-            *pixel = red << 16 | green << 8 | blue;
+            *pixel = self::pixel(moment, moment.x(column), y);
         }
     }
+}
+
+/// One pixel, at (x, y) in the room.
+pub(super) fn pixel(moment: &Moment, x: f32, y: f32) -> u32 {
+    let [red, green, blue] = light(moment, x, y).map(byte);
+    red << 16 | green << 8 | blue
 }
 
 fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
@@ -36,7 +41,7 @@ fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
 }
 
 /// Whether the straight way (wx, wy) from a point to a lamp meets a circle, or the point is in it.
-fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
+pub(super) fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
     let (cx, cy) = (disc.x - x, disc.y - y);
     let along = (wx * cx + wy * cy) / (wx * wx + wy * wy);
     let nearest = along.clamp(0.0, 1.0);

@@ -4,8 +4,15 @@
 //! on the circle until the row is past where a tangent touches, and on the tangent from there on. As the lamps stand in
 //! the corners and the circles nowhere touch a wall, both tangents run away from the lamp across every row.
 
+use super::literal::hides;
 use super::moment::{Moment, SIDE_F32, corner};
 use crate::lanes::{LANES, Lanes, max, min};
+
+/// An end that passes so near to a pixel's middle may be on its other side, for all that rounding knows; in pixels.
+const DOUBT: f32 = 0.01;
+
+/// Where half of a circle's width on a row is less, the ends are that unsure too, and more.
+const TIP: f32 = 0.01;
 
 /// One end of every shadow.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,8 +79,9 @@ impl Shadows {
     /// The first column of each shadow on the row at height `y`, and the one after its last: the same one where there is
     /// no shadow.
     #[inline(always)]
-    pub fn on_row(&self, y: f32) -> [[u32; LANES]; 2] {
+    pub fn on_row(&self, moment: &Moment, y: f32) -> [[u32; LANES]; 2] {
         let mut columns = [[0; LANES]; 2];
+        let mut doubts = [0u32; LANES];
         for i in 0..LANES {
             let down = (y - self.lamp_y[i]).abs();
             let off = y - self.y[i];
@@ -86,10 +94,35 @@ impl Shadows {
             let (low, high) = (end(0, -half), end(1, half));
             let high = if down > self.begin[i] { max(high, low) } else { low };
             // 2^23 rounds to a whole column: the first whose middle is past the end.
-            columns[0][i] = (low + 8_388_608.0).to_bits() & 0x7f_ffff;
-            columns[1][i] = (high + 8_388_608.0).to_bits() & 0x7f_ffff;
+            let rounded = [low + 8_388_608.0, high + 8_388_608.0];
+            columns[0][i] = rounded[0].to_bits() & 0x7f_ffff;
+            columns[1][i] = rounded[1].to_bits() & 0x7f_ffff;
+            let off_by = |end: f32, rounded: f32| (end - (rounded - 8_388_608.0)).abs();
+            let near = max(off_by(low, rounded[0]), off_by(high, rounded[1])) > 0.5 - DOUBT;
+            let tip = (self.square[i] - off * off).abs() < TIP * TIP;
+            doubts[i] = u32::from(near | tip);
+        }
+        if doubts.iter().fold(0, |any, doubt| any | doubt) != 0 {
+            self.settle(moment, y, &doubts, &mut columns);
         }
         columns
+    }
+
+    /// Asks the literal question of the pixels beside ends that are in doubt.
+    #[cold]
+    #[inline(never)]
+    fn settle(&self, moment: &Moment, y: f32, doubts: &[u32; LANES], columns: &mut [[u32; LANES]; 2]) {
+        for shadow in (0..12).filter(|&shadow| doubts[shadow] != 0) {
+            let ((lamp_x, lamp_y), disc) = (corner(shadow / 3), &moment.discs[shadow % 3]);
+            let dark = |column: &u32| {
+                let x = moment.x(*column as usize);
+                hides(disc, x, y, lamp_x - x, lamp_y - y)
+            };
+            let (low, high) = (columns[0][shadow], columns[1][shadow]);
+            let around = |column: u32| column.saturating_sub(2)..(column + 2).min(moment.width as u32);
+            columns[0][shadow] = around(low).find(dark).unwrap_or(low);
+            columns[1][shadow] = around(high).rev().find(dark).map_or(columns[0][shadow], |last| last + 1);
+        }
     }
 }
 

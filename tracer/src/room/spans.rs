@@ -19,7 +19,7 @@ fn band_lanes(moment: &Moment, blocks: &[Block], first_row: usize, pixels: &mut 
     let shadows = Shadows::new(moment);
     for row in 0..pixels.len() / moment.width {
         let y = moment.y(first_row + row);
-        let edges = Edges::new(&shadows.on_row(y));
+        let edges = Edges::new(&shadows.on_row(moment, y));
         let pixels = &mut pixels[row * moment.width..];
         let row = Row::new(y);
         // In how many shadows of each lamp the run is, the lamps that reach it, and where it begins.
