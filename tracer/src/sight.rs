@@ -61,9 +61,11 @@ pub(crate) enum Form {
 /// A tile's picture: what the glare needs of it, and where the rest is.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
+    /// In which planes.
     pub form: Form,
     /// What squares of texels are multiplied by, and of those of the gloss; 0 if there is none.
     pub scales: [f32; 2],
+    /// Its means.
     pub gist: Gist,
     /// Which of the tile's planes are its own.
     pub planes: Range<usize>,

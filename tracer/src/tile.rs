@@ -17,7 +17,7 @@ use crate::lighting::{ALL, Lighted, add};
 use crate::memory::TileMemory;
 use crate::monte_carlo::Sampling;
 use crate::obstruction::{Obstruction, Verdict};
-use crate::penumbra::{ALL_ROWS, Penumbra, Rows};
+use crate::penumbra::{ALL_ROWS, Penumbra};
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
 use crate::response::means_of;
@@ -240,25 +240,7 @@ impl Workspace {
             }
         }
         for index in 0..self.lit.len() {
-            let at = self.lit[index];
-            let Lit { lamp, lost, number, .. } = &stage.lamps[at];
-            let sight = memory.sight(*number);
-            sight.holds &= !lost;
-            let rows = sight.rows_to_make();
-            if rows != 0 && place.is_reached(lamp) {
-                let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                // Beyond the picture's edge rows are repeated.
-                let rows = if place.is_whole() { rows } else { ALL_ROWS };
-                let mut lighted = self.light(stage, at, place, layers, rows);
-                let another = lighted != Lighted::Dark && memory.is_another(*number, lighted == Lighted::Colors);
-                if another && rows != ALL_ROWS {
-                    lighted = self.light(stage, at, place, layers, ALL_ROWS);
-                }
-                if lighted == Lighted::Colors && (another || !memory.sight(*number).gauged) {
-                    memory.gauge(*number, self.gauge(stage, at, place, layers));
-                }
-                self.keep(stage, place, memory, *number, lighted, if another { ALL_ROWS } else { rows });
-            }
+            self.remember_lamp(stage, self.lit[index], place, memory, &mut layers);
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             if !memory.glow(glow.mask.place()).holds {
@@ -275,16 +257,38 @@ impl Workspace {
         }
     }
 
-    /// Keeps what a lamp was found to light.
-    fn keep(
+    /// Makes anew what is not remembered of the tile in the light of one lamp; `layers`, once the surfaces are recalled,
+    /// is how many tops there are.
+    fn remember_lamp(
         &mut self,
         stage: &Stage,
+        at: usize,
         place: &Place,
         memory: &mut TileMemory,
-        number: usize,
-        lighted: Lighted,
-        rows: Rows,
+        layers: &mut Option<usize>,
     ) {
+        let &Lit { ref lamp, lost, number, .. } = &stage.lamps[at];
+        let sight = memory.sight(number);
+        sight.holds &= !lost;
+        let mut rows = sight.rows_to_make();
+        if rows == 0 || !place.is_reached(lamp) {
+            return;
+        }
+        if !place.is_whole() {
+            // Beyond the picture's edge rows are repeated.
+            rows = ALL_ROWS;
+        }
+        let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+        let mut lighted = self.light(stage, at, place, layers, rows);
+        let colors = lighted == Lighted::Colors;
+        let another = lighted != Lighted::Dark && memory.is_another(number, colors);
+        if another && rows != ALL_ROWS {
+            rows = ALL_ROWS;
+            lighted = self.light(stage, at, place, layers, rows);
+        }
+        if colors && (another || !memory.sight(number).gauged) {
+            memory.gauge(number, self.gauge(stage, at, place, layers));
+        }
         match lighted {
             Lighted::Dark => {
                 let alone = memory.surfaces.tops().is_empty();
