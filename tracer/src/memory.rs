@@ -44,8 +44,6 @@ pub(crate) struct TileMemory {
     shine: Vec<Lit>,
     /// The light from everywhere.
     ambient: Rgb,
-    /// Their sum's means.
-    pub means: Means,
     /// What it shows.
     pub surfaces: Surfaces,
     /// Whether this picture's tile is another than the last one's.
@@ -134,20 +132,22 @@ impl TileMemory {
         }
     }
 
-    /// Puts the tile in the light from everywhere, of lamps, given by their numbers, and of inserts, given by their masks.
+    /// Puts the tile in the light from everywhere, of lamps, given by their numbers, and of inserts, given by their masks;
+    /// `means` becomes what the glare needs of it.
     pub fn light(
         &mut self,
         path: Path,
         ambient: Rgb,
         lamps: impl Iterator<Item = (usize, Rgb)>,
         glows: impl Iterator<Item = ((usize, usize), Rgb)>,
+        means: &mut Means,
     ) {
         self.ambient = ambient;
-        self.means = [[0.0; CELLS]; 3];
+        *means = [[0.0; CELLS]; 3];
         if self.is_floor {
-            self.kept_base.gist.add(path, ambient, &mut self.means);
+            self.kept_base.gist.add(path, ambient, means);
         }
-        let TileMemory { colors, arriving, shine, means, sights, kept, glows: inserts, .. } = self;
+        let TileMemory { colors, arriving, shine, sights, kept, glows: inserts, .. } = self;
         [&mut *colors, arriving, shine].into_iter().for_each(Vec::clear);
         let mut add = |kept: &Kept, color: Rgb| {
             kept.gist.add(path, color, means);

@@ -4,7 +4,6 @@
 use crate::albedo::Art;
 use crate::ball::Patch;
 use crate::bands::{BLOCK, each_tile, means_bands, write_means, write_planes};
-use crate::candidates::Candidates;
 use crate::changes::Changes;
 use crate::coverage::Form;
 use crate::glare::Pyramid;
@@ -17,7 +16,7 @@ use crate::points::{Points, TILE};
 use crate::response::{CELLS, means_of};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Stage, Workspace};
-use crate::{Film, Finish, Radiance, Scene, Step, Top, limits, tone};
+use crate::{Film, Finish, Lamp, Radiance, Scene, Step, Top, limits, tone};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -30,7 +29,6 @@ mod layer;
 pub struct Renderer {
     path: Path,
     silhouettes: Silhouettes,
-    moved: Silhouettes,
     past: Past,
     changes: Changes,
     /// Its own number, and that of its last picture.
@@ -87,7 +85,6 @@ impl Renderer {
         Renderer {
             path,
             silhouettes: Silhouettes::default(),
-            moved: Silhouettes::default(),
             past: Past::default(),
             changes: Changes::default(),
             picture: (RENDERERS.fetch_add(1, Ordering::Relaxed), 0),
@@ -268,7 +265,7 @@ impl Renderer {
                             if memory.fresh {
                                 memory.developed = false;
                                 workspace.remember(&stage, place, memory);
-                                write_means(&memory.means, place.x, place.y - at * BLOCK, &level, &mut means);
+                                write_means(&workspace.means, place.x, place.y - at * BLOCK, &level, &mut means);
                             }
                         });
                     });
@@ -291,7 +288,7 @@ impl Renderer {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut tile = [[0; LANES]; TILE];
                 each_tile(scene, at, to_be_composed(memory), |place, memory| {
-                    memory.developed &= !glare.differs(place.x, place.y);
+                    memory.developed = memory.developed && !glare.differs(place.x, place.y);
                     if memory.developed || !wants(place.x, place.y) {
                         return;
                     }
@@ -312,23 +309,7 @@ impl Renderer {
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(&scene.view, &scene.occluders, bands, tiles);
-        let mut count = 0;
-        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
-            if self.lamps.len() == count {
-                let (candidates, moved) = (Candidates::default(), Vec::new());
-                self.lamps.push(Lit { lamp: *lamp, candidates, moved, lost: true, number: 0 });
-            }
-            let lit = &mut self.lamps[count];
-            lit.lamp = *lamp;
-            lit.candidates.set(lamp, &self.silhouettes);
-            lit.number = self.past.number(lamp);
-            let known = &self.past.known[lit.number];
-            lit.lost = known.lost;
-            self.moved.set(&known.moved);
-            Penumbra::of_all(lamp, &self.moved, &mut lit.moved);
-            count += 1;
-        }
-        self.lamps.truncate(count);
+        let count = self.prepare_lamps(&scene.lamps);
         self.prepare_tops(&scene.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
@@ -340,6 +321,29 @@ impl Renderer {
         }
         self.changes.everything |= !known;
         count <= MOST_LAMPS
+    }
+
+    /// Finds what may be in the way of the lamps that shine; says how many there are.
+    fn prepare_lamps(&mut self, lamps: &[Lamp]) -> usize {
+        let mut count = 0;
+        for lamp in lamps.iter().filter(|lamp| lamp.shines()) {
+            let number = self.past.number(lamp);
+            match self.lamps.get_mut(count) {
+                Some(lit) => (lit.lamp, lit.number) = (*lamp, number),
+                None => self.lamps.push(Lit::new(lamp, number)),
+            }
+            count += 1;
+        }
+        self.lamps.truncate(count);
+        let (silhouettes, known) = (&self.silhouettes, &self.past.known);
+        self.lamps.par_iter_mut().for_each(|lit| {
+            let known = &known[lit.number];
+            lit.lost = known.lost;
+            lit.candidates.set(&lit.lamp, silhouettes);
+            lit.things.set(&known.moved);
+            Penumbra::of_all(&lit.lamp, &lit.things, &mut lit.moved);
+        });
+        count
     }
 
     fn leave_still_balls(&mut self) {

@@ -15,6 +15,13 @@ const PIECE_RAD: f64 = 0.35;
 /// How far the chord of one fine piece of an arc may be from the arc, mm.
 const FINE_SAGITTA_MM: f64 = 0.008;
 
+/// Walls are cut into pieces of this length, mm: the ends of a short one are more often both between a lamp and a tile,
+/// which makes it one of an easy chain.
+const PIECE_MM: f64 = 50.0;
+
+/// A wall is not cut into more pieces for that.
+const MOST_PIECES: f64 = 64.0;
+
 /// The longest piece of a wall, mm.
 const LONGEST_MM: f64 = 1e4;
 
@@ -113,7 +120,8 @@ impl Silhouettes {
     /// The hull of two discs, cut into pieces that are not too long: what is far from a lamp is left out, and single
     /// precision can tell what is near.
     fn push_wall(&mut self, a: Circle, b: Circle, group: Group) {
-        let pieces = (a.center.distance(b.center) / LONGEST_MM).ceil().max(1.0);
+        let length = a.center.distance(b.center);
+        let pieces = (length / PIECE_MM).min(MOST_PIECES).max(length / LONGEST_MM).ceil().max(1.0);
         let between = |part: f64| Circle {
             center: a.center + (b.center - a.center) * part,
             radius: a.radius + (b.radius - a.radius) * part,

@@ -20,7 +20,7 @@ use crate::obstruction::{Obstruction, Verdict};
 use crate::penumbra::{ALL_ROWS, Penumbra};
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
-use crate::response::means_of;
+use crate::response::{CELLS, Means, means_of};
 use crate::sight::Bare;
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
@@ -67,12 +67,22 @@ pub(crate) struct Lit {
     pub lamp: Lamp,
     /// What may stand in its way.
     pub candidates: Candidates,
-    /// Where the shadows may fall of what has moved since it was looked at last.
+    /// What has moved since it was looked at last.
+    pub things: Silhouettes,
+    /// Where the shadows of these may fall.
     pub moved: Vec<Penumbra>,
     /// Whether nothing is remembered of it.
     pub lost: bool,
     /// Its number in the tiles' memory.
     pub number: usize,
+}
+
+impl Lit {
+    /// A lamp of which nothing else is known.
+    pub fn new(lamp: &Lamp, number: usize) -> Lit {
+        let (candidates, things) = (Candidates::default(), Silhouettes::default());
+        Lit { lamp: *lamp, candidates, things, moved: Vec::new(), lost: true, number }
+    }
 }
 
 /// What a thread needs to make tiles; kept, so that nothing is allocated once it is warm.
@@ -114,6 +124,8 @@ pub(crate) struct Workspace {
     pub(crate) picture: Light,
     /// Room to sum up pictures with filters and without.
     pub(crate) sum: Light,
+    /// What the glare needs of the tile.
+    pub means: Means,
     /// The tile under all lamps, where that is what is made.
     pub out: Light,
 }
@@ -149,6 +161,7 @@ impl Workspace {
             shine: zero,
             picture: DARKNESS,
             sum: DARKNESS,
+            means: [[0.0; CELLS]; 3],
             out: DARKNESS,
         }
     }
@@ -225,7 +238,7 @@ impl Workspace {
         differs
     }
 
-    /// Makes anew what is not remembered of the tile.
+    /// Makes anew what is not remembered of the tile, and its means, in [`Workspace::means`].
     pub fn remember(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) {
         self.enter(stage);
         let mut layers = None;
@@ -250,10 +263,10 @@ impl Workspace {
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
-        memory.light(stage.path, stage.scene.ambient, stage.colors(), stage.glows());
+        memory.light(stage.path, stage.scene.ambient, stage.colors(), stage.glows(), &mut self.means);
         if has_contacts(stage, place) {
             self.compose(stage, place, memory, &[]);
-            means_of(stage.path, &self.out, &mut memory.means);
+            means_of(stage.path, &self.out, &mut self.means);
         }
     }
 
