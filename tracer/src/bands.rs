@@ -1,11 +1,11 @@
 //! The picture in bands of blocks of tiles, which threads share out, and where tiles are put.
 
 use crate::Scene;
+use crate::gist::Means;
 use crate::glare::{Level, STEP};
 use crate::irradiance::Light;
 use crate::place::Place;
 use crate::points::TILE;
-use crate::response::Means;
 use rayon::prelude::*;
 
 /// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.

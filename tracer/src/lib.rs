@@ -27,6 +27,7 @@ mod filter;
 pub mod flip;
 mod frame;
 mod gaze;
+mod gist;
 mod glare;
 mod half;
 mod irradiance;

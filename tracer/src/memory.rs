@@ -5,12 +5,11 @@
 //! picture has the same bits whatever came before it. A lamp is known by where it is, not by its colour or its place in
 //! a list: one that flashes is remembered while it is dark.
 
+use crate::gist::{CELLS, Gist, Means, means_of};
 use crate::irradiance::Light;
 use crate::lanes::{LANES, fetch};
 use crate::penumbra::{ALL_ROWS, Rows};
-use crate::response::{
-    CELLS, Gist, Means, Paint, Part, Texels, add_colors, add_floor, add_grays, means_of, put_floor, scale_of,
-};
+use crate::response::{Paint, Part, Texels, add_colors, add_floor, add_grays, put_floor, scale_of};
 use crate::sight::{Bare, Form, Kept, Sight};
 use crate::surfaces::Surfaces;
 use crate::{Group, Path, Rgb};

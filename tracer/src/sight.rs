@@ -1,12 +1,13 @@
 //! What one tile shows in the light of one lamp: whether that still holds, and the picture.
 
 use crate::Group;
+use crate::gist::Gist;
 use crate::irradiance::Light;
 use crate::lanes::Path;
 use crate::lighting::ALL;
 use crate::penumbra::{ALL_ROWS, Rows};
 use crate::points::Plane;
-use crate::response::{DARK, Gist, Texels, encode_rows, scale_of};
+use crate::response::{DARK, Texels, encode_rows, scale_of};
 use std::ops::Range;
 
 /// What is known of a tile in the light of one lamp.
