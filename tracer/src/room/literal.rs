@@ -12,12 +12,14 @@ pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
     }
 }
 
-/// One pixel, at (x, y) in the room.
+/// One pixel, at (x, y) in the room. In line, as a textbook has it: others are measured against these loops.
+#[inline(always)]
 pub(super) fn pixel(moment: &Moment, x: f32, y: f32) -> u32 {
     let [red, green, blue] = light(moment, x, y).map(byte);
     red << 16 | green << 8 | blue
 }
 
+#[inline(always)]
 fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
     let mut sum = [0.0; 3];
     for (lamp, color) in COLORS.iter().enumerate() {
@@ -41,6 +43,7 @@ fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
 }
 
 /// Whether the straight way (wx, wy) from a point to a lamp meets a circle, or the point is in it.
+#[inline(always)]
 pub(super) fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
     let (cx, cy) = (disc.x - x, disc.y - y);
     let along = (wx * cx + wy * cy) / (wx * wx + wy * wy);
