@@ -5,10 +5,10 @@
 
 use crate::Rgb;
 use crate::irradiance::Light;
-use crate::lanes::{LANES, Lanes, Path, clones, max};
+use crate::lanes::{LANES, Lanes, Path, clones, max, rounded};
 use crate::penumbra::Rows;
 use crate::points::TILE;
-use crate::response::{FAINTEST, STEPS, Texels, rounded};
+use crate::response::{FAINTEST, STEPS, Texels};
 
 /// Cells of [`CELL`] x [`CELL`] pixels in a tile.
 pub(crate) const CELLS: usize = (TILE / CELL) * (TILE / CELL);
@@ -41,7 +41,8 @@ impl Gist {
         Gist { scale: most / STEPS, cells }
     }
 
-    /// Keeps the means of those cells of a floor that have any of some rows: see [`Part`].
+    /// Keeps the means of those cells of a floor that have any of some rows: of what arrives at it, and of what
+    /// shines there.
     pub fn keep_floor(&mut self, path: Path, albedo: &Light, planes: [&Texels; 2], scales: [f32; 2], rows: Rows) {
         let mut means = [[0.0; CELLS]; 3];
         floor_means(path, albedo, planes, scales, rows, &mut means);

@@ -1,7 +1,7 @@
 //! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
 
 use crate::falloff::{Arriving, Falloff};
-use crate::lanes::{LANES, Lanes, clamp, clones, max};
+use crate::lanes::{LANES, Lanes, clamp, clones, max, ones};
 use crate::points::{Plane, Points, TILE};
 use crate::{Finish, Lamp, surroundings};
 
@@ -132,7 +132,7 @@ fn light_floor_lanes(
 ) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
-    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+    for block in ones(blocks) {
         let (x, y) = (&points.x[block], &points.y[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
@@ -158,7 +158,7 @@ fn light_floor_lanes(
 
 #[inline(always)]
 fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
-    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+    for block in ones(blocks) {
         let (seen, arriving, shine) = (&fraction[block], &mut arriving[block], &mut shine[block]);
         for i in 0..LANES {
             (arriving[i], shine[i]) = (arriving[i] * seen[i], shine[i] * seen[i]);
@@ -169,7 +169,7 @@ fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut P
 #[inline(always)]
 fn paint_floor_lanes(blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
     for (out, albedo) in out.iter_mut().zip(albedo) {
-        for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+        for block in ones(blocks) {
             for i in 0..LANES {
                 out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
             }
@@ -189,7 +189,7 @@ fn light_top_lanes(
 ) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
-    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+    for block in ones(blocks) {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];

@@ -114,6 +114,19 @@ pub(crate) fn fetch<T>(things: &[T]) {
     let _ = things;
 }
 
+/// The bits that are set: the numbers of rows, or of blocks of points.
+#[inline(always)]
+pub(crate) fn ones(bits: u16) -> impl Iterator<Item = usize> {
+    (0..u16::BITS as usize).filter(move |bit| bits >> bit & 1 == 1)
+}
+
+/// The nearest whole number, for a value from 0 to 65,535: 2^23 leaves no room for a fraction, so adding it rounds, and
+/// the number is in the lowest bits.
+#[inline(always)]
+pub(crate) fn rounded(value: f32) -> u16 {
+    ((value + 8_388_608.0).to_bits() & 0xffff) as u16
+}
+
 /// The smaller number, in one instruction: `f32::min` also has to think about NaN.
 #[inline(always)]
 pub(crate) fn min(a: f32, b: f32) -> f32 {

@@ -5,7 +5,7 @@ use crate::cone::Cone;
 use crate::falloff::Falloff;
 use crate::gaze::Gaze;
 use crate::irradiance::{DARKNESS, Light, light_floor, light_top, paint_floor, veil};
-use crate::lanes::{LANES, Lanes, Path};
+use crate::lanes::{LANES, Lanes, Path, ones};
 use crate::layer::TopLayer;
 use crate::obstruction::Verdict;
 use crate::penumbra::{ALL_ROWS, Rows};
@@ -215,7 +215,7 @@ pub(crate) fn add(picture: &Light, color: Rgb, sum: &mut Light) {
 /// Adds the light of some blocks of packed points to the pixels that they are.
 pub(crate) fn scatter(points: &Points, blocks: u16, packed: &Light, picture: &mut Light) {
     let [red, green, blue] = picture.each_mut().map(|plane| plane.as_flattened_mut());
-    for block in (0..points.blocks()).filter(|block| blocks >> block & 1 == 1) {
+    for block in ones(blocks).take_while(|&block| block < points.blocks()) {
         let pixels = &points.pixel[block * LANES..(block * LANES + LANES).min(points.count)];
         for (at, &pixel) in pixels.iter().enumerate() {
             red[usize::from(pixel)] += packed[0][block][at];

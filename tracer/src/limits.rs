@@ -4,7 +4,7 @@
 //! What says anything else is not drawn: it gives no light, casts no shadow, has no top. [`Scene::check`] says what that
 //! would be.
 
-use crate::{Ball, Emitter, Finish, Glow, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+use crate::{Ball, Emitter, Filter, Finish, Glow, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
 use geometry::{Core, DVec2, Shape, Taper};
 use std::iter::once;
 
@@ -37,6 +37,7 @@ impl Scene<'_> {
             .map(|why| format!("the view {why}"))
             .or_else(|| first("lamp", &self.lamps, wrong_with_lamp))
             .or_else(|| first("occluder", &self.occluders, |occluder: &Occluder| wrong_with_shape(&occluder.shape)))
+            .or_else(|| first("filter", &self.filters, wrong_with_filter))
             .or_else(|| first("top", &self.tops, wrong_with_top))
             .or_else(|| first("ball", &self.balls, wrong_with_ball))
             .or_else(|| first("glow", &self.glows, |glow: &Glow| wrong_with_glow(glow)))
@@ -49,6 +50,8 @@ impl Scene<'_> {
         let mut scene = self.clone();
         scene.lamps.retain(|lamp| wrong_with_lamp(lamp).is_none());
         scene.occluders.retain(|occluder| wrong_with_shape(&occluder.shape).is_none());
+        // What a refused filter stood for is opaque.
+        scene.filters.retain(|filter| wrong_with_filter(filter).is_none());
         scene.tops.retain(|top| wrong_with_top(top).is_none());
         scene.balls.retain(|ball| wrong_with_ball(ball).is_none());
         scene.glows.retain(|glow| wrong_with_glow(glow).is_none());
@@ -125,6 +128,11 @@ fn wrong_with_top(top: &Top) -> Option<&'static str> {
     outline.or_else(|| wrong_with_color(&albedo)).or_else(|| wrong_with_color(&emission))
 }
 
+fn wrong_with_filter(filter: &Filter) -> Option<&'static str> {
+    let right = filter.tint.iter().all(|channel| (0.0..=1.0).contains(channel));
+    (!right).then_some("must let pass from 0 to 1 of each colour")
+}
+
 fn wrong_with_ball(ball: &Ball) -> Option<&'static str> {
     let turns = ball.rotation.iter().all(|&part| within(f64::from(part), 2.0));
     let right = is_place(ball.center_mm) && ball.radius_mm > 0.0 && within(ball.radius_mm, LARGEST_MM) && turns;
@@ -145,7 +153,7 @@ fn wrong_with_color(color: &Rgb) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing;
+    use crate::{Filter, Group, testing};
 
     #[test]
     fn what_is_not_drawn_is_said_in_one_sentence() {
@@ -157,6 +165,12 @@ mod tests {
         scene.lamps[1].reach_mm = 0.0;
         assert_eq!(scene.check().unwrap_err(), "lamp 1 must reach more than 0 and at most 100 m");
         assert_eq!(scene.drawable().check(), Ok(()));
+        for tint in [f32::NAN, -0.1, 1.1] {
+            let mut scene = testing::mixed_jumble(1, &floor);
+            scene.filters = vec![Filter { group: Group(1), tint: [0.5, tint, 0.5] }];
+            assert_eq!(scene.check().unwrap_err(), "filter 0 must let pass from 0 to 1 of each colour");
+            assert_eq!(scene.drawable().filters, []);
+        }
         scene.view.mm_per_px = 0.0;
         assert!(scene.check().unwrap_err().starts_with("the view must lie within 10 km"));
     }

@@ -8,7 +8,7 @@
 
 use crate::Rgb;
 use crate::irradiance::Light;
-use crate::lanes::{LANES, Lanes, Path, clones, max};
+use crate::lanes::{LANES, Lanes, Path, clones, max, ones, rounded};
 use crate::penumbra::Rows;
 use crate::points::{AREA, Plane, TILE};
 
@@ -132,13 +132,6 @@ fn largest_lanes(planes: &[Plane], largest: &mut f32) {
     *largest = most.iter().fold(0.0, |a, &b| max(a, b));
 }
 
-/// The nearest whole number, for a value from 0 to 65,535: 2^23 leaves no room for a fraction, so adding it rounds, and
-/// the number is in the lowest bits.
-#[inline(always)]
-pub(crate) fn rounded(value: f32) -> u16 {
-    ((value + 8_388_608.0).to_bits() & 0xffff) as u16
-}
-
 clones! {
     /// Keeps some rows of a plane, times what is seen of it.
     pub(crate) fn encode_rows(
@@ -149,7 +142,7 @@ clones! {
 #[inline(always)]
 fn encode_lanes(plane: &Plane, seen: &Plane, rows: Rows, scale: f32, texels: &mut Texels) {
     let steps = if scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
-    for row in (0..TILE).filter(|row| rows >> row & 1 == 1) {
+    for row in ones(rows) {
         let (line, seen, out) = (&plane[row], &seen[row], &mut texels.0[row * LANES..][..LANES]);
         for i in 0..LANES {
             out[i] = rounded((max(line[i], 0.0) * seen[i]).sqrt() * steps);

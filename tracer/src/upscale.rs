@@ -10,7 +10,7 @@
 
 use crate::Radiance;
 use crate::irradiance::Light;
-use crate::lanes::{LANES, Lanes, Path, clones, max, min};
+use crate::lanes::{LANES, Lanes, Path, clones, max, min, rounded};
 use crate::points::{AREA, Plane, TILE};
 
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
@@ -140,12 +140,6 @@ fn sorted(line: &Lanes) -> Lanes {
     out
 }
 
-/// The nearest whole number, for a value from 0 to 65,535: 2^23 leaves no room for a fraction.
-#[inline(always)]
-fn rounded(value: f32) -> u32 {
-    (value + 8_388_608.0).to_bits() & 0xffff
-}
-
 /// All four weights are multiplied by all four distances, which saves divisions: only their proportions count.
 #[inline(always)]
 fn weigh_lanes(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) {
@@ -191,7 +185,7 @@ fn divide_lanes(weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quoti
         let out = &mut quotients[row * LANES..][..LANES];
         for i in 0..LANES {
             let quotient = MOST_WEIGHT * max(guide[i], 0.0) / max(sum[i], 1e-20);
-            out[i] = rounded(min(quotient.sqrt() * PARTS, 65_535.0)) as u16;
+            out[i] = rounded(min(quotient.sqrt() * PARTS, 65_535.0));
         }
     }
 }

@@ -6,9 +6,9 @@
 //! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
 //! ends of the intervals are weighed by what arrives at P before their union is measured.
 
-use crate::lanes::{LANES, Lanes, clamp, clones, max, min};
+use crate::lanes::{LANES, Lanes, clamp, clones, max, min, ones};
 use crate::obstruction::{Cap, Element, Obstruction, Piece};
-use crate::points::{Plane, TILE};
+use crate::points::Plane;
 use crate::source::{DiscSource, Seen, Source};
 use crate::union::{uncovered, uncovered_many};
 
@@ -52,7 +52,7 @@ fn visible_fraction_lanes(
 ) {
     // What hid the lamp from the last points may well hide it from the next: it is asked first.
     let mut first = 0;
-    for block in (0..TILE).filter(|block| blocks >> block & 1 == 1) {
+    for block in ones(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
         match source {
             Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
