@@ -106,9 +106,9 @@ pub(crate) use clones;
 pub(crate) fn fetch<T>(things: &[T]) {
     #[cfg(target_arch = "x86_64")]
     for at in (0..size_of_val(things)).step_by(64) {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
         // SAFETY: a hint reads nothing, and the address is within `things`.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(things.as_ptr().cast::<i8>().add(at)) };
+        unsafe { _mm_prefetch::<_MM_HINT_T1>(things.as_ptr().cast::<i8>().add(at)) };
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = things;
