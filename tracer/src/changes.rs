@@ -12,7 +12,7 @@ use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
 /// Room for rounding, mm.
-const MARGIN_MM: f64 = 0.01;
+pub(crate) const MARGIN_MM: f64 = 0.01;
 
 /// Where a ball's contact shadow ends, in the ball's radii.
 pub(crate) const CONTACT_RADII: f64 = 4.0;
@@ -209,7 +209,7 @@ impl Nearby {
 }
 
 /// Whether a circle comes within `room` of a point; what is not a number is near.
-fn is_near(&(center, radius): &(DVec2, f64), point: DVec2, room: f64) -> bool {
+pub(crate) fn is_near(&(center, radius): &(DVec2, f64), point: DVec2, room: f64) -> bool {
     let reach = radius + room;
     center.distance_squared(point).partial_cmp(&(reach * reach)) != Some(Ordering::Greater)
 }

@@ -98,12 +98,6 @@ impl Cone {
         }
     }
 
-    /// Whether nothing that a lamp of this reach lights is in the disc.
-    pub fn beyond(&self, reach_mm: f64) -> bool {
-        let far = if self.tube.is_some() { reach_mm + f64::from(self.lamp_radius) } else { reach_mm };
-        f64::from(self.tile_distance) > far + f64::from(self.tile_radius)
-    }
-
     /// Writes for each disc the bits that say how it lies to the cone.
     pub fn classify(&self, path: Path, discs: Discs, code: &mut [u16]) {
         match &self.tube {

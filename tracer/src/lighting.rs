@@ -56,8 +56,8 @@ impl Workspace {
         if lit { Lighted::Colors } else { Lighted::Dark }
     }
 
-    /// What squares of texels are multiplied by where the tile is kept in the light of one lamp: that of all the light
-    /// that it would show were nothing in the way.
+    /// What a step is worth where the tile is kept in the light of one lamp: that of all the light that it would show were
+    /// nothing in the way.
     pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> f32 {
         std::mem::swap(&mut self.picture, &mut self.sum);
         let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);

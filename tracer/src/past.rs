@@ -7,6 +7,9 @@ use geometry::Bounds;
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
 pub(crate) const MOST_LAMPS: usize = 160;
 
+/// And of inserts.
+pub(crate) const MOST_GLOWS: usize = 1_000;
+
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
 const MOST_MOVES: usize = 200;
 

@@ -11,12 +11,13 @@ use crate::glare::Pyramid;
 use crate::lanes::{LANES, Path};
 use crate::memory::{to_be_composed, to_be_lit};
 use crate::monte_carlo::Sampling;
-use crate::past::{MOST_LAMPS, Past};
+use crate::numbers::Numbers;
+use crate::past::{MOST_GLOWS, MOST_LAMPS, Past};
 use crate::penumbra::Penumbra;
 use crate::points::{Points, TILE};
 use crate::silhouette::Silhouettes;
 use crate::tile::{Lit, Stage, Workspace};
-use crate::{Film, Finish, Lamp, Radiance, Scene, Step, Top, limits, tone};
+use crate::{Film, Finish, Lamp, Radiance, Rgb, Scene, Step, Top, limits, tone};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -34,6 +35,11 @@ pub struct Renderer {
     /// Its own number, and that of its last picture.
     picture: (u64, u64),
     lamps: Vec<Lit>,
+    /// By the lamps' numbers: their light, black for those that do not shine, and their places among those that do.
+    colors: Vec<Rgb>,
+    places: Vec<usize>,
+    /// The lamps of which nothing is remembered.
+    lost: Numbers,
     tops: Vec<Top>,
     forms: Vec<Option<Form>>,
     whole_tile: (f64, Points),
@@ -51,6 +57,9 @@ macro_rules! stage {
             scene: $scene,
             silhouettes: &$renderer.silhouettes,
             lamps: &$renderer.lamps,
+            colors: &$renderer.colors,
+            places: &$renderer.places,
+            lost: &$renderer.lost,
             moved_tops: &$renderer.past.moved_tops,
             changes: &$renderer.changes,
             forms: &$renderer.forms,
@@ -89,6 +98,9 @@ impl Renderer {
             changes: Changes::default(),
             picture: (RENDERERS.fetch_add(1, Ordering::Relaxed), 0),
             lamps: Vec::new(),
+            colors: Vec::new(),
+            places: Vec::new(),
+            lost: Numbers::default(),
             tops: Vec::new(),
             forms: Vec::new(),
             whole_tile: (0.0, Points::none()),
@@ -310,6 +322,10 @@ impl Renderer {
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(&scene.view, &scene.occluders, bands, tiles);
         let count = self.prepare_lamps(&scene.lamps);
+        let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
+        if remembered {
+            self.number_lamps();
+        }
         self.prepare_tops(&scene.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
@@ -320,7 +336,25 @@ impl Renderer {
             self.art.set(self.path, scene);
         }
         self.changes.everything |= !known;
-        count <= MOST_LAMPS
+        remembered
+    }
+
+    /// Puts down by its number what is known of each lamp.
+    fn number_lamps(&mut self) {
+        self.colors.clear();
+        self.colors.resize(self.past.known.len(), [0.0; 3]);
+        self.places.resize(self.past.known.len(), 0);
+        self.lost = Numbers::default();
+        for (at, lit) in self.lamps.iter().enumerate() {
+            // There may be several lamps in one place.
+            for (sum, channel) in self.colors[lit.number].iter_mut().zip(lit.lamp.color) {
+                *sum += channel;
+            }
+            self.places[lit.number] = at;
+            if lit.lost {
+                self.lost.insert(lit.number);
+            }
+        }
     }
 
     /// Finds what may be in the way of the lamps that shine; says how many there are.
@@ -329,7 +363,7 @@ impl Renderer {
         for lamp in lamps.iter().filter(|lamp| lamp.shines()) {
             let number = self.past.number(lamp);
             match self.lamps.get_mut(count) {
-                Some(lit) => (lit.lamp, lit.number) = (*lamp, number),
+                Some(lit) => (lit.lamp, lit.circle, lit.number) = (*lamp, (lamp.center_mm, lamp.far_mm()), number),
                 None => self.lamps.push(Lit::new(lamp, number)),
             }
             count += 1;

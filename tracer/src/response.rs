@@ -1,120 +1,31 @@
-//! What a tile shows in the light of one lamp alone: small pictures, kept in 16 bits a number.
+//! What a tile shows in the light of all lamps, from the pictures of each, which are kept in whole numbers.
 //!
 //! Light is linear, so the picture under all lamps is the sum of the pictures under each, times the lamps' colours. A
 //! lamp that flashes is a factor here and nothing else. Of bare floor, what arrives is kept in one plane, since all
-//! lamps meet the same paint; of anything else, three planes of colours. Numbers are kept as square roots, in 65,535
-//! steps up to the plane's largest: an error of 1.6e-5 of a bright value, and less of a dark one. This module refuses
-//! to know what made the light.
+//! lamps meet the same paint; of anything else, three planes of colours. Numbers are kept in 32,767 steps up to the
+//! plane's largest, and what they are multiplied by in 65,535 steps of all such factors together: an error of 1.5e-5 of
+//! a lamp's largest value, and of at most 0.8e-5 of all lamps' for each of them. This module refuses to know what made
+//! the light.
 
 use crate::Rgb;
 use crate::irradiance::Light;
-use crate::lanes::{LANES, Lanes, Path, clones, max, ones, rounded};
-use crate::penumbra::Rows;
+use crate::lanes::{LANES, Path, Set, clones, max};
+use crate::pair::{Baseline, MOST_GAIN, Madd, ROWS, STEPS, Sums, Terms};
+#[cfg(target_arch = "x86_64")]
+use crate::pair::{Middle, Wide};
 use crate::points::{AREA, Plane, TILE};
 
 /// What a tile's floor reflects: red, green, blue, in 65,535ths.
 pub(crate) type Paint = [[u16; AREA]; 3];
 
-/// Rows of a tile that are summed up in registers.
-const ROWS: usize = 4;
-
-/// The same where a plane gives all three channels.
-const GRAY_ROWS: usize = 2;
-
-/// Parts that are summed up together.
-const BATCH: usize = 8;
-
-/// The steps from dark to a plane's largest number.
-pub(crate) const STEPS: f32 = 65_535.0;
-
-/// Less light than this is none: squares of roots so small would lose their digits.
+/// Less light than this is none.
 pub(crate) const FAINTEST: f32 = 1e-20;
 
-/// A plane of a tile, row by row, as square roots.
-#[derive(Clone, Debug)]
-#[repr(align(64))]
-pub(crate) struct Texels(pub [u16; AREA]);
-
-/// Darkness.
-pub(crate) static DARK: Texels = Texels([0; AREA]);
-
-impl Texels {
-    /// Whether all of it is dark.
-    pub fn is_dark(&self) -> bool {
-        self.0.iter().fold(0, |all, texel| all | texel) == 0
-    }
-}
-
-/// Planes, with what their squares are to be multiplied by.
-pub(crate) struct Part<'a, T: ?Sized> {
-    /// One plane, or three.
-    pub texels: &'a T,
-    /// The light's colour, times the planes' own factor.
-    pub gain: Rgb,
-}
-
-impl<T: ?Sized> Copy for Part<'_, T> {}
-
-impl<T: ?Sized> Clone for Part<'_, T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-/// What squares of texels are to be multiplied by if these planes, finite, 0 or more, are kept; 0 if all is dark.
+/// The step that planes, finite, 0 or more, are to be kept in; 0 if all is dark.
 pub(crate) fn scale_of(path: Path, planes: &[Plane]) -> f32 {
     let mut largest = 0.0;
     find_largest(path, planes, &mut largest);
-    let per_step = largest.sqrt() / STEPS;
-    if largest < FAINTEST { 0.0 } else { per_step * per_step }
-}
-
-/// Adds colours onto what is in `out`.
-pub(crate) fn add_colors<'a>(path: Path, parts: impl Iterator<Item = Part<'a, [Texels]>>, out: &mut Light) {
-    in_batches(parts, |batch| sum_colors(path, batch, out));
-}
-
-/// Adds what is the same for all channels onto what is in `out`.
-pub(crate) fn add_grays<'a>(path: Path, parts: impl Iterator<Item = Part<'a, Texels>>, out: &mut Light) {
-    in_batches(parts, |batch| sum_grays(path, batch, out));
-}
-
-/// Adds what arrives at a floor, times its paint, onto what is in `out`.
-pub(crate) fn add_floor<'a>(path: Path, paint: &Paint, parts: impl Iterator<Item = Part<'a, Texels>>, out: &mut Light) {
-    in_batches(parts, |batch| sum_floor(path, paint, batch, [0.0; 3], true, out));
-}
-
-/// The floor in light that is `everywhere` the same, and in what arrives besides, into `out`.
-pub(crate) fn put_floor<'a>(
-    path: Path,
-    paint: &Paint,
-    everywhere: Rgb,
-    parts: impl Iterator<Item = Part<'a, Texels>>,
-    out: &mut Light,
-) {
-    let mut rest = false;
-    in_batches(parts, |batch| {
-        sum_floor(path, paint, batch, if rest { [0.0; 3] } else { everywhere }, rest, out);
-        rest = true;
-    });
-    if !rest {
-        sum_floor(path, paint, &[], everywhere, false, out);
-    }
-}
-
-/// Calls `work` with some parts at a time, so that sums stay in registers and nothing is allocated.
-#[inline(always)]
-fn in_batches<'a, T: ?Sized + 'a>(mut parts: impl Iterator<Item = Part<'a, T>>, mut work: impl FnMut(&[Part<T>])) {
-    while let Some(first) = parts.next() {
-        let mut batch = [first; BATCH];
-        let mut count = 1;
-        while count < BATCH {
-            let Some(part) = parts.next() else { break };
-            batch[count] = part;
-            count += 1;
-        }
-        work(&batch[..count]);
-    }
+    if largest < FAINTEST { 0.0 } else { largest * (1.0 / STEPS) }
 }
 
 clones! {
@@ -132,106 +43,156 @@ fn largest_lanes(planes: &[Plane], largest: &mut f32) {
     *largest = most.iter().fold(0.0, |a, &b| max(a, b));
 }
 
-clones! {
-    /// Keeps some rows of a plane, times what is seen of it.
-    pub(crate) fn encode_rows(
-        plane: &Plane, seen: &Plane, rows: Rows, scale: f32, texels: &mut Texels,
-    ) = encode_lanes;
+/// Factors in whole numbers: how many steps each is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steps {
+    per_unit: Rgb,
+    /// What a step is worth.
+    pub worth: Rgb,
 }
 
-#[inline(always)]
-fn encode_lanes(plane: &Plane, seen: &Plane, rows: Rows, scale: f32, texels: &mut Texels) {
-    let steps = if scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
-    for row in ones(rows) {
-        let (line, seen, out) = (&plane[row], &seen[row], &mut texels.0[row * LANES..][..LANES]);
-        for i in 0..LANES {
-            out[i] = rounded((max(line[i], 0.0) * seen[i]).sqrt() * steps);
+impl Steps {
+    /// Such that each of some factors, 0 or more, is at most [`STEPS`], and all together at most [`MOST_GAIN`]. They do
+    /// not depend on the order.
+    pub fn of(factors: impl Iterator<Item = Rgb> + Clone) -> Steps {
+        let (mut most, mut count) = ([0.0; 3], 0);
+        for factor in factors.clone() {
+            most = [0, 1, 2].map(|channel: usize| max(factor[channel], most[channel]));
+            count += 1;
         }
+        let per_unit = most.map(|most| if most < FAINTEST { 0.0 } else { STEPS / most });
+        let mut steps = Steps { per_unit, worth: [0.0; 3] };
+        let mut total = [0; 3];
+        for whole in factors.map(|factor| steps.whole(factor)) {
+            total = [0, 1, 2].map(|channel: usize| total[channel] + whole[channel]);
+        }
+        // Room for every one of them to be rounded up, twice.
+        let room = MOST_GAIN.saturating_sub(count) as f32;
+        for channel in 0..3 {
+            let per_unit = &mut steps.per_unit[channel];
+            *per_unit *= room / max(total[channel] as f32, room);
+            steps.worth[channel] = if *per_unit > 0.0 { 1.0 / *per_unit } else { 0.0 };
+        }
+        steps
+    }
+
+    /// A factor in steps.
+    pub fn whole(&self, factor: Rgb) -> [u32; 3] {
+        [0, 1, 2].map(|channel: usize| (factor[channel] * self.per_unit[channel] + 0.5) as u32)
     }
 }
 
-clones! {
-    fn sum_colors(parts: &[Part<[Texels]>], out: &mut Light) = sum_colors_lanes;
+/// What a tile is put together of, all in the same steps.
+#[derive(Clone, Copy)]
+pub(crate) struct Sum<'a> {
+    /// What arrives at the floor.
+    pub arriving: Terms<'a, 1>,
+    /// What shines there.
+    pub shine: Terms<'a, 1>,
+    /// What is kept in colours.
+    pub colors: Terms<'a, 3>,
+    /// What a step of the sums is worth.
+    pub worth: Rgb,
+    /// Light that arrives everywhere at the floor.
+    pub everywhere: Rgb,
 }
 
-#[inline(always)]
-fn sum_colors_lanes(parts: &[Part<[Texels]>], out: &mut Light) {
-    for channel in 0..3 {
-        for rows in (0..TILE).step_by(ROWS) {
-            let mut sums = [[0.0; LANES]; ROWS];
-            sums.copy_from_slice(&out[channel][rows..rows + ROWS]);
-            for part in parts {
-                let gain = part.gain[channel];
-                let texels = &part.texels[channel].0[rows * LANES..][..ROWS * LANES];
-                for row in 0..ROWS {
-                    for i in 0..LANES {
-                        let root = f32::from(texels[row * LANES + i]);
-                        sums[row][i] += root * root * gain;
-                    }
-                }
-            }
-            out[channel][rows..rows + ROWS].copy_from_slice(&sums);
-        }
+impl Sum<'_> {
+    /// Darkness.
+    pub const NOTHING: Sum<'static> = Sum {
+        arriving: Terms { pairs: &[], gains: &[] },
+        shine: Terms { pairs: &[], gains: &[] },
+        colors: Terms { pairs: &[], gains: &[] },
+        worth: [0.0; 3],
+        everywhere: [0.0; 3],
+    };
+}
+
+/// Puts a tile together on floor of this paint, in `out`; `onto` what is there already, or in its place.
+pub(crate) fn put_together(path: Path, sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn avx2(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+        sum_lanes::<Middle>(sum, paint, onto, out);
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+    fn avx512(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+        sum_lanes::<Wide>(sum, paint, onto, out);
+    }
+    match path.set() {
+        Set::Baseline => sum_lanes::<Baseline>(sum, paint, onto, out),
+        // SAFETY: a `Path` of this set exists only where the machine was found to have it.
+        #[cfg(target_arch = "x86_64")]
+        Set::Avx2 => unsafe { avx2(sum, paint, onto, out) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Set::Avx512 => unsafe { avx512(sum, paint, onto, out) },
     }
 }
 
-/// The sums of two rows of planes that are the same for all channels, onto `sums`.
 #[inline(always)]
-fn add_rows(parts: &[Part<Texels>], rows: usize, sums: &mut [[Lanes; GRAY_ROWS]; 3]) {
-    let [red, green, blue] = sums;
-    for part in parts {
-        let [r, g, b] = part.gain;
-        let texels = &part.texels.0[rows * LANES..][..GRAY_ROWS * LANES];
-        for row in 0..GRAY_ROWS {
-            for i in 0..LANES {
-                let root = f32::from(texels[row * LANES + i]);
-                let square = root * root;
-                red[row][i] += square * r;
-                green[row][i] += square * g;
-                blue[row][i] += square * b;
-            }
-        }
-    }
-}
-
-clones! {
-    fn sum_grays(parts: &[Part<Texels>], out: &mut Light) = sum_grays_lanes;
-}
-
-#[inline(always)]
-fn sum_grays_lanes(parts: &[Part<Texels>], out: &mut Light) {
-    for rows in (0..TILE).step_by(GRAY_ROWS) {
-        let mut sums = [[[0.0; LANES]; GRAY_ROWS]; 3];
-        add_rows(parts, rows, &mut sums);
-        for (sums, out) in sums.iter().zip(&mut *out) {
-            for row in 0..GRAY_ROWS {
+fn sum_lanes<M: Madd>(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    let on_floor = !sum.arriving.pairs.is_empty() || sum.everywhere != [0.0; 3];
+    for row in (0..TILE).step_by(ROWS) {
+        let mut sums: Sums = [[[0; LANES]; ROWS]; 3];
+        sum.shine.add::<M>(row, &mut sums);
+        sum.colors.add::<M>(row, &mut sums);
+        for channel in 0..3 {
+            for (line, sums) in out[channel][row..row + ROWS].iter_mut().zip(&sums[channel]) {
                 for i in 0..LANES {
-                    out[rows + row][i] += sums[row][i];
+                    let light = sums[i] as f32 * sum.worth[channel];
+                    line[i] = if onto { line[i] + light } else { light };
+                }
+            }
+        }
+        if !on_floor {
+            continue;
+        }
+        let mut sums: Sums = [[[0; LANES]; ROWS]; 3];
+        sum.arriving.add::<M>(row, &mut sums);
+        for channel in 0..3 {
+            let (worth, everywhere) = (sum.worth[channel], sum.everywhere[channel]);
+            let paint = &paint[channel].as_chunks::<LANES>().0[row..row + ROWS];
+            for ((line, paint), sums) in out[channel][row..row + ROWS].iter_mut().zip(paint).zip(&sums[channel]) {
+                for i in 0..LANES {
+                    let light = everywhere + sums[i] as f32 * worth;
+                    line[i] += f32::from(paint[i]) * (1.0 / 65_535.0) * light;
                 }
             }
         }
     }
 }
 
-clones! {
-    fn sum_floor(
-        paint: &Paint, parts: &[Part<Texels>], everywhere: Rgb, kept: bool, out: &mut Light,
-    ) = sum_floor_lanes;
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Random;
 
-#[inline(always)]
-fn sum_floor_lanes(paint: &Paint, parts: &[Part<Texels>], everywhere: Rgb, kept: bool, out: &mut Light) {
-    for rows in (0..TILE).step_by(GRAY_ROWS) {
-        let mut sums = everywhere.map(|everywhere| [[everywhere; LANES]; GRAY_ROWS]);
-        add_rows(parts, rows, &mut sums);
-        for ((sums, paint), out) in sums.iter().zip(paint).zip(&mut *out) {
-            for row in 0..GRAY_ROWS {
-                let (paint, out) = (&paint[(rows + row) * LANES..][..LANES], &mut out[rows + row]);
-                for i in 0..LANES {
-                    let light = f32::from(paint[i]) * (1.0 / 65_535.0) * sums[row][i];
-                    out[i] = if kept { out[i] + light } else { light };
+    /// However many factors there are and however different, none is too large, nor are all together, and each is
+    /// within a step; in another order they are the same.
+    #[test]
+    fn factors_fit_into_their_steps() {
+        let mut random = Random(3);
+        for count in (1..40).chain([400, 1_500]) {
+            let most = if count % 2 == 0 { 10.0 } else { -29.5 };
+            let mut factor = || [(); 3].map(|()| libm::exp2(random.between(-30.0, most)) as f32);
+            let mut factors: Vec<Rgb> = (0..count).map(|_| factor()).collect();
+            let steps = Steps::of(factors.iter().copied());
+            let mut total = [0; 3];
+            for factor in &factors {
+                let whole = steps.whole(*factor);
+                for channel in 0..3 {
+                    let off = whole[channel] as f32 * steps.worth[channel] - factor[channel];
+                    assert!(off.abs() <= 0.501 * steps.worth[channel], "{off} off, {count} factors");
+                    assert!(whole[channel] <= STEPS as u32, "{whole:?}");
+                    total[channel] += whole[channel];
                 }
             }
+            assert!(total.iter().all(|&total| total <= MOST_GAIN), "{total:?} of {count}");
+            factors.reverse();
+            let again = Steps::of(factors.iter().copied());
+            assert!(again.per_unit == steps.per_unit && again.worth == steps.worth);
         }
     }
 }

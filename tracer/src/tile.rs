@@ -6,22 +6,22 @@
 use crate::albedo::{Albedo, Art};
 use crate::bands::BLOCK;
 use crate::candidates::Candidates;
-use crate::changes::{Changes, Nearby};
+use crate::changes::{Changes, MARGIN_MM, Nearby, is_near};
 use crate::compose::{has_contacts, shade_contacts};
-use crate::cone::Cone;
 use crate::coverage::{Edge, Form};
 use crate::gist::{CELLS, Means, means_of};
 use crate::irradiance::{DARKNESS, Light, Normals, Surface};
 use crate::lanes::{LANES, Path};
 use crate::layer::TopLayer;
 use crate::lighting::{ALL, Lighted, add};
-use crate::memory::TileMemory;
+use crate::memory::{Illumination, TileMemory};
 use crate::monte_carlo::Sampling;
+use crate::numbers::Numbers;
 use crate::obstruction::{Obstruction, Verdict};
 use crate::penumbra::{ALL_ROWS, Penumbra};
 use crate::place::Place;
 use crate::points::{Plane, Points, TILE};
-use crate::sight::Bare;
+use crate::sight::{Bare, Part};
 use crate::silhouette::Silhouettes;
 use crate::surfaces::Surfaces;
 use crate::visibility::Intervals;
@@ -35,6 +35,11 @@ pub(crate) struct Stage<'a> {
     pub silhouettes: &'a Silhouettes,
     /// The lamps that shine.
     pub lamps: &'a [Lit],
+    /// The light of each lamp that is remembered, and its place among those that shine, by its number.
+    pub colors: &'a [Rgb],
+    pub places: &'a [usize],
+    /// The lamps of which nothing is remembered.
+    pub lost: &'a Numbers,
     /// Where tops have moved since the last picture.
     pub moved_tops: &'a [Bounds],
     /// What else is different from the last picture.
@@ -50,13 +55,8 @@ pub(crate) struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    /// The lamps that shine, by their numbers in the tiles' memory, with their colours.
-    pub fn colors(&self) -> impl Iterator<Item = (usize, Rgb)> {
-        self.lamps.iter().map(|lit| (lit.number, lit.lamp.color))
-    }
-
     /// The inserts that glow, by their masks' places in memory, with their colours.
-    pub fn glows(&self) -> impl Iterator<Item = ((usize, usize), Rgb)> {
+    pub fn glows(&self) -> impl Iterator<Item = ((usize, usize), Rgb)> + Clone {
         self.scene.glows.iter().map(|glow| (glow.mask.place(), glow.color))
     }
 }
@@ -65,6 +65,8 @@ impl Stage<'_> {
 pub(crate) struct Lit {
     /// The lamp.
     pub lamp: Lamp,
+    /// Where its light ends: the middle and the radius of a circle, mm.
+    pub circle: (DVec2, f64),
     /// What may stand in its way.
     pub candidates: Candidates,
     /// What has moved since it was looked at last.
@@ -81,7 +83,8 @@ impl Lit {
     /// A lamp of which nothing else is known.
     pub fn new(lamp: &Lamp, number: usize) -> Lit {
         let (candidates, things) = (Candidates::default(), Silhouettes::default());
-        Lit { lamp: *lamp, candidates, things, moved: Vec::new(), lost: true, number }
+        let circle = (lamp.center_mm, lamp.far_mm());
+        Lit { lamp: *lamp, circle, candidates, things, moved: Vec::new(), lost: true, number }
     }
 }
 
@@ -93,7 +96,13 @@ pub(crate) struct Workspace {
     pub(crate) near: Vec<Candidates>,
     pub(crate) is_near: Vec<bool>,
     moved: Vec<Vec<Penumbra>>,
+    /// The lamps that reach the block: their places in the list, and their numbers.
     lit: Vec<usize>,
+    reaching: Numbers,
+    /// Those that have to be looked at from a tile.
+    to_make: Vec<usize>,
+    /// What a tile is put together of.
+    parts: Vec<Part>,
     /// The lamps before which something has moved.
     stirred: Vec<usize>,
     /// What else is different.
@@ -141,6 +150,9 @@ impl Workspace {
             is_near: Vec::new(),
             moved: Vec::new(),
             lit: Vec::new(),
+            reaching: Numbers::default(),
+            to_make: Vec::new(),
+            parts: Vec::new(),
             stirred: Vec::new(),
             nearby: Nearby::default(),
             forms: Vec::new(),
@@ -186,9 +198,8 @@ impl Workspace {
         self.moved.resize_with(stage.lamps.len(), Vec::new);
         self.stirred.clear();
         stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
-        for (at, Lit { lamp, moved, .. }) in stage.lamps.iter().enumerate() {
-            let near = lamp.far_mm() + self.block.1;
-            if moved.is_empty() || lamp.center_mm.distance_squared(middle) > near * near {
+        for (at, Lit { circle, moved, .. }) in stage.lamps.iter().enumerate() {
+            if moved.is_empty() || !is_near(circle, middle, self.block.1) {
                 continue;
             }
             self.moved[at].clear();
@@ -215,8 +226,10 @@ impl Workspace {
         self.is_near.clear();
         self.is_near.resize(stage.lamps.len(), false);
         self.lit.clear();
-        let reaches = |lit: &Lit| !Cone::new(&lit.lamp, middle, radius).beyond(lit.lamp.reach_mm);
+        let reaches = |lit: &Lit| is_near(&lit.circle, middle, radius + MARGIN_MM);
         self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
+        self.reaching = Numbers::default();
+        self.lit.iter().for_each(|&at| self.reaching.insert(stage.lamps[at].number));
     }
 
     /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
@@ -224,16 +237,16 @@ impl Workspace {
         let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
-            let (sight, moved) = (memory.sight(*number), &self.moved[at]);
+            let (sight, moved) = (*memory.sight(*number), &self.moved[at]);
             // What one group hides stays hidden while that group stands still.
             let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|penumbra| penumbra.group != group));
             if !sight.holds || hidden || !place.is_reached(lamp) {
                 continue;
             }
-            for penumbra in moved.iter().filter(|penumbra| penumbra.may_reach(place.middle_mm, place.half_mm)) {
-                sight.stale |= penumbra.rows(place, stage.scene.view.mm_per_px);
-            }
-            differs |= sight.stale != 0;
+            let reaching = moved.iter().filter(|penumbra| penumbra.may_reach(place.middle_mm, place.half_mm));
+            let rows = reaching.fold(0, |rows, penumbra| rows | penumbra.rows(place, stage.scene.view.mm_per_px));
+            memory.stir(*number, rows);
+            differs |= !sight.is_whole() || rows != 0;
         }
         differs
     }
@@ -252,8 +265,11 @@ impl Workspace {
                 memory.keep_base(stage.path, &self.picture);
             }
         }
-        for index in 0..self.lit.len() {
-            self.remember_lamp(stage, self.lit[index], place, memory, &mut layers);
+        self.to_make.clear();
+        self.to_make.extend(memory.to_make(&self.reaching, stage.lost));
+        for index in 0..self.to_make.len() {
+            let at = stage.places[self.to_make[index]];
+            self.remember_lamp(stage, at, place, memory, &mut layers);
         }
         for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
             if !memory.glow(glow.mask.place()).holds {
@@ -263,8 +279,10 @@ impl Workspace {
                 memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
             }
         }
-        memory.light(stage.path, stage.scene.ambient, stage.colors(), stage.glows(), &mut self.means);
-        if has_contacts(stage, place) {
+        let shaded = has_contacts(stage, place);
+        let light = Illumination { ambient: stage.scene.ambient, shaded, lamps: stage.colors };
+        memory.light(stage.path, &light, stage.glows(), &mut self.parts, &mut self.means);
+        if shaded {
             self.compose(stage, place, memory, &[]);
             means_of(stage.path, &self.out, &mut self.means);
         }
@@ -284,8 +302,8 @@ impl Workspace {
         let sight = memory.sight(number);
         sight.holds &= !lost;
         let mut rows = sight.rows_to_make();
-        if rows == 0 || !place.is_reached(lamp) {
-            return;
+        if !place.is_reached(lamp) {
+            return memory.keep_dark(number, None);
         }
         if !place.is_whole() {
             // Beyond the picture's edge rows are repeated.

@@ -32,9 +32,10 @@ fn kept(scene: &Scene) -> Radiance {
     radiance
 }
 
-/// A tile keeps square roots in 65,535 steps up to the largest with nothing in the way: half a step off is at most one
-/// 65,535th of that; under 1e-20 is dark. Of bare floor it keeps what arrives and what shines, each for itself: neither
-/// is more than what the tile would show were it white. Light is linear, so what holds for each lamp alone bounds the sum.
+/// A tile keeps numbers in 32,767 steps up to the largest with nothing in the way, and multiplies them by a factor of one
+/// lamp alone that is as finely kept: half a step off each is two 65,535ths of that; under 1e-20 is dark. Of bare floor
+/// it keeps what arrives and what shines, each for itself: neither is more than what the tile would show were it white.
+/// Light is linear, so what holds for each lamp alone bounds the sum.
 #[test]
 fn what_is_kept_is_within_half_a_step_of_what_is_made_anew() {
     let props = props();
