@@ -21,7 +21,7 @@ use moment::Moment;
 use rayon::prelude::*;
 
 /// Rows that one task makes when all threads work.
-const ROWS: usize = 60;
+const ROWS: usize = 24;
 
 /// The ways to make the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,7 +100,7 @@ impl Room {
         match threads {
             Threads::One => band(0, &mut frame.pixels),
             Threads::All => {
-                let bands = frame.pixels.par_chunks_mut(width * ROWS).enumerate();
+                let bands = frame.pixels.par_chunks_mut(width * ROWS).enumerate().with_max_len(1);
                 bands.for_each(|(number, pixels)| band(number * ROWS, pixels));
             }
         }
