@@ -174,7 +174,7 @@ pub(crate) type Baseline = Narrow;
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type Baseline = Plain;
 
-#[cfg(test)]
+#[cfg(all(test, target_arch = "x86_64"))]
 mod tests {
     use super::*;
     use crate::Path;
@@ -183,7 +183,6 @@ mod tests {
 
     /// Every set multiplies and adds as it is written, up to the largest numbers.
     #[test]
-    #[cfg(target_arch = "x86_64")]
     fn sets_agree_with_what_is_written() {
         #[target_feature(enable = "avx2")]
         fn middle(sums: &mut [i32; LANES], words: &[u32; LANES], gains: u32) {
