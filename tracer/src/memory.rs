@@ -113,47 +113,47 @@ impl TileMemory {
         self.base.renew(false, None);
     }
 
-    /// The picture in a lamp's light: dark if there has been none.
-    fn kept(&mut self, lamp: usize) -> &mut Kept {
+    /// The place of the picture in a lamp's light: of darkness if there has been none.
+    fn place_of(&mut self, lamp: usize) -> usize {
         let kept = &mut self.kept;
-        let at = *self.sights[lamp].kept.get_or_insert_with(|| {
+        let place = self.sights[lamp].kept.get_or_insert_with(|| {
             kept.push(Kept::of(lamp));
             kept.len() as u16 - 1
         });
-        &mut kept[usize::from(at)]
+        usize::from(*place)
     }
 
     /// Whether a lamp's picture would have to be kept in another way, if it is kept in colours or not.
     pub fn is_another(&mut self, lamp: usize, colors: bool) -> bool {
-        (self.kept(lamp).form == Form::Colors) != colors
+        let place = self.place_of(lamp);
+        (self.kept[place].form == Form::Colors) != colors
     }
 
     /// Says what the steps of a lamp's light, kept in colours, are worth.
     pub fn gauge(&mut self, lamp: usize, scale: f32) {
+        let place = self.place_of(lamp);
+        self.kept[place].gauge(scale);
         self.sights[lamp].gauged = true;
-        self.kept(lamp).gauge(scale);
     }
 
     /// Keeps rows of the picture in a lamp's light, which was gauged.
     pub fn keep(&mut self, lamp: usize, path: Path, light: &Light, rows: Rows) {
-        self.kept(lamp);
-        let TileMemory { kept, sights, planes, .. } = self;
-        let Some(kept) = sights[lamp].kept.map(|at| &mut kept[usize::from(at)]) else { return };
-        kept.keep_colors(path, light, rows, planes);
+        let place = self.place_of(lamp);
+        let kept = &mut self.kept[place];
+        kept.keep_colors(path, light, rows, &mut self.planes);
         let is_lit = kept.is_lit;
         self.renew(lamp, is_lit, None);
     }
 
     /// Keeps rows of the picture in a lamp's light of a tile that is all floor; the first time, all of them.
     pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: &Bare, rows: Rows) {
-        self.kept(lamp);
-        let TileMemory { kept, sights, planes, .. } = self;
-        let Some(kept) = sights[lamp].kept.map(|at| &mut kept[usize::from(at)]) else { return };
-        if !sights[lamp].gauged || kept.form == Form::Colors {
+        let place = self.place_of(lamp);
+        let kept = &mut self.kept[place];
+        if !self.sights[lamp].gauged || kept.form == Form::Colors {
             kept.gauge_floor(path, floor);
-            sights[lamp].gauged = true;
+            self.sights[lamp].gauged = true;
         }
-        kept.keep_floor(path, floor, rows, planes);
+        kept.keep_floor(path, floor, rows, &mut self.planes);
         let is_lit = kept.is_lit;
         self.renew(lamp, is_lit, None);
     }
