@@ -2,9 +2,10 @@
 
 use crate::ball::{Ball, Hold};
 use crate::flipper::Blade;
+use crate::motion::Motion;
 use crate::plan::Plan;
 use crate::state::{KICKER_READY_TICKS, State};
-use crate::sweep::{Motion, Scratch, Sweep};
+use crate::sweep::{Scratch, Sweep};
 use crate::works::Works;
 use crate::{BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, check, save, zones};
 use geometry::DVec2;

@@ -4,8 +4,8 @@
 //! angular velocity. The earliest hit is found (rays against shapes inflated by the ball's radius, a root of the
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
-use crate::ball::Drive;
 use crate::meet::{STILL_M_S, TOUCH_M, cast, is_out_of_reach, keep_speed, meet, meet_flipper, ride};
+use crate::motion::{Motion, hold_back};
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
 use crate::state::{Goal, State};
 use crate::touch::{BALL_FRICTION, Bodies, Other, Touch};
@@ -22,23 +22,6 @@ const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.
 pub(crate) const SAME_M_S: f64 = 1e-8;
 /// A touch that the ball has left by this much says nothing any more.
 const STALE_M: f64 = 2e-4;
-
-/// How a ball moves in what is left of a step.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Motion {
-    pub drive: Drive,
-    /// Gravity and everything else that acts from afar, m/s^2.
-    pub pull: DVec2,
-    /// The step's pull is in its velocity already.
-    pub settled: bool,
-}
-
-impl Motion {
-    /// Of a ball that `pull` acts on, m/s^2.
-    pub fn new(pull: DVec2) -> Motion {
-        Motion { pull, ..Motion::default() }
-    }
-}
 
 /// Room to work in, kept from step to step; it carries nothing over.
 #[derive(Clone, Debug, Default)]
@@ -384,23 +367,6 @@ impl Sweep<'_> {
         let motion = &mut self.scratch.motions[ball];
         if !motion.settled && !self.state.balls[ball].is_held() {
             motion.drive = self.state.balls[ball].drive(&self.plan.floor, motion.pull, left);
-        }
-    }
-}
-
-/// Takes from the balls' drive what would push them into what they touch.
-fn hold_back(touch: &Touch, motions: &mut [Motion]) {
-    match touch.other {
-        Other::Ball(other) => {
-            let into = (motions[touch.ball].drive.velocity - motions[other].drive.velocity).dot(touch.normal);
-            if into < 0.0 {
-                motions[touch.ball].drive.velocity -= touch.normal * (0.5 * into);
-                motions[other].drive.velocity += touch.normal * (0.5 * into);
-            }
-        }
-        _ => {
-            let drive = &mut motions[touch.ball].drive.velocity;
-            *drive -= touch.normal * drive.dot(touch.normal).min(0.0);
         }
     }
 }
