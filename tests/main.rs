@@ -7,4 +7,5 @@ mod demos;
 mod golden;
 mod picture;
 mod recording;
+mod techniques;
 mod tidy;

@@ -1,5 +1,11 @@
 //! A flipper: a rotor with one degree of freedom, a coil, a return spring and two stops.
 //!
+//! On its way up the coil's plunger, the link, the shaft and the bat turn as one. At the end of the stroke the plunger
+//! shuts its magnetic gap and is *home*: it holds like a wall for as long as there is current. The bat goes on through
+//! the play of the link's bushing, is caught by a stop behind it and creeps back through the grease. While it rides on a
+//! film of that it is light and soft: a ball that meets it then moves the bat alone, against a spring and a damper. The
+//! film is squeezed out in some milliseconds; then nothing gives. Nothing else makes a live catch.
+//!
 //! Refuses to know what a ball is: balls turn it through [`Rotor::push`].
 
 use crate::Flipper;
@@ -13,24 +19,38 @@ const COIL_HOLD_S: f64 = 0.020;
 /// Time constant with which it dies away through the diode.
 const COIL_FALL_S: f64 = 0.003;
 /// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the force takes its
-/// time to fall to that, so the flipper is pressed hard while it bounces on its stop.
+/// time to fall to that, so the plunger is pressed hard while it comes home.
 const END_OF_STROKE_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// Natural frequency of the flipper on its rubber stop: it stays in it for a little over a millisecond.
+/// Natural frequency of what turns on a rubber stop: it stays in it for a little over a millisecond.
 const STOP_RAD_S: f64 = 1300.0;
 /// Damping ratio of the stop: it throws the flipper back with 0.3 of its speed.
 const STOP_DAMPING: f64 = 0.45;
+/// The bat's own part of the moment of inertia; the rest is the plunger's, the link's and the shaft's.
+const BAT: f64 = 0.3;
+/// How far the bat can go on when the plunger is home.
+const PLAY_RAD: f64 = 1.5 * std::f64::consts::PI / 180.0;
+/// Natural frequency of the bat on the bushing.
+const LINK_RAD_S: f64 = 1000.0;
+/// Damping ratio of the bat on the bushing: greased, it creeps.
+const LINK_DAMPING: f64 = 2.9;
+/// Turning draws grease into the bushing; it is squeezed out again with this time constant.
+const SQUEEZE_S: f64 = 0.0035;
+/// Until it throws the ball back the rubber gives by what the ball goes in this time.
+const BLOW_S: f64 = 0.7e-4;
 /// Slower than this and near its stop, the flipper has come to rest.
 const REST_RAD_S: f64 = 0.3;
-/// How far the stop gives when the flipper comes to rest in it, at most.
+/// How far the lower stop gives when the flipper comes to rest in it, at most.
 const REST_RAD: f64 = 2e-3;
+/// How little play is left when the bat has come to rest on the plunger.
+const REST_PLAY_RAD: f64 = 1e-3;
 
 /// The numbers of a flipper that never change.
 #[derive(Clone, Debug)]
 pub(crate) struct Blade {
     pub part: u16,
     pub flipper: Flipper,
-    /// kg m^2.
-    pub inertia: f64,
+    /// kg m^2, of all that turns.
+    inertia: f64,
     /// 1 where the stroke goes from x towards y, else -1.
     sense: f64,
     stroke: f64,
@@ -51,6 +71,10 @@ pub(crate) struct Rotor {
     coil: f64,
     /// What the speed will have changed by at the end of the step, apart from what balls do to it.
     rest_of_step: f64,
+    /// The plunger has shut its gap.
+    home: bool,
+    /// How far the bat has turned in its bushing of late, rad: the film of grease that it rides on.
+    film: f64,
     /// It lies on a stop and is pressed on it: nothing that a ball can do turns it into the stop.
     pub seated: bool,
 }
@@ -70,7 +94,8 @@ impl Blade {
     }
 
     pub fn at_rest(&self) -> Rotor {
-        Rotor { angle: self.flipper.rest_rad, speed: 0.0, coil: 0.0, rest_of_step: 0.0, seated: true }
+        let angle = self.flipper.rest_rad;
+        Rotor { angle, speed: 0.0, coil: 0.0, rest_of_step: 0.0, home: false, film: 0.0, seated: true }
     }
 
     /// The outline at `angle`.
@@ -94,18 +119,21 @@ impl Blade {
         rotor.coil - self.flipper.spring_torque_n_m
     }
 
-    /// Torque of the stops, positive when it lifts. A stop pushes and never pulls.
-    fn stop(&self, rotor: &Rotor) -> f64 {
+    /// Angular acceleration, positive when it lifts.
+    fn acceleration(&self, rotor: &Rotor) -> f64 {
         let (along, speed) = (self.along(rotor.angle), self.sense * rotor.speed);
-        let stiffness = self.inertia * STOP_RAD_S * STOP_RAD_S;
-        let damping = self.inertia * 2.0 * STOP_DAMPING * STOP_RAD_S;
-        if along < 0.0 {
-            (-along * stiffness - speed * damping).max(0.0)
-        } else if along > self.stroke {
-            ((self.stroke - along) * stiffness - speed * damping).min(0.0)
+        if rotor.home {
+            let past = along - self.stroke;
+            let link = -past * LINK_RAD_S * LINK_RAD_S - speed * 2.0 * LINK_DAMPING * LINK_RAD_S;
+            link - stop(past - PLAY_RAD, speed)
         } else {
-            0.0
+            self.lift(rotor) / self.inertia + stop(-along, -speed) - stop(along - self.stroke - PLAY_RAD, speed)
         }
+    }
+
+    /// No torque but a ball's changes its speed faster than this at present, rad/s^2.
+    pub fn most_acceleration(&self, rotor: &Rotor) -> f64 {
+        self.acceleration(rotor).abs().max(self.flipper.coil_torque_n_m / self.inertia)
     }
 
     /// Whether the flipper is nearer to the end of its stroke than to its rest.
@@ -123,6 +151,7 @@ impl Blade {
             (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
         };
         rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
+        rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
     }
@@ -132,9 +161,13 @@ impl Blade {
         !rotor.seated || self.energise(&mut { *rotor }, pressed, duration)
     }
 
+    /// Whether the plunger is pressed home: by its coil, or by the bat that pulls it along.
+    fn is_kept_home(&self, rotor: &Rotor) -> bool {
+        self.lift(rotor) > 0.0 || self.sense * rotor.speed > 0.0
+    }
+
     fn is_pressed_on_a_stop(&self, rotor: &Rotor) -> bool {
-        let (along, lift) = (self.along(rotor.angle), self.lift(rotor));
-        (along <= 0.0 && lift <= 0.0) || (along >= self.stroke && lift >= 0.0)
+        rotor.home || (self.along(rotor.angle) <= 0.0 && self.lift(rotor) <= 0.0)
     }
 
     /// Torques act for `duration`: until its end the flipper goes with its mean speed.
@@ -147,35 +180,58 @@ impl Blade {
         let fine = duration / f64::from(STOP_STEPS);
         let mut free = *rotor;
         for _ in 0..STOP_STEPS {
-            let torque = self.lift(&free) + self.stop(&free);
-            free.speed += self.sense * torque / self.inertia * fine;
+            free.speed += self.sense * self.acceleration(&free) * fine;
             free.angle += free.speed * fine;
+            free.film += (free.speed.abs() - free.film / SQUEEZE_S) * fine;
         }
+        rotor.film = if rotor.home { free.film } else { 0.0 };
         let mean = (free.angle - rotor.angle) / duration;
         rotor.rest_of_step = free.speed - mean;
         rotor.speed = mean;
     }
 
-    /// The flipper has turned: it may have come to rest on a stop.
+    /// The flipper has turned: its plunger may have come home, and it may have come to rest.
     pub fn settle(&self, rotor: &mut Rotor) {
         rotor.speed += std::mem::take(&mut rotor.rest_of_step);
         let along = self.along(rotor.angle);
-        let depth = (-along).max(along - self.stroke);
-        let slow = rotor.speed.abs() < REST_RAD_S && (0.0..REST_RAD).contains(&depth);
-        if !rotor.seated && slow && self.is_pressed_on_a_stop(rotor) {
+        rotor.home |= along >= self.stroke && self.is_kept_home(rotor);
+        let there = match rotor.home {
+            true => (along - self.stroke).abs().max(rotor.film) < REST_PLAY_RAD,
+            false => (0.0..REST_RAD).contains(&-along),
+        };
+        let slow = rotor.speed.abs() < REST_RAD_S;
+        if !rotor.seated && slow && there && self.is_pressed_on_a_stop(rotor) {
             rotor.seated = true;
             rotor.speed = 0.0;
         }
     }
 
-    /// One over the moment of inertia against a push that turns it the way of `turn`'s sign: 0 where it is rigid.
+    /// One over the moment of inertia against a push at the lever `arm`, m, that turns it the way of the arm's sign, by
+    /// something that comes at `approach`, m/s: 0 where it is rigid.
     ///
-    /// A flipper that lies on its lower stop gives way only upwards; one that the coil holds up gives way to nothing:
-    /// with its gap closed the coil holds far harder than a ball can push.
-    pub fn inverse_inertia(&self, rotor: &Rotor, turn: f64) -> f64 {
-        let lifted_off = self.along(rotor.angle) <= 0.0 && turn * self.sense > 0.0;
-        if rotor.seated && !lifted_off { 0.0 } else { 1.0 / self.inertia }
+    /// A flipper that lies on its lower stop gives way only upwards; one that lies still at the end of its stroke gives
+    /// way to nothing: with its gap shut the coil holds far harder than a ball can push. In between, the rubber takes a
+    /// little way to throw a ball back. Where the film under the bat is thinner than that, the bat is up against the
+    /// plunger before the blow is over: it gives by the part of the blow's work that the film takes.
+    pub fn inverse_inertia(&self, rotor: &Rotor, arm: f64, approach: f64) -> f64 {
+        if rotor.seated && (rotor.home || arm * self.sense <= 0.0) {
+            return 0.0;
+        }
+        if !rotor.home {
+            return 1.0 / self.inertia;
+        }
+        let (play, blow) = (rotor.film * arm.abs(), approach.max(0.0) * BLOW_S);
+        let part = if play < blow { (play / blow) * (play / blow) } else { 1.0 };
+        part / (BAT * self.inertia)
     }
+}
+
+/// Angular acceleration by a stop into which something has turned by `depth` at `speed`. A stop pushes and never pulls.
+fn stop(depth: f64, speed: f64) -> f64 {
+    if depth <= 0.0 {
+        return 0.0;
+    }
+    (depth * STOP_RAD_S * STOP_RAD_S + speed * 2.0 * STOP_DAMPING * STOP_RAD_S).max(0.0)
 }
 
 impl Rotor {

@@ -30,9 +30,9 @@ impl Sweep<'_> {
             return 0.0;
         }
         let arm = blade.reach;
-        let coil = blade.flipper.coil_torque_n_m / blade.inertia * arm;
+        let torques = blade.most_acceleration(rotor) * arm;
         let (turn, speed) = (rotor.speed.abs(), self.state.balls[ball].velocity.length());
-        coil + 2.0 * turn * speed + turn * turn * arm
+        torques + 2.0 * turn * speed + turn * turn * arm
     }
 
     /// Balls that lie on something: the step's pull, the playfield and every touch act together.

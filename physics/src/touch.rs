@@ -55,8 +55,9 @@ impl Touch {
         if let Other::Flipper(index) = other {
             let blade = &bodies.blades[index];
             lever = center - normal * crate::BALL_RADIUS_M - blade.pivot();
-            let turn = -lever.perp().dot(normal);
-            give = BALL_MASS_KG * blade.inverse_inertia(&bodies.rotors[index], turn);
+            let (rotor, arm) = (&bodies.rotors[index], -lever.perp().dot(normal));
+            let approach = (rotor.velocity_at(lever) - bodies.balls[ball].velocity).dot(normal);
+            give = BALL_MASS_KG * blade.inverse_inertia(rotor, arm, approach);
         }
         Touch { ball, other, normal, center, friction, goal: 0.0, lever, give, pressed: 0.0, rubbed: DVec2::ZERO }
     }

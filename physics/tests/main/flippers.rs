@@ -210,3 +210,40 @@ fn the_later_the_press_the_farther_across_goes_the_shot() {
         assert!(pair[1] > pair[0], "{} degrees, then {}", pair[0], pair[1]);
     }
 }
+
+/// An inlane that ends in the upper side of the resting left flipper: the guide below, and a rail above it that ends
+/// well before the flipper.
+fn inlane() -> (Layout, DVec2, DVec2) {
+    let (mut layout, start, end) = seam();
+    let Kind::Wall(wall) = &mut layout.parts[1].kind else { unreachable!("it is the guide") };
+    let geometry::Core::Segment(guide) = wall.shapes[0].core else { unreachable!("it is a line") };
+    let way = (guide.b - guide.a).normalize();
+    let rail = |back: f64| guide.b - way * back - way.perp() * 0.045;
+    wall.shapes[0] = Shape::capsule(guide.b - way * 0.12, guide.b, 0.002);
+    wall.shapes.push(Shape::capsule(rail(0.12), rail(0.035), 0.002));
+    (layout, start, (end - start).normalize())
+}
+
+#[test]
+fn an_early_flip_sends_the_ball_back_up_its_inlane() {
+    let (layout, start, way) = inlane();
+    let fresh = {
+        let mut machine = machine(layout);
+        machine.tick(Controls::default(), &[Command::SetFlippers(true)]);
+        let rolling = [-way.y * 0.2 / BALL_RADIUS_M, way.x * 0.2 / BALL_RADIUS_M, 0.0];
+        machine.put_ball(start, way * 0.2, rolling);
+        machine
+    };
+    let back = |wait: usize| {
+        let mut machine = fresh.clone();
+        (0..700).any(|tick| {
+            machine.tick(Controls { left: (wait..wait + 40).contains(&tick), ..Controls::default() }, &[]);
+            let ball = machine.pose().balls[0];
+            let from_start = ball.center - start;
+            tick > wait && ball.velocity.dot(way) < 0.0 && from_start.dot(way) < 0.01 && from_start.length() < 0.04
+        })
+    };
+    let waits: Vec<usize> = (200..340).filter(|&wait| back(wait)).collect();
+    println!("{waits:?}");
+    assert!((3..15).contains(&waits.len()), "it goes back for {waits:?} ms");
+}
