@@ -6,5 +6,6 @@ mod command_line;
 mod demos;
 mod golden;
 mod picture;
+mod plot;
 mod recording;
 mod tidy;
