@@ -6,6 +6,7 @@ mod command_line;
 mod demos;
 mod golden;
 mod picture;
+mod plot;
 mod recording;
 mod techniques;
 mod tidy;

@@ -37,6 +37,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Measure the light, the frame and the simulation
     Bench(BenchArgs),
+    /// Measure the physics and draw what it does as PNG files
+    Plot(PlotArgs),
 }
 
 /// `caustic play`
@@ -278,6 +280,38 @@ pub enum Bench {
     /// How exact the light is, against shadow rays.
     Quality,
     /// All of them but quality.
+    All,
+}
+
+/// `caustic plot`
+#[derive(Args, Debug, Clone)]
+pub struct PlotArgs {
+    /// What to measure
+    #[arg(value_enum, default_value_t = Plot::All)]
+    pub plot: Plot,
+    /// A folder for the PNG files, one a plot
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// A table's name, or the folder of one
+    #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
+    pub table: String,
+    /// Size of the plots in pixels
+    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "1200x800")]
+    pub size: Size,
+}
+
+/// What to measure of the physics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Plot {
+    /// How far presses of different lengths lift a flipper, and when.
+    Flipper,
+    /// Where a cradled ball goes, by the delay from the release to the press, and how fast.
+    Shots,
+    /// How much of its speed each material gives back.
+    Restitution,
+    /// What becomes of the energy of balls that nothing drives.
+    Energy,
+    /// All of them.
     All,
 }
 

@@ -6,6 +6,7 @@ pub mod dump;
 pub mod frame;
 pub mod parallel;
 pub mod play;
+pub mod plot;
 mod print;
 pub mod replay;
 pub mod simulate;
@@ -26,6 +27,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Command::Frame(args) => frame::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Bench(args) => bench::run(&args),
+        Command::Plot(args) => plot::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Verify(args) => verify::run(&args),
     }

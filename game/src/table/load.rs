@@ -57,6 +57,7 @@ pub(super) fn read(
             playfield_friction: numbers.playfield_friction,
             parts: build.parts,
         },
+        materials: numbers.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
         size_mm: drawing.size_mm,
         lamps: build.lamps,
         solids: build.solids,

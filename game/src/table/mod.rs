@@ -28,7 +28,7 @@ pub use relief::Relief;
 pub use watch::Watch;
 
 use geometry::{DVec2, Shape};
-use physics::{Layout, PartId};
+use physics::{Layout, Material, PartId};
 use std::path::PathBuf;
 
 /// A table as its folder says it.
@@ -42,6 +42,8 @@ pub struct Table {
     pub dir: PathBuf,
     /// What stands on the playfield, in SI units, for the physics.
     pub layout: Layout,
+    /// What its things can be made of, by name.
+    pub materials: Vec<(String, Material)>,
     /// Width and height of the playfield, mm.
     pub size_mm: DVec2,
     /// The lamps, in the drawing's order; rules and snapshots name them by this index.
