@@ -13,6 +13,7 @@
 
 mod ball;
 mod cabinet;
+mod captive;
 mod check;
 mod command;
 mod controls;
@@ -21,12 +22,13 @@ mod flipper;
 mod grid;
 mod layout;
 mod machine;
+mod magnet;
 mod meet;
 mod motion;
 mod plan;
 mod plates;
-mod plunger;
 mod pose;
+mod rod;
 mod save;
 mod settle;
 mod state;
@@ -39,8 +41,8 @@ mod zones;
 pub use controls::{Command, Controls};
 pub use event::{Contact, Event, EventKind};
 pub use layout::{
-    Bumper, Drain, DropTarget, Flipper, Gate, Kind, Layout, Material, Part, PartId, Plunger, Rollover, Saucer,
-    Slingshot, Spinner, Target, Wall,
+    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Magnet, Material, Part, PartId,
+    Plunger, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
 };
 pub use machine::{Error, Hashes, Machine};
 pub use pose::{BallPose, Pose};
