@@ -31,9 +31,9 @@ const RING_M: f64 = 0.0043;
 const TOUCH_TICKS: u16 = 300;
 /// The slam switch is a weight on a leaf spring that creeps back with this time constant, so that jolts add up...
 const SLAM_S: f64 = 0.4;
-/// ... until it closes: at so many times what one calm push does to it. Three pushes, however hasty, come to 6.2 at
-/// most; five within 600 ms come to 6.8 at least. It opens again at half of that.
-const SLAM: f64 = 6.5;
+/// ... until it closes: at so many times what one calm push does to it. Three pushes, however hasty, come to 5.9 at
+/// most; five at even distances within 600 ms come to 6.7 at least. It opens again at half of that.
+const SLAM: f64 = 6.3;
 /// What one calm push does to it: the mean of half a sine wave, for as long as the push lasts.
 const CALM_S: f64 = 2.0 / std::f64::consts::PI * PUSH_TICKS as f64 * TICK_S;
 

@@ -34,8 +34,8 @@ pub(crate) fn layout(layout: &Layout) -> Result<(), Error> {
             return Err(fail(index, format!("a layout may have {} surfaces and this has more", u16::MAX)));
         }
     }
-    let captives = layout.parts.iter().enumerate();
-    captives.map(|(index, part)| room(layout, part).map_err(|text| fail(index, text))).collect()
+    let mut parts = layout.parts.iter().enumerate();
+    parts.try_for_each(|(index, part)| room(layout, part).map_err(|text| fail(index, text)))
 }
 
 /// A captive ball must have room where it is drawn.

@@ -2,8 +2,8 @@
 //!
 //! A [`Layout`] says what stands on the playfield; a [`Machine`] plays it, a thousand ticks a second: [`Controls`] and
 //! [`Command`]s go in, [`Event`]s and [`Contact`]s come out, and a [`Pose`] says where everything is. The ball is moved
-//! by rays (earliest hit along its path, respond, go on); the flipper is a rotor with one degree of freedom; every
-//! other mechanism is a rapier body.
+//! by rays (earliest hit along its path, respond, go on); flippers and diverters are rotors with one degree of freedom,
+//! plungers and kickbacks rods with one; spinners, gates and drop targets are rapier bodies.
 //!
 //! Units are SI. The frame is the drawing's: x to the right, **y down the table, towards the player**, the origin at
 //! the playfield's upper left corner. Positive angles turn from x towards y (clockwise on the screen).

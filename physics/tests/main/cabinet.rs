@@ -80,7 +80,8 @@ fn ringing(swing: &[f64]) -> (f64, f64) {
     let periods = 4;
     let frequency = periods as f64 * 1e3 / (zeros[periods] - zeros[0]);
     let crest = |from: f64, to: f64| swing[from as usize..to as usize].iter().copied().fold(0.0, f64::max);
-    let decrement = (crest(zeros[0], zeros[1]) / crest(zeros[periods - 1], zeros[periods])).ln() / (periods - 1) as f64;
+    let decay = crest(zeros[0], zeros[1]) / crest(zeros[periods - 1], zeros[periods]);
+    let decrement = libm::log(decay) / (periods - 1) as f64;
     let full_turn = std::f64::consts::TAU;
     (frequency, decrement / (full_turn * full_turn + decrement * decrement).sqrt())
 }
@@ -122,6 +123,29 @@ fn five_pushes_within_600_ms_slam_once() {
         }
         let calm: Vec<usize> = (0..8).map(|number| 100 + number * 500).collect();
         assert_eq!(shake(push, &calm, 5000).1, 0, "{name}: eight pushes half a second apart");
+    }
+}
+
+#[test]
+fn no_three_pushes_slam_however_they_are_mixed() {
+    for mixed in [[0, 2, 1], [0, 2, 0], [2, 3, 2], [1, 3, 2]] {
+        for gap in [1, 5, 12, 24, 25, 30, 40] {
+            let mut machine = live(bare());
+            for tick in 0..1000 {
+                let down = |number: usize| (number * gap..number * gap + HAND_TICKS).contains(&tick);
+                let of = |push: usize| (0..3).any(|number| mixed[number] == push && down(number));
+                let controls = Controls {
+                    nudge_left: of(0),
+                    nudge_right: of(1),
+                    nudge_up: of(2),
+                    nudge_down: of(3),
+                    ..Controls::default()
+                };
+                machine.tick(controls, &[]);
+                let slam = machine.events().iter().any(|event| event.kind == EventKind::Slam);
+                assert!(!slam, "{mixed:?}, {gap} ms apart");
+            }
+        }
     }
 }
 
