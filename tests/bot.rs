@@ -1,9 +1,9 @@
 //! The bot plays better than chance, and the same way every time.
 
 use game::bot::trial::{self, Player, Trial};
-use game::bot::{Bot, Random};
+use game::bot::{Bot, Random, Tour};
 use game::recording::Replay;
-use game::{Recording, Table};
+use game::{Recording, Simulation, Table};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -62,4 +62,18 @@ fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
         fresh.seek(tick);
         assert_eq!((replay.tick(), replay.simulation().hash()), (tick, fresh.simulation().hash()));
     }
+}
+
+#[test]
+fn the_tour_tilts_the_machine_and_does_not_slam_it() {
+    let mut simulation = Simulation::new(spectrum(), 1).unwrap();
+    let mut tour = Tour::new(1);
+    let (mut tilted, mut slams) = (false, 0);
+    for _ in 0..150_000 {
+        let buttons = tour.buttons(&simulation);
+        simulation.tick(buttons);
+        slams += simulation.events().iter().filter(|event| event.kind == physics::EventKind::Slam).count();
+        tilted |= simulation.display().tilted;
+    }
+    assert!(tilted && slams == 0, "tilted: {tilted}, {slams} slams");
 }

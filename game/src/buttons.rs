@@ -21,10 +21,12 @@ impl Buttons {
     pub const NUDGE_RIGHT: Buttons = Buttons(1 << 4);
     /// Both hands push the cabinet forwards.
     pub const NUDGE_UP: Buttons = Buttons(1 << 5);
+    /// Both hands pull the cabinet towards the player.
+    pub const NUDGE_DOWN: Buttons = Buttons(1 << 7);
     /// Start a game, or add a player before the first ball has been lost.
     pub const START: Buttons = Buttons(1 << 6);
     /// Every button that there is.
-    pub const ALL: Buttons = Buttons((1 << 7) - 1);
+    pub const ALL: Buttons = Buttons(u8::MAX);
 
     /// Whether every button of `other` is down.
     pub fn contains(self, other: Buttons) -> bool {

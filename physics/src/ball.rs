@@ -25,6 +25,8 @@ pub(crate) enum Hold {
     Held(usize),
     /// It was thrown out of this saucer and is still above it.
     Thrown(usize),
+    /// The walls round it: it is this captive ball, and not in play.
+    Captive(usize),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,6 +51,8 @@ pub(crate) struct Floor {
     pub press: f64,
     /// Coefficient of friction.
     pub friction: f64,
+    /// What drags at the turning of the ball: deceleration of one that rolls, beside its rolling resistance, m/s^2.
+    pub drag: f64,
 }
 
 /// How velocity and spin change, per second.
@@ -73,6 +77,14 @@ impl Ball {
 
     pub fn is_held(&self) -> bool {
         matches!(self.hold, Hold::Held(_))
+    }
+
+    /// Which captive ball it is; `None` of a ball in play.
+    pub fn captive(&self) -> Option<usize> {
+        match self.hold {
+            Hold::Captive(index) => Some(index),
+            _ => None,
+        }
     }
 
     /// Velocity of the ball's lowest point over the playfield.
@@ -121,7 +133,9 @@ impl Ball {
     /// Rolling resistance, and the drag of the patch on the spin about the vertical.
     pub fn resist(&mut self, floor: &Floor, duration: f64) {
         let speed = self.velocity.length();
-        let loss = ROLLING_RESISTANCE * floor.press * duration;
+        // What drags at the turning of the ball leaves one alone that slides without turning.
+        let rolling = (self.spin.truncate().length() * BALL_RADIUS_M / speed).min(1.0);
+        let loss = (ROLLING_RESISTANCE * floor.press + floor.drag * rolling) * duration;
         let keep = if speed > loss { 1.0 - loss / speed } else { 0.0 };
         self.velocity *= keep;
         self.spin.x *= keep;
@@ -135,7 +149,9 @@ impl Ball {
         let half = self.spin * (0.5 * duration);
         let turn = DQuat::from_xyzw(half.x, half.y, half.z, 0.0) * self.rotation;
         self.rotation = (self.rotation + turn).normalize();
-        self.still_ticks = if self.velocity.length() < STILL_M_S { self.still_ticks.saturating_add(1) } else { 0 };
+        // Nobody waits for a captive ball.
+        let still = self.velocity.length() < STILL_M_S && self.captive().is_none();
+        self.still_ticks = if still { self.still_ticks.saturating_add(1) } else { 0 };
     }
 
     pub fn pose(&self) -> crate::BallPose {

@@ -1,10 +1,14 @@
 //! Whether a layout's numbers can be at all.
 
-use crate::{Error, Kind, Layout, Material, Part, PartId};
+use crate::{BALL_RADIUS_M, Error, Kind, Layout, Material, Part, PartId};
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape};
 
 /// More of anything than this is a slip of the pen, in SI units.
 const MOST: f64 = 1e6;
+/// A magnet that pulls harder than this would swing a ball faster than a tick can follow.
+const MOST_PULL_M_S2: f64 = 500.0;
+/// How deep a captive ball may be drawn into a wall, m: it moves out of it.
+const SNUG_M: f64 = 0.2e-3;
 
 pub(crate) fn layout(layout: &Layout) -> Result<(), Error> {
     let fail = |index: usize, text: String| Error::Layout(PartId(index as u16), text);
@@ -28,6 +32,20 @@ pub(crate) fn layout(layout: &Layout) -> Result<(), Error> {
         shapes += if let Kind::Wall(wall) = &part.kind { wall.shapes.len() } else { 2 };
         if shapes > usize::from(u16::MAX) {
             return Err(fail(index, format!("a layout may have {} surfaces and this has more", u16::MAX)));
+        }
+    }
+    let mut parts = layout.parts.iter().enumerate();
+    parts.try_for_each(|(index, part)| room(layout, part).map_err(|text| fail(index, text)))
+}
+
+/// A captive ball must have room where it is drawn.
+fn room(layout: &Layout, part: &Part) -> Checked {
+    let Kind::CaptiveBall(captive) = &part.kind else { return Ok(()) };
+    let depth = |shape: &Shape| BALL_RADIUS_M - shape.distance(captive.center).0;
+    for other in &layout.parts {
+        let Kind::Wall(wall) = &other.kind else { continue };
+        if let Some(deep) = wall.shapes.iter().map(depth).find(|&deep| deep > SNUG_M) {
+            return Err(format!("it lies {:.1} mm deep in \"{}\"; a ball must have room", deep * 1000.0, other.name));
         }
     }
     Ok(())
@@ -170,6 +188,22 @@ fn part(part: &Part) -> Checked {
             positive("the stroke", p.stroke_m)?;
             positive("the time of a pull", p.pull_s)?;
             positive("the full speed", p.full_speed_m_s)
+        }
+        Kind::Kickback(k) => {
+            point("the tip", k.tip)?;
+            unit("the kickback's way", k.way)?;
+            positive("half the face's width", k.half_width_m)?;
+            positive("the stroke", k.stroke_m)?;
+            positive("the speed", k.speed_m_s)
+        }
+        Kind::Magnet(m) => {
+            circle(&m.circle)?;
+            not_negative("the pull", m.pull_m_s2)?;
+            at_most("the pull", m.pull_m_s2, MOST_PULL_M_S2)
+        }
+        Kind::CaptiveBall(c) => {
+            point("the centre", c.center)?;
+            not_negative("the threshold", c.threshold_m_s)
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::ball::Ball;
 use crate::plan::Role;
+use crate::rod::Slide;
 use crate::state::Goal;
 use crate::{BALL_RADIUS_M, Command, Event, EventKind, Machine, PartId, plates, zones};
 use std::sync::Arc;
@@ -35,6 +36,30 @@ impl Machine {
             Command::BallSearch => self.search(),
             Command::SetFlippers(live) => self.state.mechanisms.flippers_live = live,
             Command::SetKickers(live) => self.state.mechanisms.kickers_live = live,
+            Command::Kick(part) => {
+                if self.state.mechanisms.kickers_live {
+                    self.shoot(|slide| slide.part == part.0);
+                }
+            }
+            Command::Magnet(part, on) => {
+                if let Some(coil) = self.plan.magnets.iter().position(|&(own, _)| own == part.0) {
+                    self.state.mechanisms.coils[coil].on = on;
+                }
+            }
+            Command::Divert(part, on) => {
+                if let Some(blade) = self.plan.blades.iter().position(|blade| blade.part == part.0) {
+                    self.state.mechanisms.diverted[blade] = on;
+                }
+            }
+        }
+    }
+
+    /// Fires the coils of these kickbacks.
+    fn shoot(&mut self, which: impl Fn(&Slide) -> bool) {
+        for (slide, rod) in self.plan.slides.iter().zip(&mut self.state.mechanisms.rods) {
+            if which(slide) {
+                slide.fire(rod);
+            }
         }
     }
 
@@ -55,6 +80,8 @@ impl Machine {
             zones::eject(&plan, &mut self.state, saucer, &mut self.events);
         }
         plan.drops.iter().for_each(|drop| self.obey(&Command::Raise(PartId(drop.part))));
+        self.shoot(|_| true);
+        self.state.mechanisms.coils.iter_mut().for_each(|coil| coil.on = false);
     }
 
     /// Puts a waiting ball into the plunger lane, as soon as there is room.

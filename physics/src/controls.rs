@@ -18,6 +18,8 @@ pub struct Controls {
     pub nudge_right: bool,
     /// The cabinet is pushed forwards, away from the player.
     pub nudge_up: bool,
+    /// The cabinet is pulled backwards, towards the player.
+    pub nudge_down: bool,
 }
 
 /// What the rules ask of the machine.
@@ -31,9 +33,16 @@ pub enum Command {
     Raise(PartId),
     /// Flippers obey their buttons, or hang down.
     SetFlippers(bool),
-    /// Bumpers and slingshots kick, or are dead.
+    /// Bumpers, slingshots, kickbacks and magnets work, or are dead.
     SetKickers(bool),
-    /// Fire every coil once to free a ball that is stuck: bumpers and slingshots throw what lies at them, saucers throw
-    /// out what they hold, drop targets rise. No switch closes by this alone.
+    /// Shoot this kickback's rod out, unless kickers are dead or it is on its way out already.
+    Kick(PartId),
+    /// Switch this magnet on or off.
+    Magnet(PartId, bool),
+    /// Turn this diverter to the end of its stroke, or let its spring turn it back.
+    Divert(PartId, bool),
+    /// Fire every coil once to free a ball that is stuck: bumpers and slingshots throw what lies at them, kickbacks
+    /// shoot, saucers throw out what they hold, drop targets rise, magnets are switched off. No switch closes by this
+    /// alone.
     BallSearch,
 }

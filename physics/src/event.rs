@@ -16,10 +16,12 @@ pub struct Event {
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EventKind {
-    /// A part's switch closed: a bumper or slingshot fired, a target was hit, a drop target fell, a ball rolled onto a
-    /// rollover, passed a gate, turned a spinner by half a turn, came to rest in a saucer, or was drained.
+    /// A part's switch closed: a bumper or slingshot fired, a target or a captive ball was hit, a drop target fell, a
+    /// ball rolled onto a rollover, passed a gate, turned a spinner by half a turn, came to rest in a saucer or over a
+    /// magnet, touched a kickback's face, or was drained.
     Closed,
-    /// A part's switch opened: a ball left a rollover or a saucer, a drop target rose.
+    /// A part's switch opened: a ball left a rollover, a saucer, a magnet's middle or a kickback's face, or a drop
+    /// target rose.
     Opened,
     /// A ball was shot by the plunger.
     Launched,
@@ -27,6 +29,8 @@ pub enum EventKind {
     Fed,
     /// The cabinet moved so far that the tilt bob touched its ring.
     TiltBob,
+    /// The cabinet was hit so hard, or shaken so long, that the slam switch closed.
+    Slam,
 }
 
 /// One impact of a ball, for the debug overlay and for sounds; the rules never see it.

@@ -52,7 +52,7 @@ impl Material {
 pub enum Kind {
     /// Anything that only stands there: walls, guides, posts, rubbers.
     Wall(Wall),
-    /// A flipper.
+    /// A flipper, or a diverter: a flap that the rules turn as a flipper's button turns a flipper.
     Flipper(Flipper),
     /// A pop bumper.
     Bumper(Bumper),
@@ -74,6 +74,12 @@ pub enum Kind {
     Drain(Drain),
     /// The spring rod that shoots the ball, and the place where new balls arrive.
     Plunger(Plunger),
+    /// A rod that the rules shoot out across a lane.
+    Kickback(Kickback),
+    /// An electromagnet below the playfield.
+    Magnet(Magnet),
+    /// A ball that the walls round it keep in its place.
+    CaptiveBall(CaptiveBall),
 }
 
 /// Anything that only stands there.
@@ -85,7 +91,18 @@ pub struct Wall {
     pub material: Material,
 }
 
-/// A flipper: the hull of two discs that turns round the first.
+/// What turns a flipper up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Trigger {
+    /// The left button, while flippers are live.
+    Left,
+    /// The right button, while flippers are live.
+    Right,
+    /// [`crate::Command::Divert`], whatever the buttons do and whether flippers are live or not: a diverter.
+    Rules,
+}
+
+/// A flipper: the hull of two discs that turns round the first. A diverter is one with equal discs.
 ///
 /// Numbers that give a real one's strokes (up in 19 to 26 ms, back at rest in 85 to 100 ms, tip at 5 to 6.5 m/s) for
 /// base 11.6 mm, tip 7 mm, `length_m` 60.5 mm and a stroke of 51 degrees: coil 3.3, hold 1.4, spring 0.32 N m, 0.30 kg.
@@ -102,8 +119,8 @@ pub struct Flipper {
     pub rest_rad: f64,
     /// The way it points at the end of its stroke.
     pub up_rad: f64,
-    /// Answers to the left button; else to the right one.
-    pub left: bool,
+    /// What turns it up.
+    pub trigger: Trigger,
     /// Its rubber.
     pub material: Material,
     /// Torque of the full coil, N m.
@@ -228,4 +245,38 @@ pub struct Plunger {
     pub pull_s: f64,
     /// Speed of the ball after a full pull, m/s; it is linear in the pull.
     pub full_speed_m_s: f64,
+}
+
+/// A coil-fired rod whose face lies across a lane. It shoots out when the rules say so, and goes back by its spring.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Kickback {
+    /// The rod's tip at rest, m: the middle of its face.
+    pub tip: DVec2,
+    /// Half the width of the face, m.
+    pub half_width_m: f64,
+    /// The unit vector of the shot.
+    pub way: DVec2,
+    /// How far the rod comes out, m.
+    pub stroke_m: f64,
+    /// Speed of the rod when it is out, and of the ball that it has pushed, m/s.
+    pub speed_m_s: f64,
+}
+
+/// An electromagnet below the playfield that pulls balls to its middle while the rules have it switched on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Magnet {
+    /// Its middle, and how far it reaches.
+    pub circle: Circle,
+    /// The most that it pulls along the playfield, m/s^2: at 0.45 of its reach. A real one holds a ball against ten
+    /// times the slope and more.
+    pub pull_m_s2: f64,
+}
+
+/// A steel ball that is not in play: the walls round it keep it in its place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaptiveBall {
+    /// Where its centre is at first, m.
+    pub center: DVec2,
+    /// Slowest approach of a ball in play that closes its switch, m/s.
+    pub threshold_m_s: f64,
 }

@@ -2,8 +2,8 @@
 //!
 //! A [`Layout`] says what stands on the playfield; a [`Machine`] plays it, a thousand ticks a second: [`Controls`] and
 //! [`Command`]s go in, [`Event`]s and [`Contact`]s come out, and a [`Pose`] says where everything is. The ball is moved
-//! by rays (earliest hit along its path, respond, go on); the flipper is a rotor with one degree of freedom; every
-//! other mechanism is a rapier body.
+//! by rays (earliest hit along its path, respond, go on); flippers and diverters are rotors with one degree of freedom,
+//! plungers and kickbacks rods with one; spinners, gates and drop targets are rapier bodies.
 //!
 //! Units are SI. The frame is the drawing's: x to the right, **y down the table, towards the player**, the origin at
 //! the playfield's upper left corner. Positive angles turn from x towards y (clockwise on the screen).
@@ -13,6 +13,7 @@
 
 mod ball;
 mod cabinet;
+mod captive;
 mod check;
 mod command;
 mod controls;
@@ -21,12 +22,13 @@ mod flipper;
 mod grid;
 mod layout;
 mod machine;
+mod magnet;
 mod meet;
 mod motion;
 mod plan;
 mod plates;
-mod plunger;
 mod pose;
+mod rod;
 mod save;
 mod settle;
 mod state;
@@ -39,8 +41,8 @@ mod zones;
 pub use controls::{Command, Controls};
 pub use event::{Contact, Event, EventKind};
 pub use layout::{
-    Bumper, Drain, DropTarget, Flipper, Gate, Kind, Layout, Material, Part, PartId, Plunger, Rollover, Saucer,
-    Slingshot, Spinner, Target, Wall,
+    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Magnet, Material, Part, PartId,
+    Plunger, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
 };
 pub use machine::{Error, Hashes, Machine};
 pub use pose::{BallPose, Pose};

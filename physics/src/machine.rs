@@ -7,7 +7,10 @@ use crate::plan::Plan;
 use crate::state::{KICKER_READY_TICKS, State};
 use crate::sweep::{Scratch, Sweep};
 use crate::works::Works;
-use crate::{BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, check, save, zones};
+use crate::{
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, magnet, rod,
+    save, zones,
+};
 use geometry::DVec2;
 use std::sync::Arc;
 
@@ -80,20 +83,21 @@ impl Machine {
         commands.iter().for_each(|command| self.obey(command));
         self.feed();
         self.raise();
-        let (acceleration, tilted) = self.state.mechanisms.cabinet.tick(&controls);
-        if tilted {
-            self.events.push(Event { part: None, kind: EventKind::TiltBob });
-        }
+        let shake = self.state.mechanisms.cabinet.tick(&controls);
+        let felt = [(shake.bob, EventKind::TiltBob), (shake.slam, EventKind::Slam)];
+        self.events.extend(felt.into_iter().filter(|felt| felt.0).map(|(_, kind)| Event { part: None, kind }));
         for ticks in &mut self.state.mechanisms.kickers {
             *ticks = (*ticks + 1).min(KICKER_READY_TICKS);
         }
-        self.pull_plungers(controls.plunger);
+        self.pull_rods(controls.plunger);
         self.starts.clear();
         self.starts.extend(self.state.balls.iter().map(|ball| ball.center));
-        self.move_all(&controls, acceleration);
+        self.move_all(&controls, shake.acceleration);
         self.move_works();
         zones::tick(&self.plan, &mut self.state, &self.starts, &mut self.events);
-        self.report_launch();
+        let State { balls, mechanisms } = &mut self.state;
+        rod::report(&self.plan.slides, balls, &mut mechanisms.rods, &mut self.events);
+        magnet::report(&self.plan, balls, mechanisms, &mut self.events);
         self.state.balls.iter_mut().for_each(|ball| ball.end_tick(TICK_S));
     }
 
@@ -106,27 +110,37 @@ impl Machine {
         id
     }
 
-    fn pull_plungers(&mut self, held: bool) {
-        for ((_, plunger), rod) in self.plan.plungers.iter().zip(&mut self.state.mechanisms.rods) {
-            rod.tick(plunger, held);
+    fn pull_rods(&mut self, held: bool) {
+        for (slide, rod) in self.plan.slides.iter().zip(&mut self.state.mechanisms.rods) {
+            slide.tick(rod, held);
         }
+    }
+
+    /// For each rotor whether its coil is on.
+    fn pressed(&self, controls: &Controls) -> Vec<bool> {
+        let own = &self.state.mechanisms;
+        let pressed = |(blade, &diverted): (&Blade, &bool)| match blade.flipper.trigger {
+            Trigger::Left => own.flippers_live && controls.left,
+            Trigger::Right => own.flippers_live && controls.right,
+            Trigger::Rules => diverted,
+        };
+        self.plan.blades.iter().zip(&own.diverted).map(pressed).collect()
     }
 
     fn move_all(&mut self, controls: &Controls, cabinet: DVec2) {
         let plan = Arc::clone(&self.plan);
         let pull = DVec2::new(0.0, plan.floor.gravity) - cabinet;
-        let live = self.state.mechanisms.flippers_live;
-        let pressed = |left: bool| live && if left { controls.left } else { controls.right };
+        let pressed = self.pressed(controls);
         let fine = TICK_S / f64::from(FINE_STEPS);
         let (mut moving, mut near) = (false, false);
-        for (blade, rotor) in plan.blades.iter().zip(&self.state.mechanisms.rotors) {
-            moving |= blade.will_move(rotor, pressed(blade.flipper.left), TICK_S);
+        for ((blade, rotor), &pressed) in plan.blades.iter().zip(&self.state.mechanisms.rotors).zip(&pressed) {
+            moving |= blade.will_move(rotor, pressed, TICK_S);
             near |= self.state.balls.iter().any(|ball| may_reach(blade, ball));
         }
         let apart = moving && !near;
         if apart {
             for _ in 0..FINE_STEPS {
-                self.turn_flippers(&plan, fine, pressed);
+                self.turn_flippers(&plan, fine, &pressed);
                 self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(fine));
                 self.settle_flippers(&plan);
             }
@@ -135,7 +149,7 @@ impl Machine {
         let duration = TICK_S / f64::from(steps);
         for _ in 0..steps {
             if !apart {
-                self.turn_flippers(&plan, duration, pressed);
+                self.turn_flippers(&plan, duration, &pressed);
             }
             self.step(&plan, pull, duration, !apart);
             if !apart {
@@ -144,9 +158,9 @@ impl Machine {
         }
     }
 
-    fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: impl Fn(bool) -> bool) {
-        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            blade.energise(rotor, pressed(blade.flipper.left), duration);
+    fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: &[bool]) {
+        for ((blade, rotor), &pressed) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors).zip(pressed) {
+            blade.energise(rotor, pressed, duration);
             blade.accelerate(rotor, duration);
         }
     }
@@ -164,22 +178,13 @@ impl Machine {
                 Hold::Sinking(saucer) => zones::bowl(&plan.saucers[saucer].1, ball),
                 _ => DVec2::ZERO,
             };
-            self.scratch.motions.push(Motion::new(pull + sunk));
+            let mut motion = Motion::new(pull + sunk, plan.floor);
+            magnet::act(plan, &self.state.mechanisms, ball, duration, &mut motion);
+            self.scratch.motions.push(motion);
         }
         let (events, contacts) = (&mut self.events, &mut self.contacts);
         Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, flippers_move }
             .step(duration);
-    }
-
-    fn report_launch(&mut self) {
-        for ((part, plunger), rod) in self.plan.plungers.iter().zip(&self.state.mechanisms.rods) {
-            let face = rod.face(plunger);
-            let shot =
-                |ball: &Ball| ball.velocity.dot(plunger.way) > 0.5 * rod.speed && face.distance(ball.center).0 < 2e-3;
-            if rod.is_shooting() && rod.pulled <= 0.0 && self.state.balls.iter().any(shot) {
-                self.events.push(Event { part: Some(PartId(*part)), kind: EventKind::Launched });
-            }
-        }
     }
 
     /// What happened in the last tick, in order.

@@ -1,23 +1,25 @@
 //! How balls move between two hits.
 
-use crate::ball::Drive;
+use crate::ball::{Drive, Floor};
 use crate::touch::{Other, Touch};
 use geometry::DVec2;
 
 /// How a ball moves in what is left of a step.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
     pub drive: Drive,
     /// Gravity and everything else that acts from afar, m/s^2.
     pub pull: DVec2,
+    /// What the playfield does to it here.
+    pub floor: Floor,
     /// The step's pull is in its velocity already.
     pub settled: bool,
 }
 
 impl Motion {
     /// Of a ball that `pull` acts on, m/s^2.
-    pub fn new(pull: DVec2) -> Motion {
-        Motion { pull, ..Motion::default() }
+    pub fn new(pull: DVec2, floor: Floor) -> Motion {
+        Motion { drive: Drive::default(), pull, floor, settled: false }
     }
 }
 

@@ -4,14 +4,15 @@
 use crate::ball::Floor;
 use crate::flipper::Blade;
 use crate::grid::Grid;
-use crate::{BALL_RADIUS_M, Gate, Kind, Layout, Material, Plunger, Saucer, Spinner};
+use crate::rod::Slide;
+use crate::{BALL_RADIUS_M, CaptiveBall, Gate, Kind, Layout, Magnet, Material, Plunger, Saucer, Spinner};
 use geometry::{DVec2, Segment, Shape, trig};
 
 /// Standard gravity, m/s^2.
 const GRAVITY_M_S2: f64 = 9.81;
 /// Closer than this a slow ball touches, m.
 pub(crate) const SKIN_M: f64 = 25e-6;
-/// What a plain steel rod's tip does to the ball.
+/// What the tip of a rod does to the ball.
 const ROD_MATERIAL: Material = Material { restitution: 0.3, falloff_s_per_m: 0.1, friction: 0.2 };
 
 /// Something that the ball bounces off and that does not turn.
@@ -91,7 +92,11 @@ pub(crate) struct Plan {
     pub spinners: Vec<Numbered<Spinner>>,
     pub saucers: Vec<Numbered<Saucer>>,
     pub plungers: Vec<Numbered<Plunger>>,
+    /// The rods of plungers and kickbacks.
+    pub slides: Vec<Slide>,
     pub rod_material: Material,
+    pub magnets: Vec<Numbered<Magnet>>,
+    pub captives: Vec<Numbered<CaptiveBall>>,
 }
 
 /// How far from its axle's line a plate or flap can still meet the ball.
@@ -100,8 +105,8 @@ const PLATE_REACH_M: f64 = 0.03;
 impl Plan {
     pub fn new(layout: &Layout) -> Plan {
         let (sin, cos) = trig::sin_cos(layout.slope_rad);
-        let floor =
-            Floor { gravity: GRAVITY_M_S2 * sin, press: GRAVITY_M_S2 * cos, friction: layout.playfield_friction };
+        let (gravity, press) = (GRAVITY_M_S2 * sin, GRAVITY_M_S2 * cos);
+        let floor = Floor { gravity, press, friction: layout.playfield_friction, drag: 0.0 };
         let empty = Grid::new(layout.size_m, std::iter::empty(), 0.0);
         let mut plan = Plan {
             size: layout.size_m,
@@ -119,7 +124,10 @@ impl Plan {
             spinners: Vec::new(),
             saucers: Vec::new(),
             plungers: Vec::new(),
+            slides: Vec::new(),
             rod_material: ROD_MATERIAL,
+            magnets: Vec::new(),
+            captives: Vec::new(),
         };
         layout.parts.iter().enumerate().for_each(|(index, part)| plan.add(index as u16, &part.kind));
         plan.obstacle_grid = Grid::new(layout.size_m, plan.obstacles.iter().map(|o| &o.shape), SKIN_M);
@@ -179,7 +187,13 @@ impl Plan {
                 self.saucers.push((part, s.clone()));
             }
             Kind::Drain(d) => self.zone(part, d.zone, Place::Drain),
-            Kind::Plunger(p) => self.plungers.push((part, p.clone())),
+            Kind::Plunger(p) => {
+                self.slides.push(Slide::of_plunger(part, p));
+                self.plungers.push((part, p.clone()));
+            }
+            Kind::Kickback(k) => self.slides.push(Slide::of_kickback(part, k)),
+            Kind::Magnet(m) => self.magnets.push((part, m.clone())),
+            Kind::CaptiveBall(c) => self.captives.push((part, c.clone())),
         }
     }
 }

@@ -6,9 +6,11 @@ use geometry::DVec2;
 /// Where everything that moves is at the end of a tick.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pose {
-    /// The balls on the playfield, in the order in which they came; a ball that a saucer holds is among them.
+    /// The balls in play, in the order in which they came; a ball that a saucer holds is among them.
     pub balls: Vec<BallPose>,
-    /// The way that each flipper points, rad.
+    /// The captive balls, which are not in play.
+    pub captives: Vec<(PartId, BallPose)>,
+    /// The way that each flipper and each diverter points, rad.
     pub flippers_rad: Vec<(PartId, f64)>,
     /// How far up each drop target stands: 1 is up, 0 is flush with the playfield.
     pub drop_targets: Vec<(PartId, f64)>,
@@ -16,8 +18,10 @@ pub struct Pose {
     pub spinners_rad: Vec<(PartId, f64)>,
     /// The angle of each gate's flap from closed, rad, 0 or more.
     pub gates_rad: Vec<(PartId, f64)>,
-    /// How far each bumper's ring is pulled down and each slingshot's arm is out, 0 to 1.
+    /// How far each bumper's ring is pulled down and each slingshot's arm and kickback's rod is out, 0 to 1.
     pub kickers: Vec<(PartId, f64)>,
+    /// Whether each magnet pulls.
+    pub magnets: Vec<(PartId, bool)>,
     /// How far the plunger is pulled, 0 to 1.
     pub plunger: f64,
     /// How far the cabinet has moved from where it stands, m.
@@ -27,7 +31,7 @@ pub struct Pose {
 /// One ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BallPose {
-    /// Which ball: counts up as balls are fed.
+    /// Which ball: counts up as balls are fed, and down from the largest number for captive balls.
     pub id: u32,
     /// Its centre, m.
     pub center: DVec2,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use xxhash_rust::xxh3::xxh3_64;
 
 /// Raised whenever the bytes mean something else.
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 /// Version, fingerprint of the layout, fingerprint of what follows.
 const HEAD: usize = 1 + 8 + 8;
 

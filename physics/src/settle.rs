@@ -55,7 +55,7 @@ impl Sweep<'_> {
             } else if motion.settled {
                 ball.velocity += motion.pull * duration;
             } else {
-                motion.drive = ball.drive(&self.plan.floor, motion.pull, duration);
+                motion.drive = ball.drive(&motion.floor, motion.pull, duration);
             }
         }
         if !self.scratch.touches.is_empty() {
@@ -65,11 +65,9 @@ impl Sweep<'_> {
 
     /// Sequential impulses with accumulation (Catto, Iterative Dynamics with Temporal Coherence, 2005).
     fn press_together(&mut self, duration: f64) {
-        let floor = &self.plan.floor;
-        let most = floor.friction * floor.press * duration;
         let mut rubbed = vec![DVec2::ZERO; self.state.balls.len()];
         for _ in 0..AHEAD_ROUNDS {
-            self.settle_rounds(most, &mut rubbed);
+            self.settle_rounds(duration, &mut rubbed);
             if !self.look_ahead(duration) {
                 break;
             }
@@ -77,18 +75,19 @@ impl Sweep<'_> {
         let bodies = bodies(self.plan, self.state);
         for (ball, motion) in bodies.balls.iter_mut().zip(&self.scratch.motions) {
             if motion.settled && !ball.is_held() {
-                ball.resist(floor, duration);
+                ball.resist(&motion.floor, duration);
             }
         }
     }
 
-    fn settle_rounds(&mut self, most: f64, rubbed: &mut [DVec2]) {
+    fn settle_rounds(&mut self, duration: f64, rubbed: &mut [DVec2]) {
         let mut bodies = bodies(self.plan, self.state);
         for _ in 0..SETTLE_ROUNDS {
             let mut change: f64 = 0.0;
             for (index, motion) in self.scratch.motions.iter().enumerate() {
                 if motion.settled && !bodies.balls[index].is_held() {
                     let ball = &mut bodies.balls[index];
+                    let most = motion.floor.friction * motion.floor.press * duration;
                     let wanted = (rubbed[index] - ball.floor_slip() * (2.0 / 7.0)).clamp_length_max(most);
                     ball.push_floor(wanted - rubbed[index]);
                     rubbed[index] = wanted;
@@ -149,13 +148,13 @@ impl Sweep<'_> {
             let friction = self.plan.obstacles[index].material.friction;
             self.add_touch(ball, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
         }
-        for (rod, (_, plunger)) in self.plan.plungers.iter().enumerate() {
+        for (rod, slide) in self.plan.slides.iter().enumerate() {
             let rod = &self.state.mechanisms.rods[rod];
-            let (distance, normal) = rod.face(plunger).distance(center);
+            let (distance, normal) = slide.face(rod).distance(center);
             if distance <= SKIN_M {
                 out += way_out(distance, normal);
                 let sudden = if rod.is_shooting() { f64::INFINITY } else { 0.0 };
-                self.add_touch(ball, Other::Fixed(rod.velocity(plunger)), normal, 0.2, sudden);
+                self.add_touch(ball, Other::Fixed(slide.velocity(rod)), normal, 0.2, sudden);
             }
         }
         for (index, blade) in self.plan.blades.iter().enumerate() {

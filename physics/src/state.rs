@@ -2,13 +2,16 @@
 
 use crate::ball::Ball;
 use crate::cabinet::Cabinet;
+use crate::captive;
 use crate::flipper::Rotor;
+use crate::magnet::Coil;
 use crate::plan::Plan;
-use crate::plunger::Rod;
+use crate::rod::Rod;
 use serde::{Deserialize, Serialize};
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct State {
+    /// Captive balls first, then the balls in play in the order in which they came.
     pub balls: Vec<Ball>,
     pub mechanisms: Mechanisms,
 }
@@ -21,12 +24,15 @@ pub(crate) struct Mechanisms {
     pub flippers_live: bool,
     pub kickers_live: bool,
     pub rotors: Vec<Rotor>,
+    /// For each rotor whether the rules want it turned: only diverters obey.
+    pub diverted: Vec<bool>,
     /// Ticks since each kicker fired.
     pub kickers: Vec<u16>,
     pub drops: Vec<Drop>,
     /// Balls on each rollover.
     pub rollovers: Vec<u16>,
     pub rods: Vec<Rod>,
+    pub coils: Vec<Coil>,
     pub cabinet: Cabinet,
 }
 
@@ -60,22 +66,28 @@ impl State {
             flippers_live: false,
             kickers_live: false,
             rotors: plan.blades.iter().map(|blade| blade.at_rest()).collect(),
+            diverted: vec![false; plan.blades.len()],
             kickers: vec![KICKER_READY_TICKS; plan.kickers.len()],
             drops: vec![Drop { solid: true, falling: false, goal: Goal::Up }; plan.drops.len()],
             rollovers: vec![0; plan.rollovers.len()],
-            rods: vec![Rod::default(); plan.plungers.len()],
+            rods: vec![Rod::default(); plan.slides.len()],
+            coils: vec![Coil::default(); plan.magnets.len()],
             cabinet: Cabinet::default(),
         };
-        State { balls: Vec::new(), mechanisms }
+        State { balls: captive::balls(plan).collect(), mechanisms }
     }
 
     /// Whether the state has as many of everything as the layout.
     pub fn fits(&self, plan: &Plan) -> bool {
         let own = &self.mechanisms;
-        own.rotors.len() == plan.blades.len()
+        let captives = self.balls.iter().filter_map(Ball::captive);
+        captives.eq(0..plan.captives.len())
+            && own.rotors.len() == plan.blades.len()
+            && own.diverted.len() == plan.blades.len()
             && own.kickers.len() == plan.kickers.len()
             && own.drops.len() == plan.drops.len()
             && own.rollovers.len() == plan.rollovers.len()
-            && own.rods.len() == plan.plungers.len()
+            && own.rods.len() == plan.slides.len()
+            && own.coils.len() == plan.magnets.len()
     }
 }

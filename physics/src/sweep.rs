@@ -4,6 +4,7 @@
 //! angular velocity. The earliest hit is found (rays against shapes inflated by the ball's radius, a root of the
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
+use crate::captive;
 use crate::meet::{STILL_M_S, TOUCH_M, cast, is_out_of_reach, keep_speed, meet, meet_flipper, ride};
 use crate::motion::{Motion, hold_back};
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
@@ -188,9 +189,9 @@ impl Sweep<'_> {
         left: f64,
         offer: &mut impl FnMut(f64, Target, DVec2),
     ) {
-        for (index, (_, plunger)) in self.plan.plungers.iter().enumerate() {
+        for (index, slide) in self.plan.slides.iter().enumerate() {
             let rod = &self.state.mechanisms.rods[index];
-            let (face, closing) = (rod.face(plunger), velocity - rod.velocity(plunger));
+            let (face, closing) = (slide.face(rod), velocity - slide.velocity(rod));
             let (distance, normal) = face.distance(center);
             let speed = closing.length();
             if distance <= speed * left && speed > STILL_M_S {
@@ -225,7 +226,7 @@ impl Sweep<'_> {
                 let rod = &self.state.mechanisms.rods[index];
                 let restitution = if rod.is_shooting() { 0.0 } else { plan.rod_material.restitution };
                 let material = Material { restitution, ..plan.rod_material };
-                (Some(plan.plungers[index].0), material, Other::Fixed(rod.velocity(&plan.plungers[index].1)))
+                (Some(plan.slides[index].part), material, Other::Fixed(plan.slides[index].velocity(rod)))
             }
             Target::Flipper(index) => {
                 (Some(plan.blades[index].part), plan.blades[index].flipper.material, Other::Flipper(index))
@@ -267,10 +268,14 @@ impl Sweep<'_> {
                 }
             }
         }
-        if approach > 0.0
-            && let Target::Obstacle(index) = strike.target
-        {
-            self.react(index, strike, approach);
+        match strike.target {
+            Target::Obstacle(index) if approach > 0.0 => self.react(index, strike, approach),
+            Target::Rod(index) => self.state.mechanisms.rods[index].hit = true,
+            Target::Ball(other) => {
+                let pair = [&self.state.balls[strike.ball], &self.state.balls[other]];
+                captive::meet(plan, pair, approach, self.events);
+            }
+            _ => {}
         }
         self.go_on(strike, touch, left);
     }
@@ -366,7 +371,7 @@ impl Sweep<'_> {
     fn drive_on(&mut self, ball: usize, left: f64) {
         let motion = &mut self.scratch.motions[ball];
         if !motion.settled && !self.state.balls[ball].is_held() {
-            motion.drive = self.state.balls[ball].drive(&self.plan.floor, motion.pull, left);
+            motion.drive = self.state.balls[ball].drive(&motion.floor, motion.pull, left);
         }
     }
 }

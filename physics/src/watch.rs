@@ -3,7 +3,7 @@
 use crate::ball::Ball;
 use crate::plan::Role;
 use crate::works::Plate;
-use crate::{BALL_RADIUS_M, Machine, PartId, Pose};
+use crate::{BALL_RADIUS_M, Machine, PartId, Pose, Trigger, magnet};
 use geometry::DVec2;
 
 impl Machine {
@@ -17,25 +17,39 @@ impl Machine {
             parts.into_iter().enumerate().map(angle).collect()
         };
         let kickers = plan.kickers.iter().zip(&own.kickers).map(|(k, &ticks)| (PartId(k.part), kick_pose(ticks)));
-        let pulled = plan.plungers.iter().zip(&own.rods).map(|((_, p), rod)| (rod.pulled / p.stroke_m).max(0.0));
+        let rods = || plan.slides.iter().zip(&own.rods).map(|(slide, rod)| (slide, rod.pulled / slide.stroke));
+        let pulled = rods().filter(|(slide, _)| slide.is_plunger()).map(|(_, pulled)| pulled.max(0.0));
+        let kickbacks = rods().filter(|(slide, _)| !slide.is_plunger());
+        let kickbacks = kickbacks.map(|(slide, pulled)| (PartId(slide.part), (-pulled).clamp(0.0, 1.0)));
+        let captive = |ball: &Ball| Some((PartId(plan.captives[ball.captive()?].0), ball.pose()));
+        let magnets = plan.magnets.iter().zip(&own.coils);
         Pose {
-            balls: self.state.balls.iter().map(Ball::pose).collect(),
+            balls: self.in_play().map(Ball::pose).collect(),
+            captives: self.state.balls.iter().filter_map(captive).collect(),
             flippers_rad: angles.collect(),
             drop_targets: drops.collect(),
             spinners_rad: plates(plan.spinners.iter().map(|&(part, _)| part).collect(), Plate::Spinner),
             gates_rad: plates(plan.gates.iter().map(|&(part, _)| part).collect(), Plate::Gate),
-            kickers: kickers.collect(),
+            kickers: kickers.chain(kickbacks).collect(),
+            magnets: magnets.map(|(&(part, _), coil)| (PartId(part), coil.on && own.kickers_live)).collect(),
             plunger: pulled.fold(0.0, f64::max),
             cabinet_m: own.cabinet.place,
         }
     }
 
+    fn in_play(&self) -> impl Iterator<Item = &Ball> {
+        self.state.balls.iter().filter(|ball| ball.captive().is_none())
+    }
+
     /// How long each ball has hardly moved where nothing should hold it, ticks: in the order of [`Pose::balls`]; 0 for
-    /// a ball in a saucer, in the plunger lane or on a raised flipper.
+    /// a ball in a saucer, in the plunger lane, on a raised flipper or over a magnet that holds it.
     pub fn stuck_ticks(&self) -> Vec<u32> {
-        let excused = |ball: &Ball| ball.is_held() || self.waits_for_plunger(ball) || self.lies_on_flipper(ball);
+        let by_magnet = |ball: &Ball| magnet::holds(&self.plan, &self.state.mechanisms, ball);
+        let excused = |ball: &Ball| {
+            ball.is_held() || self.waits_for_plunger(ball) || self.lies_on_flipper(ball) || by_magnet(ball)
+        };
         let stuck = |ball: &Ball| if excused(ball) { 0 } else { ball.still_ticks };
-        self.state.balls.iter().map(stuck).collect()
+        self.in_play().map(stuck).collect()
     }
 
     fn waits_for_plunger(&self, ball: &Ball) -> bool {
@@ -49,7 +63,7 @@ impl Machine {
     fn lies_on_flipper(&self, ball: &Ball) -> bool {
         self.plan.blades.iter().zip(&self.state.mechanisms.rotors).any(|(blade, rotor)| {
             let gap = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
-            gap < 1e-3 && blade.is_raised(rotor)
+            gap < 1e-3 && blade.is_raised(rotor) && blade.flipper.trigger != Trigger::Rules
         })
     }
 

@@ -30,6 +30,7 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
     let mut drained: Vec<usize> = Vec::new();
     for (index, &start) in starts.iter().enumerate() {
         let center = state.balls[index].center;
+        let in_play = state.balls[index].captive().is_none();
         let mut near: Vec<usize> = Vec::new();
         plan.zone_grid.visit(start, center, |zone| {
             if !near.contains(&zone) {
@@ -51,7 +52,7 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
                     events.push(event(zone.part, EventKind::Closed));
                     events.push(event(zone.part, EventKind::Opened));
                 }
-                Place::Drain if (within || crossed()) && !drained.contains(&index) => {
+                Place::Drain if in_play && (within || crossed()) && !drained.contains(&index) => {
                     events.push(event(zone.part, EventKind::Closed));
                     drained.push(index);
                 }

@@ -54,6 +54,8 @@ pub struct Anomaly {
 pub struct Watch {
     solids: Vec<Solid>,
     flippers: Vec<physics::Flipper>,
+    /// In the order of the pose's magnets.
+    magnets: Vec<Circle>,
     size_m: DVec2,
     /// Where each ball was when it last moved, and when.
     rests: BTreeMap<u32, (DVec2, u64)>,
@@ -75,6 +77,7 @@ impl Watch {
         let mut watch = Watch {
             solids: vec![],
             flippers: vec![],
+            magnets: vec![],
             size_m: layout.size_m,
             rests: BTreeMap::new(),
             noticed: BTreeMap::new(),
@@ -96,6 +99,7 @@ impl Watch {
                     solid(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), None);
                 }
                 Kind::Flipper(flipper) => watch.flippers.push(flipper.clone()),
+                Kind::Magnet(magnet) => watch.magnets.push(magnet.circle),
                 _ => {}
             }
         }
@@ -109,6 +113,7 @@ impl Watch {
             return;
         }
         for (index, ball) in pose.balls.iter().enumerate() {
+            let others = pose.balls[index + 1..].iter().chain(pose.captives.iter().map(|(_, captive)| captive));
             if !(ball.center.is_finite() && ball.velocity.is_finite()) {
                 self.notice(tick, ball, AnomalyKind::NotANumber, format!("velocity {:?}", ball.velocity));
                 continue;
@@ -116,10 +121,17 @@ impl Watch {
             if self.outside(ball.center) {
                 self.notice(tick, ball, AnomalyKind::Escaped, format!("at {:.2} m/s", ball.velocity.length()));
             }
-            if let Some((name, depth_m)) = self.inside_of(ball, pose, &pose.balls[index + 1..]) {
+            if let Some((name, depth_m)) = self.inside_of(ball, pose, others) {
                 self.notice(tick, ball, AnomalyKind::Overlap, format!("{:.3} mm inside {name}", depth_m * 1000.0));
             }
-            self.look_for_rest(tick, ball, ball.held || excused(ball));
+            self.look_for_rest(tick, ball, ball.held || self.over_magnet(ball, pose) || excused(ball));
+        }
+        for (_, captive) in &pose.captives {
+            if !(captive.center.is_finite() && captive.velocity.is_finite()) {
+                self.notice(tick, captive, AnomalyKind::NotANumber, "a captive ball".to_string());
+            } else if self.outside(captive.center) {
+                self.notice(tick, captive, AnomalyKind::Escaped, "a captive ball".to_string());
+            }
         }
         self.rests.retain(|id, _| pose.balls.iter().any(|ball| ball.id == *id));
     }
@@ -139,6 +151,12 @@ impl Watch {
         !inside(center.x, self.size_m.x) || !inside(center.y, self.size_m.y)
     }
 
+    /// A magnet that is on may hold the ball where it is.
+    fn over_magnet(&self, ball: &BallPose, pose: &Pose) -> bool {
+        let mut magnets = self.magnets.iter().zip(&pose.magnets);
+        magnets.any(|(circle, (_, on))| *on && circle.center.distance(ball.center) < circle.radius)
+    }
+
     fn look_for_rest(&mut self, tick: u64, ball: &BallPose, excused: bool) {
         let (place, since) = self.rests.entry(ball.id).or_insert((ball.center, tick));
         if excused || place.distance(ball.center) > STUCK_M {
@@ -149,7 +167,12 @@ impl Watch {
     }
 
     /// What the ball is inside of, and how deep.
-    fn inside_of(&self, ball: &BallPose, pose: &Pose, others: &[BallPose]) -> Option<(String, f64)> {
+    fn inside_of<'a>(
+        &self,
+        ball: &BallPose,
+        pose: &Pose,
+        others: impl Iterator<Item = &'a BallPose>,
+    ) -> Option<(String, f64)> {
         let stands = |solid: &Solid| match solid.drop_target {
             Some(index) => pose.drop_targets.get(index).is_some_and(|(_, up)| *up >= 1.0),
             None => true,
@@ -160,7 +183,7 @@ impl Watch {
         let flippers = self.flippers.iter().zip(&pose.flippers_rad);
         let flippers =
             flippers.map(|(flipper, (_, angle))| ("a flipper", hull(flipper, *angle).distance(ball.center).0));
-        let others = others.iter().filter(|_| !ball.held);
+        let others = others.filter(|_| !ball.held);
         let balls = others.map(|other| ("another ball", other.center.distance(ball.center) - BALL_RADIUS_M));
         solids
             .chain(flippers)

@@ -53,7 +53,7 @@ pub(super) fn best(start: &Future, may_hold: bool) -> Plan {
 
 /// The best push of the cabinet that saves a ball that is lost otherwise, if any does.
 pub(super) fn best_nudge(start: &Future) -> Option<Plan> {
-    let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP];
+    let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP, Buttons::NUDGE_DOWN];
     let plans = pushes.into_iter().flat_map(|push| [0, 50, 110].map(|wait| nudge(start, push, wait)));
     plans.filter(|plan| plan.value > 0.0).reduce(|best, plan| if plan.value > best.value { plan } else { best })
 }

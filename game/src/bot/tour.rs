@@ -77,10 +77,12 @@ impl Tour {
         self.in_play_since = free.then(|| self.in_play_since.unwrap_or(tick));
         let Some(since) = self.in_play_since.map(|began| tick - began) else { return Buttons::NONE };
         let shakes = self.player == 2 && !self.shaken && since > 4000;
-        let pause = if shakes { 160 } else { 7000 };
+        // In haste, but not so much that it is a slam, which would end the game.
+        let pause = if shakes { 260 } else { 7000 };
         if since < 3000 || since % pause >= 60 {
             return Buttons::NONE;
         }
-        [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP][(since / pause % 3) as usize]
+        let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP, Buttons::NUDGE_DOWN];
+        pushes[(since / pause % 4) as usize]
     }
 }

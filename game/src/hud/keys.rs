@@ -4,7 +4,7 @@
 pub const HELP: &[(&str, &str)] = &[
     ("Shift left, right  \u{b7}  Z  /  \u{b7}  arrows", "flippers"),
     ("Space  \u{b7}  Enter  \u{b7}  Down", "hold and let go: shoot"),
-    ("X  .  Up", "nudge"),
+    ("X  .  Up  \u{b7}  C  ,", "push  \u{b7}  pull back"),
     ("1", "start, add a player"),
     ("Esc  \u{b7}  P", "pause"),
     ("R", "watch the last ball"),

@@ -63,6 +63,7 @@ pub struct Debug {
 const SOLID: u32 = 0x4f_d8ff;
 const SENSOR: u32 = 0x8a_ff9a;
 const RAY: u32 = 0xff_5fd2;
+const CAPTIVE: u32 = 0xff_d28a;
 
 /// The moment that is looked into.
 #[derive(Clone, Copy)]
@@ -263,7 +264,8 @@ fn moved(shape: Shape, by: DVec2) -> Shape {
 fn first_hit(layout: &Layout, pose: &Pose, ball: &BallPose, ray: &Ray) -> Option<Hit> {
     let still = layout.parts.iter().flat_map(|part| standing(&part.kind));
     let moving = layout.parts.iter().enumerate().flat_map(|(index, part)| moving(index, part, pose));
-    let others = pose.balls.iter().filter(|other| other.id != ball.id);
+    let captives = pose.captives.iter().map(|(_, captive)| captive);
+    let others = pose.balls.iter().chain(captives).filter(|other| other.id != ball.id);
     let balls = others.map(|other| Shape::disc(other.center, BALL_RADIUS_M));
     let solids = still.chain(moving).filter(|(_, color)| *color == SOLID).map(|(shape, _)| shape);
     let cast = |shape: Shape| shape.inflated(BALL_RADIUS_M).cast(ray);
@@ -283,7 +285,10 @@ fn standing(part: &Kind) -> Vec<(Shape, u32)> {
         Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
         Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
         Kind::Drain(drain) => vec![(drain.zone, SENSOR)],
-        Kind::Flipper(_) | Kind::Plunger(_) | Kind::DropTarget(_) => Vec::new(),
+        Kind::Magnet(magnet) => vec![(Shape::disc(magnet.circle.center, magnet.circle.radius), SENSOR)],
+        Kind::Flipper(_) | Kind::Plunger(_) | Kind::Kickback(_) | Kind::DropTarget(_) | Kind::CaptiveBall(_) => {
+            Vec::new()
+        }
     }
 }
 
@@ -307,6 +312,16 @@ fn moving(index: usize, part: &Part, pose: &Pose) -> Vec<(Shape, u32)> {
             let tip = plunger.tip - plunger.way * (plunger.stroke_m * pose.plunger);
             let half = plunger.way.perp() * plunger.half_width_m;
             vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
+        }
+        Kind::Kickback(kickback) => {
+            let out = value(&pose.kickers).unwrap_or_default();
+            let tip = kickback.tip + kickback.way * (kickback.stroke_m * out);
+            let half = kickback.way.perp() * kickback.half_width_m;
+            vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
+        }
+        Kind::CaptiveBall(_) => {
+            let captive = pose.captives.iter().find(|(id, _)| usize::from(id.0) == index);
+            captive.map(|(_, ball)| (Shape::disc(ball.center, BALL_RADIUS_M), CAPTIVE)).into_iter().collect()
         }
         _ => Vec::new(),
     }

@@ -36,7 +36,7 @@ pub struct Desk {
     pub owed: u32,
     /// Flippers obey their buttons.
     pub flippers: bool,
-    /// Bumpers and slingshots kick.
+    /// Bumpers, slingshots, kickbacks and magnets work.
     pub kickers: bool,
     /// Until when touches of the tilt bob do not count.
     bob_until: u64,
@@ -113,6 +113,7 @@ impl Desk {
                 self.bob_until = self.now + BOB_MS;
                 counted.then_some(("on_bob", None))
             }
+            EventKind::Slam => Some(("on_slam", None)),
         }
     }
 

@@ -221,6 +221,24 @@ fn register_machine(engine: &mut Engine) {
                 ordered(reach.desk.order(Command::Raise(target)))
             })
         })
+        .register_fn("kick", |context: NativeCallContext, name: &str| {
+            reach(&context, |reach| {
+                let kickback = reach.names.kickback(name)?;
+                ordered(reach.desk.order(Command::Kick(kickback)))
+            })
+        })
+        .register_fn("magnet", |context: NativeCallContext, name: &str, on: bool| {
+            reach(&context, |reach| {
+                let magnet = reach.names.magnet(name)?;
+                ordered(reach.desk.order(Command::Magnet(magnet, on)))
+            })
+        })
+        .register_fn("divert", |context: NativeCallContext, name: &str, on: bool| {
+            reach(&context, |reach| {
+                let diverter = reach.names.diverter(name)?;
+                ordered(reach.desk.order(Command::Divert(diverter, on)))
+            })
+        })
         .register_fn("flippers", |context: NativeCallContext, on: bool| {
             reach(&context, |reach| power(reach, Some(on), None))
         })

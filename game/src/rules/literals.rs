@@ -28,6 +28,9 @@ fn check(call: &Call, names: &Names) -> Result<(), String> {
         "lamp" | "lamp_color" | "flash" | "show" => names.lamps(call.argument).map(|_| ()),
         "eject" => names.saucer(call.argument).map(|_| ()),
         "raise" => names.drop_target(call.argument).map(|_| ()),
+        "kick" => names.kickback(call.argument).map(|_| ()),
+        "magnet" => names.magnet(call.argument).map(|_| ()),
+        "divert" => names.diverter(call.argument).map(|_| ()),
         "closed" => names.part(call.argument).map(|_| ()),
         _ => Ok(()),
     }

@@ -1,7 +1,7 @@
 //! The names that a script may use: the parts and lamps of its table.
 
 use crate::Table;
-use physics::{Kind, PartId};
+use physics::{Kind, PartId, Trigger};
 use std::collections::BTreeMap;
 
 /// The parts and lamps of a table by name.
@@ -80,6 +80,42 @@ impl Names {
         match self.kind(part) {
             Some(Kind::DropTarget(_)) => Ok(part),
             _ => Err(format!("\"{name}\" is not a drop target")),
+        }
+    }
+
+    /// The kickback with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn kickback(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Kickback(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a kickback")),
+        }
+    }
+
+    /// The magnet with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn magnet(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Magnet(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a magnet")),
+        }
+    }
+
+    /// The diverter with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn diverter(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Flipper(flipper)) if flipper.trigger == Trigger::Rules => Ok(part),
+            _ => Err(format!("\"{name}\" is not a diverter")),
         }
     }
 

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What a script may define to be told of what happens, with the number of parameters.
-const CALLS: [(&str, usize); 9] = [
+const CALLS: [(&str, usize); 10] = [
     ("on_start", 0),
     ("on_switch", 1),
     ("on_open", 1),
@@ -22,6 +22,7 @@ const CALLS: [(&str, usize); 9] = [
     ("on_launch", 0),
     ("on_feed", 0),
     ("on_bob", 0),
+    ("on_slam", 0),
 ];
 
 /// Most operations in one call: about 50 ms on a slow computer.

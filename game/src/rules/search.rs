@@ -110,7 +110,11 @@ fn micrometres(length_m: f64) -> i64 {
 /// Whether this shows that a ball moves. A drop target that rises does not: the search itself may have raised it.
 fn is_sign_of_life(event: &Event, names: &Names) -> bool {
     let target = event.part.and_then(|part| names.kind(part)).is_some_and(|kind| matches!(kind, Kind::DropTarget(_)));
-    event.kind != EventKind::TiltBob && !(target && event.kind == EventKind::Opened)
+    match event.kind {
+        EventKind::TiltBob | EventKind::Slam => false,
+        EventKind::Opened => !target,
+        _ => true,
+    }
 }
 
 /// Whether a ball lies where the player may let it lie: at the plunger.

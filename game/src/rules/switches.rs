@@ -5,7 +5,8 @@ use physics::PartId;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// The switches that have closed and not opened again: rollovers and saucers with a ball, drop targets that are down.
+/// The switches that have closed and not opened again: rollovers, saucers, magnets and kickbacks with a ball, drop targets
+/// that are down.
 /// Switches that never open (bumpers, spinners, ...) are in here from their first closing on.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Switches {
@@ -29,13 +30,14 @@ impl Switches {
 }
 
 /// The buttons as the script names them.
-const BUTTONS: [(Buttons, &str); 7] = [
+const BUTTONS: [(Buttons, &str); 8] = [
     (Buttons::LEFT, "left"),
     (Buttons::RIGHT, "right"),
     (Buttons::PLUNGER, "plunger"),
     (Buttons::NUDGE_LEFT, "nudge-left"),
     (Buttons::NUDGE_RIGHT, "nudge-right"),
     (Buttons::NUDGE_UP, "nudge-up"),
+    (Buttons::NUDGE_DOWN, "nudge-down"),
     (Buttons::START, "start"),
 ];
 

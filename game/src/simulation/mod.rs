@@ -211,6 +211,7 @@ pub(crate) fn controls(buttons: Buttons) -> Controls {
         nudge_left: buttons.contains(Buttons::NUDGE_LEFT),
         nudge_right: buttons.contains(Buttons::NUDGE_RIGHT),
         nudge_up: buttons.contains(Buttons::NUDGE_UP),
+        nudge_down: buttons.contains(Buttons::NUDGE_DOWN),
     }
 }
 

@@ -21,13 +21,19 @@ fn blend_pose(a: &Pose, b: &Pose, alpha: f64) -> Pose {
         Some(before) => blend_ball(before, ball, alpha),
         None => *ball,
     };
+    let captive = |&(part, ref now): &(PartId, BallPose)| match a.captives.iter().find(|(before, _)| *before == part) {
+        Some((_, before)) => (part, blend_ball(before, now, alpha)),
+        None => (part, *now),
+    };
     Pose {
         balls: b.balls.iter().map(ball).collect(),
+        captives: b.captives.iter().map(captive).collect(),
         flippers_rad: blend_parts(&a.flippers_rad, &b.flippers_rad, |x, y| mix(x, y, alpha)),
         drop_targets: blend_parts(&a.drop_targets, &b.drop_targets, |x, y| mix(x, y, alpha)),
         spinners_rad: blend_parts(&a.spinners_rad, &b.spinners_rad, |x, y| mix_angle(x, y, alpha)),
         gates_rad: blend_parts(&a.gates_rad, &b.gates_rad, |x, y| mix(x, y, alpha)),
         kickers: blend_parts(&a.kickers, &b.kickers, |x, y| mix(x, y, alpha)),
+        magnets: b.magnets.clone(),
         plunger: mix(a.plunger, b.plunger, alpha),
         cabinet_m: a.cabinet_m.lerp(b.cabinet_m, alpha),
     }

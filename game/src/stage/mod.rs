@@ -1,14 +1,14 @@
 //! From a moment of the game to what light needs to know: lamps, what stands in their way, what can be seen.
 //!
 //! The stage turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table; what does
-//! (flippers, drop targets, gates, spinners, kickers, the plunger, balls) is put in its place for each picture, always
+//! (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each picture, always
 //! in the same order, so that a renderer can tell what has changed. It refuses to know what a pixel, a window, a rule
 //! or a clock is.
 
 mod blend;
 mod light;
 mod motion;
-mod plunger;
+mod rod;
 #[cfg(test)]
 mod tests;
 
@@ -63,7 +63,7 @@ impl Printed {
 pub struct Stage {
     actors: Vec<Actor>,
     filters: Vec<Filter>,
-    plunger: Option<plunger::Rod>,
+    rods: Vec<rod::Rod>,
     /// The first group that no solid uses.
     free_group: u16,
     ambient: Rgb,
@@ -85,7 +85,7 @@ impl Stage {
     /// Everything of `table` that does not change from picture to picture.
     pub fn new(table: &Table) -> Stage {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
-        let plunger = plunger::Rod::of(&table.layout, Group(free_group));
+        let rods = rod::Rod::all(&table.layout, Group(free_group));
         let mut actors: Vec<Actor> = (0..table.solids.len()).filter_map(|index| Actor::new(table, index)).collect();
         let mut filters = Vec::new();
         for actor in actors.iter_mut().filter(|actor| actor.is_filter()) {
@@ -95,7 +95,7 @@ impl Stage {
             filters.push(Filter { group, tint: tint(&actor.solid.finish) });
         }
         let free_group = free_group.saturating_add(filters.len() as u16);
-        Stage { actors, filters, plunger, free_group, ambient: table.ambient }
+        Stage { actors, filters, rods, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -106,14 +106,12 @@ impl Stage {
             occluders: Vec::with_capacity(2 * self.actors.len()),
             filters: self.filters.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
-            balls: Vec::with_capacity(moment.pose.balls.len()),
+            balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
             floor: &printed.floor,
             ambient: self.ambient,
         };
-        if let Some(rod) = &self.plunger {
-            rod.place(moment.pose.plunger, &mut scene);
-        }
+        self.rods.iter().for_each(|rod| rod.place(&moment.pose, &mut scene));
         for actor in &self.actors {
             let glow = actor.bulb.map_or([0.0; 3], |bulb| glow_of(&table.lamps[bulb], moment.lamps.get(bulb)));
             actor.place(moment, glow, &mut scene);
@@ -123,7 +121,8 @@ impl Stage {
     }
 
     fn place_balls(&self, moment: &Snapshot, scene: &mut Scene) {
-        for (index, pose) in moment.pose.balls.iter().enumerate() {
+        let captives = moment.pose.captives.iter().map(|(_, captive)| captive);
+        for (index, pose) in captives.chain(&moment.pose.balls).enumerate() {
             let group = Group(self.free_group.saturating_add(1 + index as u16));
             let center_mm = pose.center * MM_PER_M;
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM };

@@ -87,7 +87,8 @@ impl Motion {
     }
 }
 
-fn value(parts: &[(PartId, f64)], part: PartId) -> Option<f64> {
+/// What a pose says of this part.
+pub(super) fn value(parts: &[(PartId, f64)], part: PartId) -> Option<f64> {
     parts.iter().find(|(id, _)| *id == part).map(|(_, value)| *value)
 }
 

@@ -92,3 +92,48 @@ fn a_spinner_that_lies_flat_is_broader_than_one_that_hangs() {
     let axle_mm = spinner.segment.length() * 1000.0;
     assert!((width(&moment) - hanging - axle_mm * 22.0).abs() < 1.0);
 }
+
+const COILS: &str = r#"<line id="kick" class="kickback" x1="40" y1="900" x2="40" y2="870" stroke-width="20"/>
+    <circle id="pull" class="magnet" cx="250" cy="450" r="45"/>
+    <line id="flap" class="diverter" data-turn-deg="40" x1="330" y1="560" x2="330" y2="605" stroke-width="3"/>
+    <circle id="captive" class="captive-ball" cx="150" cy="300" r="13.5"/>
+    <line class="guide" x1="120" y1="314.5" x2="180" y2="314.5" stroke-width="2"/>"#;
+
+/// The moment `ticks` after the rules have ordered these coils.
+fn ordered(orders: &str, ticks: usize) -> (Table, Snapshot) {
+    let rules = format!("fn on_start() {{ kickers(true); {orders} }}");
+    let table = crate::table::tests::with_rules(COILS, &rules);
+    let mut simulation = Simulation::new(Arc::new(table.clone()), 1).expect("its rules run");
+    (0..ticks).for_each(|_| simulation.tick(Buttons::NONE));
+    assert!(simulation.complaints().is_empty());
+    (table, simulation.snapshot())
+}
+
+#[test]
+fn what_the_rules_order_is_seen() {
+    let at = |occluders: &[Occluder], x, y| occluders.iter().any(|o| o.shape.distance(DVec2::new(x, y)).0 < 0.0);
+    let (table, rest) = ordered("", 16);
+    let (_, moved) = ordered("kick(\"kick\"); divert(\"flap\", true); magnet(\"pull\", true);", 16);
+    let (before, after) = (staged(&table, &rest).0, staged(&table, &moved).0);
+    assert!(
+        !at(&before, 40.0, 878.0) && at(&after, 40.0, 878.0),
+        "the kickback's rod is out: {:?}",
+        moved.pose.kickers
+    );
+    let tip = DVec2::new(330.0, 560.0) + geometry::trig::direction(130.0_f64.to_radians()) * 44.0;
+    let (_, turned) = ordered("divert(\"flap\", true);", 100);
+    let turned = staged(&table, &turned).0;
+    assert!(at(&before, 330.0, 604.0) && !at(&turned, 330.0, 604.0) && at(&turned, tip.x, tip.y));
+    assert_eq!((rest.pose.magnets[0].1, moved.pose.magnets[0].1), (false, true));
+}
+
+#[test]
+fn a_captive_ball_is_seen_as_a_ball_and_is_none_that_is_in_play() {
+    let (table, moment) = ordered("", 16);
+    assert!(moment.pose.balls.is_empty());
+    let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
+    let scene = Stage::new(&table).scene(&table, &moment, view(&table), &printed);
+    let [ball] = &scene.balls[..] else { panic!("{:?}", scene.balls) };
+    assert!(ball.center_mm.distance(DVec2::new(150.0, 300.0)) < 0.1 && ball.radius_mm == BALL_RADIUS_MM);
+    assert!(scene.occluders.iter().any(|occluder| occluder.group == ball.group));
+}

@@ -21,6 +21,10 @@ pub(super) enum Class {
     Saucer,
     Drain,
     Plunger,
+    Kickback,
+    Magnet,
+    Diverter,
+    CaptiveBall,
     Lamp,
     Insert,
     Plastic,
@@ -45,7 +49,7 @@ const fn key(name: &'static str, default: f64, min: f64, max: f64) -> Key {
 
 impl Class {
     /// All of them.
-    pub const ALL: [Class; 19] = [
+    pub const ALL: [Class; 23] = [
         Class::Wall,
         Class::Guide,
         Class::Rubber,
@@ -62,6 +66,10 @@ impl Class {
         Class::Saucer,
         Class::Drain,
         Class::Plunger,
+        Class::Kickback,
+        Class::Magnet,
+        Class::Diverter,
+        Class::CaptiveBall,
         Class::Lamp,
         Class::Insert,
         Class::Plastic,
@@ -86,6 +94,10 @@ impl Class {
             Class::Saucer => "saucer",
             Class::Drain => "drain",
             Class::Plunger => "plunger",
+            Class::Kickback => "kickback",
+            Class::Magnet => "magnet",
+            Class::Diverter => "diverter",
+            Class::CaptiveBall => "captive-ball",
             Class::Lamp => "lamp",
             Class::Insert => "insert",
             Class::Plastic => "plastic",
@@ -122,7 +134,13 @@ impl Class {
         self.stands()
             || matches!(
                 self,
-                Class::Bumper | Class::Slingshot | Class::Flipper | Class::Target | Class::DropTarget | Class::Gate
+                Class::Bumper
+                    | Class::Slingshot
+                    | Class::Flipper
+                    | Class::Diverter
+                    | Class::Target
+                    | Class::DropTarget
+                    | Class::Gate
             )
     }
 
@@ -135,6 +153,7 @@ impl Class {
     pub fn data(self) -> impl Iterator<Item = &'static str> {
         let own: &[&str] = match self {
             Class::Flipper => &["side", "up-deg"],
+            Class::Diverter => &["turn-deg"],
             Class::Gate => &["way"],
             Class::Saucer => &["eject-deg", "eject-m-s"],
             Class::Lamp => &["inside"],
@@ -154,6 +173,10 @@ impl Class {
             Class::Spinner => SPINNER,
             Class::Saucer => SAUCER,
             Class::Plunger => PLUNGER,
+            Class::Kickback => KICKBACK,
+            Class::Magnet => MAGNET,
+            Class::Diverter => DIVERTER,
+            Class::CaptiveBall => CAPTIVE_BALL,
             Class::Lamp => LAMP,
             Class::Insert => INSERT,
             _ => &[],
@@ -176,6 +199,15 @@ const DROP_TARGET: &[Key] = &[key("threshold_m_s", 0.25, 0.0, 20.0)];
 const SPINNER: &[Key] = &[key("damping_per_s", 0.8, 0.0, 1000.0)];
 const SAUCER: &[Key] = &[key("capture_m_s", 1.0, 0.0, 20.0)];
 const PLUNGER: &[Key] = &[key("pull_s", 1.0, 0.05, 20.0), key("full_speed_m_s", 3.5, 0.1, 15.0)];
+const KICKBACK: &[Key] = &[key("speed_m_s", 3.5, 0.1, 15.0)];
+const MAGNET: &[Key] = &[key("pull_m_s2", 40.0, 0.0, 500.0)];
+const DIVERTER: &[Key] = &[
+    key("coil_torque_n_m", 1.2, 0.001, 100.0),
+    key("hold_torque_n_m", 0.6, 0.001, 100.0),
+    key("spring_torque_n_m", 0.3, 0.001, 100.0),
+    key("inertia_kg_mm2", 140.0, 1.0, 100_000.0),
+];
+const CAPTIVE_BALL: &[Key] = &[key("threshold_m_s", 0.15, 0.0, 20.0)];
 const LAMP: &[Key] =
     &[key("power", 1.0, 0.0, 1000.0), key("height_mm", 30.0, 0.1, 1000.0), key("reach_mm", 260.0, 1.0, 10000.0)];
 const INSERT: &[Key] = &[key("power", 1.0, 0.0, 1000.0)];

@@ -21,7 +21,7 @@ mod source;
 mod split;
 mod style;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod watch;
 
 pub use relief::Relief;

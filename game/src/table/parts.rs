@@ -1,15 +1,19 @@
 //! What the ball can meet: things and numbers become [`physics::Part`]s, in SI units.
 
+mod coils;
+
 use super::class::Class;
 use super::drawing::Thing;
 use super::numbers::Numbers;
 use super::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
-use physics::{Kind, Material};
+use physics::{Kind, Material, Trigger};
 use std::f64::consts::TAU;
 
 /// Metres in a millimetre.
 const M_PER_MM: f64 = 0.001;
+/// How far from a ball's radius a captive ball may be drawn, mm.
+const BALL_SLACK_MM: f64 = 0.5;
 /// How far above the plunger's tip a new ball is put down, mm.
 const FEED_GAP_MM: f64 = 2.0;
 
@@ -53,6 +57,10 @@ pub(super) fn kind(thing: &Thing, numbers: &Numbers) -> Result<Kind, String> {
             eject_m_s: trig::direction(degrees(thing, "eject-deg")?) * data(thing, "eject-m-s", 0.05, 20.0)?,
         }),
         Class::Plunger => Kind::Plunger(plunger(thing, line()?, number)),
+        Class::Kickback => Kind::Kickback(coils::kickback(thing, line()?, number)),
+        Class::Magnet => Kind::Magnet(physics::Magnet { circle: circle()?, pull_m_s2: number("pull_m_s2") }),
+        Class::Diverter => Kind::Flipper(coils::diverter(thing, line()?, material, number)?),
+        Class::CaptiveBall => Kind::CaptiveBall(captive_ball(circle()?, number("threshold_m_s"))?),
         _ => Kind::Wall(physics::Wall {
             shapes: surfaces_mm(thing).into_iter().map(|shape| shape.scaled(M_PER_MM)).collect(),
             material,
@@ -84,7 +92,7 @@ pub(super) fn flipper_mm(flipper: &physics::Flipper) -> Shape {
 
 fn material(thing: &Thing, numbers: &Numbers) -> Material {
     let usual = match thing.class {
-        Class::Guide => "metal",
+        Class::Guide | Class::Diverter => "metal",
         Class::Rubber | Class::Slingshot => "rubber",
         Class::Post | Class::Peg => "post",
         Class::Bumper => "sleeve",
@@ -150,9 +158,9 @@ fn flipper(
     material: Material,
     number: impl Fn(&'static str) -> f64,
 ) -> Result<physics::Flipper, String> {
-    let left = match thing.data.get("side").map(String::as_str) {
-        Some("left") => true,
-        Some("right") => false,
+    let trigger = match thing.data.get("side").map(String::as_str) {
+        Some("left") => Trigger::Left,
+        Some("right") => Trigger::Right,
         _ => return Err("a flipper needs data-side=\"left\" or data-side=\"right\"".to_string()),
     };
     let stroke_deg = data(thing, "up-deg", 10.0, 120.0)?;
@@ -168,8 +176,8 @@ fn flipper(
         length_m,
         tip_radius_m: tip,
         rest_rad,
-        up_rad: if left { rest_rad - stroke_rad } else { rest_rad + stroke_rad },
-        left,
+        up_rad: if trigger == Trigger::Left { rest_rad - stroke_rad } else { rest_rad + stroke_rad },
+        trigger,
         material,
         coil_torque_n_m: number("coil_torque_n_m"),
         hold_torque_n_m: number("hold_torque_n_m"),
@@ -190,6 +198,15 @@ fn plunger(thing: &Thing, line: Segment, number: impl Fn(&'static str) -> f64) -
         pull_s: number("pull_s"),
         full_speed_m_s: number("full_speed_m_s"),
     }
+}
+
+/// A captive ball is drawn as large as it is, so that its maker sees whether it has room.
+fn captive_ball(circle: Circle, threshold_m_s: f64) -> Result<physics::CaptiveBall, String> {
+    let [radius_mm, ball_mm] = [circle.radius, physics::BALL_RADIUS_M].map(|metres| metres / M_PER_MM);
+    if (radius_mm - ball_mm).abs() > BALL_SLACK_MM {
+        return Err(format!("a captive ball is a pinball, so its r is {ball_mm}, and it is {radius_mm:.1}"));
+    }
+    Ok(physics::CaptiveBall { center: circle.center, threshold_m_s })
 }
 
 fn way(thing: &Thing) -> Result<DVec2, String> {

@@ -66,7 +66,7 @@ pub(super) fn solid(
 fn shapes_mm(part: &Part, thing: &Thing) -> Vec<Shape> {
     let radius = thing.radius_mm();
     match (&part.kind, &thing.outline) {
-        (Kind::Flipper(flipper), _) => vec![parts::flipper_mm(flipper)],
+        (Kind::Flipper(flipper), _) if thing.class == Class::Flipper => vec![parts::flipper_mm(flipper)],
         (_, Outline::Circle(circle)) => vec![Shape::disc(circle.center, circle.radius)],
         (_, Outline::Runs(runs)) => runs.iter().flat_map(|run| &run.pieces).map(|piece| piece.shape(radius)).collect(),
     }
@@ -124,7 +124,7 @@ fn finish(thing: &Thing, numbers: &Numbers) -> Result<Finish, String> {
 fn usual(class: Class) -> (Profile, f32) {
     match class {
         Class::Wall => (Profile::Bevel(1.0), 0.15),
-        Class::Guide => (Profile::Bevel(0.6), 0.7),
+        Class::Guide | Class::Diverter => (Profile::Bevel(0.6), 0.7),
         Class::Rubber | Class::Slingshot => (Profile::Dome, 0.15),
         Class::Post | Class::Peg => (Profile::Dome, 0.4),
         Class::Bumper => (Profile::Bevel(3.0), 0.3),

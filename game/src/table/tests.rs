@@ -32,5 +32,11 @@ fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> 
 
 /// The small table with `drawn` on it; its mistakes fail the test.
 fn table(drawn: &str) -> Table {
-    read(drawn, "").unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+    with_rules(drawn, "")
+}
+
+/// The small table with `drawn` on it and these rules; its mistakes fail the test.
+pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
+    let table = read_files(&SVG.replace("{}", drawn), "", rules);
+    table.unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
 }

@@ -48,6 +48,7 @@ pub fn meaning(key: KeyCode) -> Option<Meaning> {
         KeyCode::KeyX => Button(Buttons::NUDGE_LEFT),
         KeyCode::Period => Button(Buttons::NUDGE_RIGHT),
         KeyCode::ArrowUp => Button(Buttons::NUDGE_UP),
+        KeyCode::KeyC | KeyCode::Comma => Button(Buttons::NUDGE_DOWN),
         KeyCode::Digit1 | KeyCode::Numpad1 => Button(Buttons::START),
         KeyCode::Escape | KeyCode::KeyP | KeyCode::Pause => Once(Act::Pause),
         KeyCode::KeyH | KeyCode::F1 => Once(Act::Help),
@@ -101,6 +102,7 @@ mod tests {
             (Buttons::NUDGE_LEFT, &[KeyCode::KeyX]),
             (Buttons::NUDGE_RIGHT, &[KeyCode::Period]),
             (Buttons::NUDGE_UP, &[KeyCode::ArrowUp]),
+            (Buttons::NUDGE_DOWN, &[KeyCode::KeyC, KeyCode::Comma]),
             (Buttons::START, &[KeyCode::Digit1]),
         ];
         for (button, keys) in keys {

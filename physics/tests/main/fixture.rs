@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 pub const RUBBER: Material = Material { restitution: 0.85, falloff_s_per_m: 0.13, friction: 0.3 };
 pub const WOOD: Material = Material { restitution: 0.4, falloff_s_per_m: 0.0, friction: 0.25 };
+pub const METAL: Material = Material { restitution: 0.3, falloff_s_per_m: 0.0, friction: 0.2 };
 pub const FLIPPER_RUBBER: Material = Material { restitution: 0.88, falloff_s_per_m: 0.15, friction: 0.9 };
 
 pub fn v(x: f64, y: f64) -> DVec2 {
@@ -56,7 +57,7 @@ pub fn flipper(left: bool) -> Part {
         tip_radius_m: 0.007,
         rest_rad,
         up_rad,
-        left,
+        trigger: if left { Trigger::Left } else { Trigger::Right },
         material: FLIPPER_RUBBER,
         coil_torque_n_m: 3.3,
         hold_torque_n_m: 1.4,
@@ -66,8 +67,98 @@ pub fn flipper(left: bool) -> Part {
     part(if left { "left-flipper" } else { "right-flipper" }, kind)
 }
 
+/// A machine whose flippers and kickers are live.
+pub fn live(layout: Layout) -> Machine {
+    let mut machine = machine(layout);
+    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true)]);
+    machine
+}
+
+/// A flat playfield with this thing on it, as part 0.
+pub fn with(kind: Kind) -> Layout {
+    let mut layout = bare();
+    layout.slope_rad = 0.0;
+    layout.parts.push(part("thing", kind));
+    layout
+}
+
+/// Ticks on, and counts how often `kind` happens.
+pub fn run(machine: &mut Machine, ticks: usize, kind: EventKind) -> usize {
+    let mut count = 0;
+    for _ in 0..ticks {
+        machine.tick(Controls::default(), &[]);
+        count += machine.events().iter().filter(|event| event.kind == kind).count();
+        assert!(machine.overlap_m() < 5e-5, "{} m deep", machine.overlap_m());
+    }
+    count
+}
+
+/// The part of this name.
+pub fn id(machine: &Machine, name: &str) -> PartId {
+    let index = machine.layout().parts.iter().position(|part| part.name == name).expect("a part of this name");
+    PartId(index as u16)
+}
+
+/// What the rules could order at this tick: magnet, diverter and kickback are busy all the time.
+pub fn orders(machine: &Machine, tick: u32) -> Vec<Command> {
+    let (magnet, diverter) = (id(machine, "magnet"), id(machine, "diverter"));
+    match tick {
+        tick if tick % 300 == 10 => vec![Command::Magnet(magnet, tick % 600 == 10)],
+        tick if tick % 130 == 20 => vec![Command::Divert(diverter, tick % 260 == 20)],
+        tick if tick % 170 == 30 => vec![Command::Kick(id(machine, "kickback"))],
+        _ => Vec::new(),
+    }
+}
+
 pub fn machine(layout: Layout) -> Machine {
     Machine::new(Arc::new(layout)).expect("the fixture's numbers can be")
+}
+
+/// Where the table's captive ball lies.
+pub const CAPTIVE: DVec2 = DVec2::new(0.30, 0.66);
+
+/// Two guides with a post at the lower end of each, on which a ball at `center` lies with its rim sticking out.
+pub fn pocket(center: DVec2) -> Part {
+    let (post, guide, lane) = (0.003, 0.002, 0.015);
+    let down = ((BALL_RADIUS_M + post).powi(2) - lane * lane).sqrt();
+    let at = |x: f64, y: f64| center + v(x, y);
+    let beside = lane + guide;
+    let shapes = vec![
+        Shape::disc(at(-lane, down), post),
+        Shape::disc(at(lane, down), post),
+        Shape::capsule(at(-beside, down), at(-beside, -0.04), guide),
+        Shape::capsule(at(beside, down), at(beside, -0.04), guide),
+        Shape::capsule(at(-beside, -0.04), at(beside, -0.04), guide),
+    ];
+    part("pocket", walls(shapes, METAL))
+}
+
+pub fn magnet(center: DVec2) -> Magnet {
+    Magnet { circle: Circle { center, radius: 0.045 }, pull_m_s2: 40.0 }
+}
+
+/// A rod that shoots up the table.
+pub fn kickback(tip: DVec2) -> Kickback {
+    Kickback { tip, half_width_m: 0.01, way: v(0.0, -1.0), stroke_m: 0.025, speed_m_s: 3.5 }
+}
+
+/// A flap of sheet steel that hangs down the table and turns by 40 degrees, clockwise.
+pub fn diverter(pivot: DVec2) -> Part {
+    let rest_rad = std::f64::consts::FRAC_PI_2;
+    let kind = Kind::Flipper(Flipper {
+        base: Circle { center: pivot, radius: 0.0015 },
+        length_m: 0.045,
+        tip_radius_m: 0.0015,
+        rest_rad,
+        up_rad: rest_rad + 40.0_f64.to_radians(),
+        trigger: Trigger::Rules,
+        material: METAL,
+        coil_torque_n_m: 1.2,
+        hold_torque_n_m: 0.6,
+        spring_torque_n_m: 0.3,
+        mass_kg: 0.2,
+    });
+    part("diverter", kind)
 }
 
 /// A table with one of everything.
@@ -148,6 +239,11 @@ pub fn table() -> Layout {
                 eject_m_s: v(-0.6, 0.8),
             }),
         ),
+        part("magnet", Kind::Magnet(magnet(v(0.25, 0.45)))),
+        diverter(v(0.40, 0.62)),
+        part("kickback", Kind::Kickback(kickback(v(0.06, 1.0)))),
+        pocket(CAPTIVE),
+        part("captive", Kind::CaptiveBall(CaptiveBall { center: CAPTIVE, threshold_m_s: 0.1 })),
         part("drain", Kind::Drain(Drain { zone: capsule(line(0.03, 1.035, 0.44, 1.035), 0.005) })),
     ];
     layout

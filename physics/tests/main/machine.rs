@@ -40,6 +40,7 @@ fn a_restored_machine_goes_on_as_if_nothing_had_been() {
             right: tick % 230 < 90,
             plunger: tick % 900 > 300,
             nudge_up: tick % 700 == 0,
+            nudge_down: tick % 900 == 50,
             ..Controls::default()
         };
         if tick % 50 == 0 {
@@ -47,9 +48,10 @@ fn a_restored_machine_goes_on_as_if_nothing_had_been() {
             assert_eq!(restored.hashes(), machine.hashes());
             machine = if tick % 100 == 0 { restored } else { machine.clone() };
         }
+        let orders = orders(&machine, tick);
         let mut twin = machine.clone();
-        machine.tick(controls, &[]);
-        twin.tick(controls, &[]);
+        machine.tick(controls, &orders);
+        twin.tick(controls, &orders);
         assert_eq!(twin.hashes(), machine.hashes());
     }
 }
@@ -70,10 +72,14 @@ fn damaged_bytes_are_refused_and_nothing_panics() {
     assert!(matches!(Machine::restore(Arc::new(bare()), &bytes), Err(Error::Save(_))), "another layout");
 }
 
+fn of<'a>(layout: &'a mut Layout, name: &str) -> Option<&'a mut Kind> {
+    layout.parts.iter_mut().find(|part| part.name == name).map(|part| &mut part.kind)
+}
+
 #[test]
 fn numbers_that_cannot_be_are_refused_by_name() {
     type Spoil = fn(&mut Layout);
-    let spoils: [Spoil; 6] = [
+    let spoils: [Spoil; 9] = [
         |layout| layout.size_m.x = f64::NAN,
         |layout| layout.playfield_friction = -0.1,
         |layout| layout.slope_rad = f64::INFINITY,
@@ -90,6 +96,21 @@ fn numbers_that_cannot_be_are_refused_by_name() {
         |layout| {
             if let Kind::Wall(w) = &mut layout.parts[4].kind {
                 w.material.restitution = 1.5
+            }
+        },
+        |layout| {
+            if let Some(Kind::Magnet(m)) = of(layout, "magnet") {
+                m.pull_m_s2 = 1e4
+            }
+        },
+        |layout| {
+            if let Some(Kind::Kickback(k)) = of(layout, "kickback") {
+                k.stroke_m = 0.0
+            }
+        },
+        |layout| {
+            if let Some(Kind::CaptiveBall(c)) = of(layout, "captive") {
+                c.threshold_m_s = f64::NAN
             }
         },
     ];

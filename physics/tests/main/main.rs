@@ -1,8 +1,13 @@
 //! What the machine must do, asserted from outside: only the crate's public interface is used.
 
+mod cabinet;
+mod captive;
+mod diverter;
 mod fixture;
 mod flippers;
+mod kickback;
 mod machine;
+mod magnet;
 mod mechanisms;
 mod rolling;
 mod shots;

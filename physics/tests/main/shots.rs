@@ -23,10 +23,11 @@ fn random_shots_neither_escape_nor_sink_in() {
             continue;
         }
         let (left, right) = (chance.between(20.0, 60.0) as usize, chance.between(20.0, 60.0) as usize);
-        for tick in 0..200 {
+        for tick in 0..200_usize {
             let controls =
                 Controls { left: tick % left > left / 2, right: tick % right > right / 2, ..Controls::default() };
-            machine.tick(controls, &[]);
+            let orders = orders(&machine, tick as u32);
+            machine.tick(controls, &orders);
             assert_eq!(machine.escaped(), 0, "shot {shot}, tick {tick}: {:?}", machine.pose().balls);
             let overlap = machine.overlap_m();
             deepest = deepest.max(overlap);

@@ -7,8 +7,8 @@ use crate::table::{Lamp, LampKind};
 use crate::{Buttons, Failure, Table};
 use geometry::{Circle, DVec2, Shape};
 use physics::{
-    BallPose, Command, Drain, DropTarget, Event, EventKind, Kind, Layout, Material, Part, PartId, Plunger, Rollover,
-    Saucer,
+    BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, Kickback, Kind, Layout, Magnet, Material, Part,
+    PartId, Plunger, Rollover, Saucer, Trigger,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -51,6 +51,27 @@ fn kind(name: &str, row: f64) -> Kind {
             circle: Circle { center: place, radius: 0.012 },
             capture_m_s: 1.0,
             eject_m_s: DVec2::new(0.5, 1.0),
+        }),
+        Some("kickback") => Kind::Kickback(Kickback {
+            tip: place,
+            half_width_m: 0.01,
+            way: DVec2::new(0.0, -1.0),
+            stroke_m: 0.025,
+            speed_m_s: 3.5,
+        }),
+        Some("magnet") => Kind::Magnet(Magnet { circle: Circle { center: place, radius: 0.045 }, pull_m_s2: 40.0 }),
+        Some("diverter") => Kind::Flipper(Flipper {
+            base: Circle { center: place, radius: 0.0015 },
+            length_m: 0.045,
+            tip_radius_m: 0.0015,
+            rest_rad: 0.0,
+            up_rad: 0.7,
+            trigger: Trigger::Rules,
+            material: MATERIAL,
+            coil_torque_n_m: 1.2,
+            hold_torque_n_m: 0.6,
+            spring_torque_n_m: 0.3,
+            mass_kg: 0.2,
         }),
         Some("drop") => Kind::DropTarget(DropTarget { shape, material: MATERIAL, threshold_m_s: 0.2 }),
         Some("plunger") => Kind::Plunger(Plunger {
@@ -177,6 +198,11 @@ impl Bench {
     /// The tilt bob touches its ring.
     pub fn bob(&mut self) {
         self.tick(vec![Event { part: None, kind: EventKind::TiltBob }]);
+    }
+
+    /// The slam switch closes.
+    pub fn slam(&mut self) {
+        self.tick(vec![Event { part: None, kind: EventKind::Slam }]);
     }
 
     /// What the display shows.

@@ -46,6 +46,19 @@ fn syntax_variables_and_functions_are_checked_with_their_lines() {
 }
 
 #[test]
+fn coils_are_told_apart_by_what_they_are() {
+    for (call, what) in [
+        ("kick(\"lane\")", "\"lane\" is not a kickback"),
+        ("magnet(\"lane\", true)", "\"lane\" is not a magnet"),
+        ("divert(\"lane\", true)", "\"lane\" is not a diverter"),
+        ("magnet(\"magent\", true)", "there is no part called \"magent\""),
+    ] {
+        let said = mistake(&format!("fn on_start() {{\n  {call};\n}}"));
+        assert!(said.starts_with("bench/rules.rhai:2: ") && said.contains(what), "{said}");
+    }
+}
+
+#[test]
 fn a_script_without_end_is_cut_short_and_the_game_goes_on() {
     let rules = "fn on_start() { start_game(3); }\nfn on_switch(name) {\n  score(1); loop {}\n}";
     let mut bench = Bench::new(table(rules, &["lane"], &[])).expect("the rules are sound");

@@ -114,6 +114,30 @@ fn a_script_that_forgets_the_ball_is_helped() {
 }
 
 #[test]
+fn kickback_magnet_and_diverter_do_what_the_script_says() {
+    let rules = "fn on_switch(name) { kick(\"kickback\"); magnet(\"magnet\", true); divert(\"diverter\", true); }
+        fn on_open(name) { magnet(\"magnet\", false); divert(\"diverter\", false); }
+        fn on_button(name) { if name == \"nudge-down\" { score(1); start_game(1); } }
+        fn on_slam() { game_over(); }";
+    let parts = ["lane", "kickback", "magnet", "diverter"];
+    let mut bench = Bench::new(table(rules, &parts, &[])).expect("the rules are sound");
+    bench.close("lane");
+    bench.wait(1);
+    let [kickback, magnet, diverter] = ["kickback", "magnet", "diverter"].map(|name| bench.part(name));
+    let on = [Command::Kick(kickback), Command::Magnet(magnet, true), Command::Divert(diverter, true)];
+    assert_eq!(bench.orders, on);
+    bench.orders.clear();
+    bench.hit("lane");
+    bench.wait(1);
+    assert!(bench.ordered(Command::Magnet(magnet, false)) && bench.ordered(Command::Divert(diverter, false)));
+    bench.press(Buttons::NUDGE_DOWN);
+    assert!(bench.display().playing);
+    bench.slam();
+    assert!(!bench.display().playing);
+    assert_eq!(bench.rules.take_complaints(), Vec::<String>::new());
+}
+
+#[test]
 fn a_message_that_counts_does_not_come_anew() {
     let rules = "fn on_switch(name) { this.count = 1 + if this.count == () { 0 } else { this.count };
         message(name.to_upper(), `${this.count}`, 500); }";

@@ -240,6 +240,50 @@ fn the_third_swing_of_the_bob_tilts() {
 }
 
 #[test]
+fn a_slam_ends_the_game_for_everybody_at_once() {
+    let mut bench = game();
+    bench.press(Buttons::START);
+    bench.hit("bumper-low");
+    assert_eq!(bench.display().scores.len(), 2);
+    let scores = bench.display().scores;
+    bench.orders.clear();
+    bench.slam();
+    bench.wait(1);
+    let display = bench.display();
+    assert!(!display.playing && display.progress.is_empty());
+    assert_eq!((display.message[0].as_str(), display.scores), ("SLAM TILT", scores));
+    assert!(bench.ordered(Command::SetFlippers(false)) && bench.ordered(Command::SetKickers(false)));
+    bench.wait(1000);
+    bench.drain();
+    bench.wait(10_000);
+    assert!(
+        !bench.display().playing && !bench.ordered(Command::AddBall),
+        "the ball that is lost afterwards ends nothing"
+    );
+    bench.slam();
+    bench.press(Buttons::START);
+    bench.wait(1);
+    let display = bench.display();
+    assert_eq!((display.playing, display.scores, display.ball), (true, vec![0], 1), "and another game begins");
+    assert!(bench.ordered(Command::AddBall));
+    sound(&mut bench);
+}
+
+#[test]
+fn a_ball_that_a_slam_leaves_at_the_plunger_is_played() {
+    let mut bench = spectrum();
+    bench.press(Buttons::START);
+    bench.close("shooter");
+    bench.slam();
+    bench.wait(4000);
+    bench.orders.clear();
+    bench.press(Buttons::START);
+    bench.wait(10);
+    assert!(bench.display().playing && !bench.ordered(Command::AddBall));
+    sound(&mut bench);
+}
+
+#[test]
 fn top_lanes_move_with_the_flippers_and_raise_the_bonus() {
     let mut bench = game();
     for times in [2, 3, 5, 5] {

@@ -96,6 +96,39 @@ fn mistakes_in_words_have_their_line() {
 }
 
 #[test]
+fn mistakes_in_coils_and_captive_balls_have_their_line() {
+    let ball = |r: &str| drawn(&format!(r#"<circle id="c" class="captive-ball" cx="99" cy="99" r="{r}"/>"#));
+    says(ball("12"), &["5: c: a captive ball is a pinball, so its r is 13.5, and it is 12.0"]);
+    says(ball("14.1"), &["5: c: a captive ball is a pinball"]);
+    says(drawn(r#"<line id="c" class="captive-ball" x2="9"/>"#), &["5: c: a captive-ball is drawn as a circle"]);
+    says(drawn(r#"<circle class="captive-ball" cx="99" cy="99" r="13.5"/>"#), &["5: this captive-ball has no id"]);
+    let flap = |rest: &str| drawn(&format!(r#"<line id="d" class="diverter" x1="9" y1="9" x2="9" y2="50" {rest}/>"#));
+    says(flap(""), &["5: d: a diverter needs data-turn-deg", "from -120 to 120"]);
+    says(flap(r#"data-turn-deg="130""#), &["5: d: data-turn-deg must be", "and it is `130`"]);
+    says(flap(r#"data-turn-deg="2""#), &["5: d: data-turn-deg must be 5 or more either way, and it is 2"]);
+    says(flap(r#"data-turn-deg="40" stroke-width="0.4""#), &["5: d: its stroke-width must be 1 or more"]);
+    says(
+        flap(r#"data-turn-deg="40" data-side="left""#),
+        &["5: d: a diverter has no `data-side`; it may have data-turn-deg"],
+    );
+    says(
+        drawn(r#"<circle id="k" class="kickback" cx="9" cy="9" r="9"/>"#),
+        &["5: k: a kickback is drawn as one straight"],
+    );
+    says(drawn(r#"<line id="m" class="magnet" x2="9"/>"#), &["5: m: a magnet is drawn as a circle"]);
+    says(drawn(r#"<line class="kickback" x2="9"/>"#), &["5: this kickback has no id"]);
+    let magnet = r#"<circle id="m" class="magnet" cx="99" cy="99" r="45"/>"#;
+    says(
+        one(read(magnet, "[part.m]\npull_m_s2 = 900"), "table.toml:"),
+        &["2: `pull_m_s2` must be a number from 0 to 500"],
+    );
+    says(
+        one(read(magnet, "[part.m]\nfinish = \"x\""), "table.toml:"),
+        &["2: `finish` is not known here; there are pull_m_s2"],
+    );
+}
+
+#[test]
 fn mistakes_in_numbers_have_their_line() {
     says(numbers("\nslope = 6"), &["2: `slope` is not known", "slope_deg"]);
     says(numbers("slope_deg = 90"), &["1: `slope_deg` must be a number from 0.5 to 20"]);

@@ -176,6 +176,41 @@ fn switches_and_kickers_become_what_they_are() {
 }
 
 #[test]
+fn coils_and_captive_balls_become_what_they_are() {
+    let numbers =
+        "[class.kickback]\nspeed_m_s = 4\n[part.pull]\npull_m_s2 = 55\n[class.captive-ball]\nthreshold_m_s = 0.3";
+    let drawn = r#"<line id="kick" class="kickback" x1="40" y1="900" x2="40" y2="876" stroke-width="20"/>
+        <circle id="pull" class="magnet" cx="250" cy="400" r="45"/>
+        <line id="flap" class="diverter" data-turn-deg="40" x1="300" y1="500" x2="300" y2="545" stroke-width="3"/>
+        <circle id="captive" class="captive-ball" cx="200" cy="300" r="13.3"/>"#;
+    let table = super::read(drawn, numbers).unwrap();
+    let Kind::Kickback(kick) = kind(&table, "kick") else { panic!() };
+    assert!(near(kick.tip, 0.04, 0.9) && near(kick.way, 0.0, -1.0) && kick.speed_m_s == 4.0);
+    assert!((kick.stroke_m - 0.024).abs() < 1e-12 && (kick.half_width_m - 0.01).abs() < 1e-12);
+    let Kind::Magnet(magnet) = kind(&table, "pull") else { panic!() };
+    assert!(near(magnet.circle.center, 0.25, 0.4) && (magnet.circle.radius - 0.045).abs() < 1e-12);
+    assert_eq!(magnet.pull_m_s2, 55.0);
+    let Kind::Flipper(flap) = kind(&table, "flap") else { panic!() };
+    assert_eq!((flap.trigger, flap.base.radius, flap.tip_radius_m), (physics::Trigger::Rules, 0.0015, 0.0015));
+    let quarter = std::f64::consts::FRAC_PI_2;
+    assert!((flap.rest_rad - quarter).abs() < 1e-12 && (flap.up_rad - quarter - 40.0_f64.to_radians()).abs() < 1e-12);
+    let end = flap.length_m + flap.tip_radius_m;
+    assert!(
+        (flap.mass_kg * end * end / 3.0 - 140e-6).abs() < 1e-12,
+        "its moment of inertia does not depend on its length"
+    );
+    let Kind::CaptiveBall(captive) = kind(&table, "captive") else { panic!() };
+    assert!(near(captive.center, 0.2, 0.3) && captive.threshold_m_s == 0.3);
+    let seen: Vec<&str> = table
+        .solids
+        .iter()
+        .filter_map(|solid| solid.part)
+        .map(|id| table.layout.parts[usize::from(id.0)].name.as_str())
+        .collect();
+    assert_eq!(seen, ["flap", "left"], "the stage draws rods and balls, and magnets lie below the floor");
+}
+
+#[test]
 fn a_drain_may_be_a_rectangle() {
     let svg = super::SVG.replace(
         r#"<line class="drain" x1="100" y1="980" x2="400" y2="980" stroke-width="20"/>"#,
