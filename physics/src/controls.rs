@@ -22,6 +22,19 @@ pub struct Controls {
     pub nudge_down: bool,
 }
 
+impl Controls {
+    /// Hands off.
+    pub const NONE: Controls = Controls {
+        left: false,
+        right: false,
+        plunger: false,
+        nudge_left: false,
+        nudge_right: false,
+        nudge_up: false,
+        nudge_down: false,
+    };
+}
+
 /// What the rules ask of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Command {

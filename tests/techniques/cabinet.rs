@@ -4,10 +4,11 @@ use super::{BOTH, NONE, Play};
 use physics::Controls;
 
 const PUSH_MS: usize = 30;
-const PUSHES: [Controls; 3] = [
+const PUSHES: [Controls; 4] = [
     Controls { nudge_left: true, ..NONE },
     Controls { nudge_right: true, ..NONE },
     Controls { nudge_up: true, ..NONE },
+    Controls { nudge_down: true, ..NONE },
 ];
 
 fn with(hands: Controls, push: Controls) -> Controls {

@@ -10,11 +10,10 @@ mod plunge;
 mod shot;
 
 use geometry::DVec2;
-use physics::{BALL_RADIUS_M, BallPose, Command, Controls, EventKind, Flipper, Kind, Machine};
+use physics::{BALL_RADIUS_M, BallPose, Command, Controls, EventKind, Flipper, Kind, Machine, Trigger};
 use std::sync::{Arc, OnceLock};
 
-pub const NONE: Controls =
-    Controls { left: false, right: false, plunger: false, nudge_left: false, nudge_right: false, nudge_up: false };
+pub const NONE: Controls = Controls::NONE;
 pub const LEFT: Controls = Controls { left: true, ..NONE };
 pub const RIGHT: Controls = Controls { right: true, ..NONE };
 pub const BOTH: Controls = Controls { left: true, right: true, ..NONE };
@@ -120,7 +119,7 @@ pub fn is_still(ball: &BallPose) -> bool {
 /// The left flipper's numbers.
 pub fn left_flipper() -> Flipper {
     let play = Play::new();
-    let flipper = |kind: &Kind| matches!(kind, Kind::Flipper(flipper) if flipper.left);
+    let flipper = |kind: &Kind| matches!(kind, Kind::Flipper(flipper) if flipper.trigger == Trigger::Left);
     let part = play.machine.layout().parts.iter().find(|part| flipper(&part.kind));
     match part.map(|part| part.kind.clone()) {
         Some(Kind::Flipper(flipper)) => flipper,

@@ -2,12 +2,11 @@
 
 use crate::{Failure, Table};
 use geometry::{Circle, Taper, trig};
-use physics::{Command, Controls, Error, Flipper, Kind, Layout, Machine, Part};
+use physics::{Command, Controls, Error, Flipper, Kind, Layout, Machine, Part, Trigger};
 use std::sync::Arc;
 
 /// The left button down and nothing else.
-pub const LEFT: Controls =
-    Controls { left: true, right: false, plunger: false, nudge_left: false, nudge_right: false, nudge_up: false };
+pub const LEFT: Controls = Controls { left: true, ..Controls::NONE };
 
 /// The table's playfield with only those of its parts that `keep` wants.
 pub fn bare(table: &Table, keep: impl Fn(&Part) -> bool) -> Layout {
@@ -42,7 +41,7 @@ pub fn live(layout: Layout) -> Result<Machine, Failure> {
 /// # Errors
 /// If the table has none.
 pub fn left_flipper(table: &Table) -> Result<(&Part, &Flipper), Failure> {
-    let flipper = |part: &'_ Part| matches!(&part.kind, Kind::Flipper(flipper) if flipper.left);
+    let flipper = |part: &'_ Part| matches!(&part.kind, Kind::Flipper(flipper) if flipper.trigger == Trigger::Left);
     let part = table.layout.parts.iter().find(|part| flipper(part));
     match part.map(|part| (part, &part.kind)) {
         Some((part, Kind::Flipper(flipper))) => Ok((part, flipper)),
