@@ -11,6 +11,8 @@ const INERTIA: f64 = 0.4;
 const ROLLING_RESISTANCE: f64 = 2e-4;
 /// Radius of the patch that the ball rests on; its friction slows the spin about the vertical.
 const PATCH_RADIUS_M: f64 = 3e-4;
+/// What stands on the playfield is no higher than this where a ball comes down.
+const ABOVE_M: f64 = 0.02;
 /// Below this a ball counts as still.
 const STILL_M_S: f64 = 5e-3;
 
@@ -38,6 +40,12 @@ pub(crate) struct Ball {
     pub spin: DVec3,
     pub rotation: DQuat,
     pub hold: Hold,
+    /// The track that it is on.
+    pub track: Option<u16>,
+    /// Of its lowest point above the playfield, m.
+    pub height: f64,
+    /// How fast it rises, m/s; 0 on a track.
+    pub climb: f64,
     /// Ticks since it last moved.
     pub still_ticks: u32,
 }
@@ -71,6 +79,9 @@ impl Ball {
             spin: DVec3::ZERO,
             rotation: DQuat::IDENTITY,
             hold: Hold::Free,
+            track: None,
+            height: 0.0,
+            climb: 0.0,
             still_ticks: 0,
         }
     }
@@ -85,6 +96,11 @@ impl Ball {
             Hold::Captive(index) => Some(index),
             _ => None,
         }
+    }
+
+    /// It is above all that stands on the playfield.
+    pub fn is_up(&self) -> bool {
+        self.track.is_some() || self.height > ABOVE_M
     }
 
     /// Velocity of the ball's lowest point over the playfield.
@@ -162,6 +178,8 @@ impl Ball {
             spin: self.spin.to_array(),
             rotation: self.rotation.to_array(),
             held: self.is_held(),
+            height_m: self.height,
+            above: self.is_up(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Whether a layout's numbers can be at all.
 
-use crate::{BALL_RADIUS_M, Error, Kind, Layout, Material, Part, PartId};
+use crate::{BALL_RADIUS_M, Error, Kind, Layout, Leg, Material, Part, PartId, Ramp};
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape};
 
 /// More of anything than this is a slip of the pen, in SI units.
@@ -118,6 +118,49 @@ fn shape(shape: &Shape) -> Checked {
     }
 }
 
+/// How far the end of a leg may be from the start of the next, m.
+const GAP_M: f64 = 1e-4;
+/// The highest that a floor may be, m.
+const HIGHEST_M: f64 = 0.5;
+
+fn ramp(ramp: &Ramp) -> Checked {
+    material(&ramp.material)?;
+    finite("half the width", ramp.half_width_m)?;
+    if ramp.half_width_m <= BALL_RADIUS_M {
+        return Err("its sides must be farther apart than a ball is wide".into());
+    }
+    for leg in &ramp.way {
+        match leg {
+            Leg::Line(line) => segment(line)?,
+            Leg::Turn { arc: turn, .. } => {
+                arc(turn)?;
+                positive("the angle of a turn", turn.half_angle())?;
+                if turn.circle().radius <= ramp.half_width_m + BALL_RADIUS_M {
+                    return Err("a turn must be wider than half its width and a ball's radius".into());
+                }
+            }
+        }
+    }
+    if ramp.way.is_empty() {
+        return Err("its way has no length".into());
+    }
+    if ramp.way.windows(2).any(|pair| pair[0].at(pair[0].length()).distance(pair[1].at(0.0)) > GAP_M) {
+        return Err("each leg of its way must begin where the last one ends".into());
+    }
+    if ramp.heights_m.len() != ramp.way.len() + 1 {
+        return Err(format!(
+            "its way has {} corners and ends, so it needs as many heights, not {}",
+            ramp.way.len() + 1,
+            ramp.heights_m.len()
+        ));
+    }
+    for &height in &ramp.heights_m {
+        not_negative("a height", height)?;
+        at_most("a height", height, HIGHEST_M)?;
+    }
+    Ok(())
+}
+
 fn part(part: &Part) -> Checked {
     match &part.kind {
         Kind::Wall(wall) => {
@@ -165,6 +208,7 @@ fn part(part: &Part) -> Checked {
             material(&t.material)
         }
         Kind::Rollover(r) => shape(&r.zone),
+        Kind::Ramp(r) => ramp(r),
         Kind::Gate(g) => {
             segment(&g.segment)?;
             unit("the gate's way", g.way)?;

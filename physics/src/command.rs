@@ -139,7 +139,7 @@ impl Machine {
         let plan = Arc::clone(&self.plan);
         if !(plan.gates.is_empty() && plan.spinners.is_empty()) {
             for (ball, &start) in self.state.balls.iter_mut().zip(&self.starts) {
-                if !ball.is_held() {
+                if !ball.is_held() && !ball.is_up() {
                     plates::pass(&plan, &mut self.works, ball, start);
                 }
             }

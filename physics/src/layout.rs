@@ -1,6 +1,6 @@
 //! What stands on the playfield: plain data, in SI units.
 
-use geometry::{Circle, DVec2, Segment, Shape};
+use geometry::{Arc, Circle, DVec2, Segment, Shape};
 use serde::{Deserialize, Serialize};
 
 /// The index of a part in [`Layout::parts`].
@@ -64,6 +64,8 @@ pub enum Kind {
     DropTarget(DropTarget),
     /// A switch under a ball that rolls over it.
     Rollover(Rollover),
+    /// A ramp or a wire-form: a way above the playfield.
+    Ramp(Ramp),
     /// A flap that lets the ball through one way.
     Gate(Gate),
     /// A plate on a horizontal axle that turns as the ball passes below it.
@@ -188,6 +190,37 @@ pub struct DropTarget {
 pub struct Rollover {
     /// The switch is closed while a ball's centre is in this shape.
     pub zone: Shape,
+}
+
+/// A way above the playfield, with sides. A ball that rolls in at an end that lies on the playfield is on it, and meets
+/// its sides and what else is on it, and nothing that stands below. It leaves at the ends: onto the playfield, onto another
+/// way that begins there, or falling. Where the floor is too low for a ball to pass below, its sides stand on the
+/// playfield.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ramp {
+    /// The middle of its floor, from one end to the other: each leg begins where the last one ends.
+    pub way: Vec<Leg>,
+    /// Height of the floor above the playfield at the start of each leg and at the end of the last, m: one more than
+    /// legs. In between it bends smoothly.
+    pub heights_m: Vec<f64>,
+    /// Half of the width between its sides, m: more than the ball's radius.
+    pub half_width_m: f64,
+    /// What its sides are made of.
+    pub material: Material,
+}
+
+/// A piece of a way.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Leg {
+    /// Straight on, from `a` to `b`.
+    Line(Segment),
+    /// Round a circle: from the arc's first end to its second, or backwards.
+    Turn {
+        /// The arc.
+        arc: Arc,
+        /// From its second end to its first.
+        backwards: bool,
+    },
 }
 
 /// A one-way flap across a lane.

@@ -21,6 +21,7 @@ mod event;
 mod flipper;
 mod grid;
 mod layout;
+mod levels;
 mod machine;
 mod magnet;
 mod meet;
@@ -34,6 +35,7 @@ mod settle;
 mod state;
 mod sweep;
 mod touch;
+mod track;
 mod watch;
 mod works;
 mod zones;
@@ -41,8 +43,8 @@ mod zones;
 pub use controls::{Command, Controls};
 pub use event::{Contact, Event, EventKind};
 pub use layout::{
-    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Magnet, Material, Part, PartId,
-    Plunger, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
+    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Leg, Magnet, Material, Part, PartId,
+    Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
 };
 pub use machine::{Error, Hashes, Machine};
 pub use pose::{BallPose, Pose};

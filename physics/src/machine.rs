@@ -8,7 +8,7 @@ use crate::state::{KICKER_READY_TICKS, State};
 use crate::sweep::{Scratch, Sweep};
 use crate::works::Works;
 use crate::{
-    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, magnet, rod,
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, levels, magnet, rod,
     save, zones,
 };
 use geometry::DVec2;
@@ -94,6 +94,7 @@ impl Machine {
         self.starts.extend(self.state.balls.iter().map(|ball| ball.center));
         self.move_all(&controls, shake.acceleration);
         self.move_works();
+        levels::tick(&self.plan, &mut self.state, &self.starts, TICK_S, &mut self.events);
         zones::tick(&self.plan, &mut self.state, &self.starts, &mut self.events);
         let State { balls, mechanisms } = &mut self.state;
         rod::report(&self.plan.slides, balls, &mut mechanisms.rods, &mut self.events);
@@ -179,6 +180,7 @@ impl Machine {
                 _ => DVec2::ZERO,
             };
             let mut motion = Motion::new(pull + sunk, plan.floor);
+            levels::act(plan, ball, duration, &mut motion);
             magnet::act(plan, &self.state.mechanisms, ball, duration, &mut motion);
             self.scratch.motions.push(motion);
         }
@@ -221,5 +223,5 @@ impl Machine {
 /// Whether a ball can come to where the flipper may be within the tick.
 fn may_reach(blade: &Blade, ball: &Ball) -> bool {
     let reach = blade.reach + BALL_RADIUS_M + 2.0 * ball.velocity.length() * TICK_S + 2e-3;
-    !ball.is_held() && ball.center.distance_squared(blade.pivot()) < reach * reach
+    !ball.is_held() && !ball.is_up() && ball.center.distance_squared(blade.pivot()) < reach * reach
 }

@@ -59,7 +59,7 @@ fn pull(magnet: &Magnet, center: DVec2) -> (DVec2, f64) {
 pub(crate) fn act(plan: &Plan, own: &Mechanisms, ball: &Ball, duration: f64, motion: &mut Motion) {
     let half_way = ball.center + ball.velocity * (0.5 * duration);
     for (coil, (_, magnet)) in own.coils.iter().zip(&plan.magnets) {
-        if coil.on && own.kickers_live {
+        if coil.on && own.kickers_live && !ball.is_up() {
             let (along, down) = pull(magnet, half_way);
             motion.pull += along;
             motion.floor.press += down;

@@ -5,6 +5,7 @@ use crate::ball::Floor;
 use crate::flipper::Blade;
 use crate::grid::Grid;
 use crate::rod::Slide;
+use crate::track::Track;
 use crate::{BALL_RADIUS_M, CaptiveBall, Gate, Kind, Layout, Magnet, Material, Plunger, Saucer, Spinner};
 use geometry::{DVec2, Segment, Shape, trig};
 
@@ -97,6 +98,7 @@ pub(crate) struct Plan {
     pub rod_material: Material,
     pub magnets: Vec<Numbered<Magnet>>,
     pub captives: Vec<Numbered<CaptiveBall>>,
+    pub tracks: Vec<Track>,
 }
 
 /// How far from its axle's line a plate or flap can still meet the ball.
@@ -128,11 +130,33 @@ impl Plan {
             rod_material: ROD_MATERIAL,
             magnets: Vec::new(),
             captives: Vec::new(),
+            tracks: Vec::new(),
         };
         layout.parts.iter().enumerate().for_each(|(index, part)| plan.add(index as u16, &part.kind));
         plan.obstacle_grid = Grid::new(layout.size_m, plan.obstacles.iter().map(|o| &o.shape), SKIN_M);
+        plan.add_tracks(layout);
         plan.zone_grid = Grid::new(layout.size_m, plan.zones.iter().map(|z| &z.shape), 0.0);
         plan
+    }
+
+    /// The sides of the tracks: behind all that stands on the playfield, and in no grid.
+    fn add_tracks(&mut self, layout: &Layout) {
+        for track in &mut self.tracks {
+            let Kind::Ramp(ramp) = &layout.parts[usize::from(track.part)].kind else { continue };
+            let first = self.obstacles.len();
+            self.obstacles.extend(track.sides(ramp));
+            track.sides = first..self.obstacles.len();
+        }
+        Track::join(&mut self.tracks);
+    }
+
+    /// Calls `visit` with every obstacle that may be near the straight way of a ball on this track, or on the playfield,
+    /// perhaps more than once.
+    pub fn near(&self, track: Option<u16>, from: DVec2, to: DVec2, mut visit: impl FnMut(usize)) {
+        match track {
+            None => self.obstacle_grid.visit(from, to, visit),
+            Some(track) => self.tracks[usize::from(track)].sides.clone().for_each(&mut visit),
+        }
     }
 
     fn obstacle(&mut self, part: u16, shape: Shape, material: Material, role: Role) {
@@ -185,6 +209,11 @@ impl Plan {
                 let shape = Shape::disc(s.circle.center, s.circle.radius);
                 self.zone(part, shape, Place::Saucer(self.saucers.len()));
                 self.saucers.push((part, s.clone()));
+            }
+            Kind::Ramp(ramp) => {
+                let track = Track::new(part, ramp);
+                self.obstacles.extend(track.underside(ramp));
+                self.tracks.push(track);
             }
             Kind::Drain(d) => self.zone(part, d.zone, Place::Drain),
             Kind::Plunger(p) => {

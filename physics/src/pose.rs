@@ -43,4 +43,8 @@ pub struct BallPose {
     pub rotation: [f64; 4],
     /// It is held by a saucer.
     pub held: bool,
+    /// Height of its lowest point above the playfield, m.
+    pub height_m: f64,
+    /// It is on a ramp or a wire-form, or still high above the playfield: nothing that stands there is in its way.
+    pub above: bool,
 }

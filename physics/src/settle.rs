@@ -4,6 +4,7 @@
 //! together, so that stacks, wedges and a ball on a flipper find their common speeds.
 
 use crate::BALL_RADIUS_M;
+use crate::levels::apart;
 use crate::meet::is_out_of_reach;
 use crate::plan::SKIN_M;
 use crate::sweep::{PARTING_M_S, SAME_M_S, SLOW_M_S, Sweep, bodies};
@@ -133,7 +134,8 @@ impl Sweep<'_> {
         let mut out = DVec2::ZERO;
         let mut found: [(usize, DVec2); 4] = [(usize::MAX, DVec2::ZERO); 4];
         let mut count = 0;
-        self.plan.obstacle_grid.visit(center, center, |index| {
+        let (track, up) = (self.state.balls[ball].track, self.state.balls[ball].is_up());
+        self.plan.near(track, center, center, |index| {
             let obstacle = &self.plan.obstacles[index];
             let (distance, normal) = obstacle.shape.distance(center);
             let known = found[..count].iter().any(|&(other, _)| other == index);
@@ -148,7 +150,7 @@ impl Sweep<'_> {
             let friction = self.plan.obstacles[index].material.friction;
             self.add_touch(ball, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
         }
-        for (rod, slide) in self.plan.slides.iter().enumerate() {
+        for (rod, slide) in self.plan.slides.iter().enumerate().filter(|_| !up) {
             let rod = &self.state.mechanisms.rods[rod];
             let (distance, normal) = slide.face(rod).distance(center);
             if distance <= SKIN_M {
@@ -157,7 +159,7 @@ impl Sweep<'_> {
                 self.add_touch(ball, Other::Fixed(slide.velocity(rod)), normal, 0.2, sudden);
             }
         }
-        for (index, blade) in self.plan.blades.iter().enumerate() {
+        for (index, blade) in self.plan.blades.iter().enumerate().filter(|_| !up) {
             if is_out_of_reach(blade, center, SKIN_M) {
                 continue;
             }
@@ -171,7 +173,7 @@ impl Sweep<'_> {
         }
         for other in 0..self.state.balls.len() {
             let held = self.state.balls[other].is_held();
-            if other == ball {
+            if other == ball || apart(&self.state.balls[ball], &self.state.balls[other]) {
                 continue;
             }
             let away = center - self.state.balls[other].center;

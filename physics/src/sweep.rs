@@ -5,6 +5,7 @@
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
 use crate::captive;
+use crate::levels::apart;
 use crate::meet::{STILL_M_S, TOUCH_M, cast, is_out_of_reach, keep_speed, meet, meet_flipper, ride};
 use crate::motion::{Motion, hold_back};
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
@@ -142,11 +143,14 @@ impl Sweep<'_> {
             };
             let center = self.state.balls[ball].center;
             let velocity = self.mean_velocity(ball, left);
-            self.strikes_of_obstacles(center, velocity, left, &mut offer);
-            self.strikes_of_machines(center, velocity, left, &mut offer);
-            for other in 0..self.state.balls.len() {
-                if other > ball || (other != ball && self.state.balls[other].is_held()) {
-                    let away = center - self.state.balls[other].center;
+            let own = &self.state.balls[ball];
+            self.strikes_of_obstacles(own.track, center, velocity, left, &mut offer);
+            if !own.is_up() {
+                self.strikes_of_machines(center, velocity, left, &mut offer);
+            }
+            for (other, met) in self.state.balls.iter().enumerate() {
+                if (other > ball || (other != ball && met.is_held())) && !apart(own, met) {
+                    let away = center - met.center;
                     let closing = velocity - self.mean_velocity(other, left);
                     if let Some((time, normal)) = meet(away, closing) {
                         offer(time, Target::Ball(other), normal);
@@ -159,6 +163,7 @@ impl Sweep<'_> {
 
     fn strikes_of_obstacles(
         &self,
+        track: Option<u16>,
         center: DVec2,
         velocity: DVec2,
         left: f64,
@@ -169,7 +174,7 @@ impl Sweep<'_> {
             return;
         }
         let ray = Ray { origin: center, direction: velocity / speed };
-        self.plan.obstacle_grid.visit(center, center + velocity * left, |index| {
+        self.plan.near(track, center, center + velocity * left, |index| {
             let obstacle = &self.plan.obstacles[index];
             let (distance, normal) = obstacle.shape.distance(center);
             if distance > speed * left || !self.is_solid(obstacle, center, velocity, distance) {

@@ -1,6 +1,7 @@
 //! What can be seen of a machine from outside.
 
 use crate::ball::Ball;
+use crate::levels::apart;
 use crate::plan::Role;
 use crate::works::Plate;
 use crate::{BALL_RADIUS_M, Machine, PartId, Pose, Trigger, magnet};
@@ -72,7 +73,7 @@ impl Machine {
         let mut deepest = f64::NEG_INFINITY;
         let own = &self.state.mechanisms;
         for (index, ball) in self.state.balls.iter().enumerate() {
-            self.plan.obstacle_grid.visit(ball.center, ball.center, |obstacle| {
+            self.plan.near(ball.track, ball.center, ball.center, |obstacle| {
                 let obstacle = &self.plan.obstacles[obstacle];
                 let counts = match obstacle.role {
                     Role::Drop(drop) => own.drops[drop].solid,
@@ -83,10 +84,10 @@ impl Machine {
                     deepest = deepest.max(-obstacle.shape.distance(ball.center).0);
                 }
             });
-            for (blade, rotor) in self.plan.blades.iter().zip(&own.rotors) {
+            for (blade, rotor) in self.plan.blades.iter().zip(&own.rotors).filter(|_| !ball.is_up()) {
                 deepest = deepest.max(BALL_RADIUS_M - blade.taper(rotor.angle).distance(ball.center).0);
             }
-            for other in &self.state.balls[index + 1..] {
+            for other in self.state.balls[index + 1..].iter().filter(|other| !apart(ball, other)) {
                 deepest = deepest.max(2.0 * BALL_RADIUS_M - ball.center.distance(other.center));
             }
         }

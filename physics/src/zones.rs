@@ -32,8 +32,9 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
         let center = state.balls[index].center;
         let in_play = state.balls[index].captive().is_none();
         let mut near: Vec<usize> = Vec::new();
+        let up = state.balls[index].is_up();
         plan.zone_grid.visit(start, center, |zone| {
-            if !near.contains(&zone) {
+            if !up && !near.contains(&zone) {
                 near.push(zone);
             }
         });

@@ -9,5 +9,6 @@ mod kickback;
 mod machine;
 mod magnet;
 mod mechanisms;
+mod ramp;
 mod rolling;
 mod shots;
