@@ -8,8 +8,8 @@ use crate::state::{KICKER_READY_TICKS, State};
 use crate::sweep::{Scratch, Sweep};
 use crate::works::Works;
 use crate::{
-    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, levels, magnet, rod,
-    save, zones,
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, levels,
+    magnet, rod, save, zones,
 };
 use geometry::DVec2;
 use std::sync::Arc;

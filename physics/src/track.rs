@@ -198,7 +198,7 @@ impl Leg {
     }
 
     /// The unit vector of the way `along` m from its start.
-    fn way_at(&self, along: f64) -> DVec2 {
+    pub fn way_at(&self, along: f64) -> DVec2 {
         match self {
             Leg::Line(line) => line.along().normalize(),
             Leg::Turn { arc, backwards } => {
@@ -223,7 +223,7 @@ impl Leg {
     }
 
     /// The line that runs `offset` m beside it: over 0 on the side of `perp` of its way.
-    fn beside(&self, offset: f64) -> Core {
+    pub fn beside(&self, offset: f64) -> Core {
         match self {
             Leg::Line(Segment { a, b }) => {
                 let side = self.way_at(0.0).perp() * offset;

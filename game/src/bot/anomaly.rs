@@ -177,6 +177,9 @@ impl Watch {
             Some(index) => pose.drop_targets.get(index).is_some_and(|(_, up)| *up >= 1.0),
             None => true,
         };
+        if ball.above {
+            return None; // what stands on the playfield is below it, and its own way is a part of the machine's
+        }
         let near = |solid: &&Solid| solid.shape.bounds().grown(BALL_RADIUS_M).contains(ball.center);
         let solids = self.solids.iter().filter(near).filter(|solid| stands(solid));
         let solids = solids.map(|solid| (solid.name.as_str(), solid.shape.distance(ball.center).0));

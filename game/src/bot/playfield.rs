@@ -181,6 +181,8 @@ mod tests {
             spin: [0.0; 3],
             rotation: [0.0, 0.0, 0.0, 1.0],
             held: false,
+            height_m: 0.0,
+            above: false,
         };
         let ticks = seen.arrives_in(&ball).unwrap();
         assert!((180..240).contains(&ticks), "{ticks} ticks for about 0.4 m at 2 m/s");

@@ -9,7 +9,7 @@ use crate::Table;
 use crate::picture::placement::{Lens, Placement};
 use crate::simulation::Snapshot;
 use geometry::{Bounds, Circle, Core, DVec2, Hit, Ray, Shape, Taper, trig};
-use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Part, Pose};
+use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Leg, Part, Pose};
 
 /// What the parts of a frame cost, ms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -61,6 +61,7 @@ pub struct Debug {
 }
 
 const SOLID: u32 = 0x4f_d8ff;
+const ABOVE: u32 = 0xff_c86b;
 const SENSOR: u32 = 0x8a_ff9a;
 const RAY: u32 = 0xff_5fd2;
 const CAPTIVE: u32 = 0xff_d28a;
@@ -285,11 +286,17 @@ fn standing(part: &Kind) -> Vec<(Shape, u32)> {
         Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
         Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
         Kind::Drain(drain) => vec![(drain.zone, SENSOR)],
+        Kind::Ramp(ramp) => ramp.way.iter().flat_map(|leg| sides(leg, ramp.half_width_m)).collect(),
         Kind::Magnet(magnet) => vec![(Shape::disc(magnet.circle.center, magnet.circle.radius), SENSOR)],
         Kind::Flipper(_) | Kind::Plunger(_) | Kind::Kickback(_) | Kind::DropTarget(_) | Kind::CaptiveBall(_) => {
             Vec::new()
         }
     }
+}
+
+/// The two sides of a piece of a way above the playfield.
+fn sides(leg: &Leg, half_width_m: f64) -> [(Shape, u32); 2] {
+    [-half_width_m, half_width_m].map(|offset| (Shape { core: leg.beside(offset), radius: 0.0005 }, ABOVE))
 }
 
 /// The shapes of a part that moves, m, where they are in a pose.

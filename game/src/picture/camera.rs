@@ -110,7 +110,16 @@ mod tests {
     const SHOWN: DVec2 = DVec2::new(257.0, 533.5);
 
     fn ball(center: DVec2, velocity: DVec2) -> BallPose {
-        BallPose { id: 1, center, velocity, spin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0], held: false }
+        BallPose {
+            id: 1,
+            center,
+            velocity,
+            spin: [0.0; 3],
+            rotation: [0.0, 0.0, 0.0, 1.0],
+            held: false,
+            height_m: 0.0,
+            above: false,
+        }
     }
 
     fn moment(tick: u64, balls: Vec<BallPose>) -> Snapshot {

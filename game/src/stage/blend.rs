@@ -41,7 +41,9 @@ fn blend_pose(a: &Pose, b: &Pose, alpha: f64) -> Pose {
 
 fn blend_ball(a: &BallPose, b: &BallPose, alpha: f64) -> BallPose {
     let rotation = nlerp(a.rotation, b.rotation, alpha);
-    BallPose { center: a.center.lerp(b.center, alpha), velocity: a.velocity.lerp(b.velocity, alpha), rotation, ..*b }
+    let height_m = a.height_m + (b.height_m - a.height_m) * alpha;
+    let (center, velocity) = (a.center.lerp(b.center, alpha), a.velocity.lerp(b.velocity, alpha));
+    BallPose { center, velocity, rotation, height_m, ..*b }
 }
 
 /// Each part of `b`, blended with the same part of `a` where that has it at the same place.
@@ -86,7 +88,16 @@ mod tests {
 
     fn ball(id: u32, x: f64) -> BallPose {
         let (center, velocity) = (DVec2::new(x, 0.0), DVec2::ZERO);
-        BallPose { id, center, velocity, spin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0], held: false }
+        BallPose {
+            id,
+            center,
+            velocity,
+            spin: [0.0; 3],
+            rotation: [0.0, 0.0, 0.0, 1.0],
+            held: false,
+            height_m: 0.0,
+            above: false,
+        }
     }
 
     fn with_balls(balls: Vec<BallPose>) -> Snapshot {

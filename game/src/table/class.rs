@@ -25,6 +25,8 @@ pub(super) enum Class {
     Magnet,
     Diverter,
     CaptiveBall,
+    Ramp,
+    WireForm,
     Lamp,
     Insert,
     Plastic,
@@ -49,7 +51,7 @@ const fn key(name: &'static str, default: f64, min: f64, max: f64) -> Key {
 
 impl Class {
     /// All of them.
-    pub const ALL: [Class; 23] = [
+    pub const ALL: [Class; 25] = [
         Class::Wall,
         Class::Guide,
         Class::Rubber,
@@ -70,6 +72,8 @@ impl Class {
         Class::Magnet,
         Class::Diverter,
         Class::CaptiveBall,
+        Class::Ramp,
+        Class::WireForm,
         Class::Lamp,
         Class::Insert,
         Class::Plastic,
@@ -98,6 +102,8 @@ impl Class {
             Class::Magnet => "magnet",
             Class::Diverter => "diverter",
             Class::CaptiveBall => "captive-ball",
+            Class::Ramp => "ramp",
+            Class::WireForm => "wire-form",
             Class::Lamp => "lamp",
             Class::Insert => "insert",
             Class::Plastic => "plastic",
@@ -124,6 +130,11 @@ impl Class {
         !matches!(self, Class::Lamp | Class::Insert | Class::Plastic)
     }
 
+    /// A way above the playfield.
+    pub fn is_above(self) -> bool {
+        matches!(self, Class::Ramp | Class::WireForm)
+    }
+
     /// Of no use without a name that rules can say.
     pub fn needs_id(self) -> bool {
         !self.stands() && !matches!(self, Class::Drain | Class::Plunger | Class::Gate | Class::Plastic)
@@ -141,6 +152,8 @@ impl Class {
                     | Class::Target
                     | Class::DropTarget
                     | Class::Gate
+                    | Class::Ramp
+                    | Class::WireForm
             )
     }
 
@@ -156,6 +169,7 @@ impl Class {
             Class::Diverter => &["turn-deg"],
             Class::Gate => &["way"],
             Class::Saucer => &["eject-deg", "eject-m-s"],
+            Class::Ramp | Class::WireForm => &["heights-mm"],
             Class::Lamp => &["inside"],
             _ => &[],
         };

@@ -135,8 +135,7 @@ impl Build {
         for &(thing, group) in &grouped {
             let built = build.thing(thing, group, numbers, group_of);
             match built {
-                Ok(Some(solid)) => heights.push((solids::height(thing.class), solid)),
-                Ok(None) => {}
+                Ok(solids) => heights.extend(solids.into_iter().map(|solid| (solids::height(thing.class), solid))),
                 Err(why) => mistakes.push(svg.mistake(thing.at, format!("{}: {why}", thing.name))),
             }
         }
@@ -151,19 +150,22 @@ impl Build {
         group: u16,
         numbers: &Numbers,
         group_of: impl Fn(&str) -> Option<u16>,
-    ) -> Result<Option<Solid>, String> {
+    ) -> Result<Vec<Solid>, String> {
         match thing.class {
             Class::Lamp | Class::Insert => {
                 self.lamps.push(lamps::lamp(thing, numbers, group_of)?);
-                Ok(None)
+                Ok(Vec::new())
             }
-            Class::Plastic => solids::solid(thing, None, group, numbers),
+            Class::Plastic => Ok(solids::solid(thing, None, group, numbers)?.into_iter().collect()),
             _ => {
                 let id = PartId(self.parts.len() as u16);
                 let part = Part { name: thing.name.clone(), kind: parts::kind(thing, numbers)? };
-                let solid = solids::solid(thing, Some((id, &part)), group, numbers)?;
+                let solids = match &part.kind {
+                    physics::Kind::Ramp(ramp) => solids::above(thing, id, ramp, group, numbers)?,
+                    _ => solids::solid(thing, Some((id, &part)), group, numbers)?.into_iter().collect(),
+                };
                 self.parts.push(part);
-                Ok(solid)
+                Ok(solids)
             }
         }
     }

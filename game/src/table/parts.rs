@@ -1,6 +1,7 @@
 //! What the ball can meet: things and numbers become [`physics::Part`]s, in SI units.
 
 mod coils;
+mod ramp;
 
 use super::class::Class;
 use super::drawing::Thing;
@@ -57,6 +58,7 @@ pub(super) fn kind(thing: &Thing, numbers: &Numbers) -> Result<Kind, String> {
             eject_m_s: trig::direction(degrees(thing, "eject-deg")?) * data(thing, "eject-m-s", 0.05, 20.0)?,
         }),
         Class::Plunger => Kind::Plunger(plunger(thing, line()?, number)),
+        Class::Ramp | Class::WireForm => Kind::Ramp(ramp::ramp(thing, material)?),
         Class::Kickback => Kind::Kickback(coils::kickback(thing, line()?, number)),
         Class::Magnet => Kind::Magnet(physics::Magnet { circle: circle()?, pull_m_s2: number("pull_m_s2") }),
         Class::Diverter => Kind::Flipper(coils::diverter(thing, line()?, material, number)?),
@@ -99,7 +101,8 @@ fn material(thing: &Thing, numbers: &Numbers) -> Material {
         Class::Flipper => "flipper-rubber",
         Class::Target => "target",
         Class::DropTarget => "drop-target",
-        Class::Gate => "wire",
+        Class::Gate | Class::WireForm => "wire",
+        Class::Ramp => "metal",
         _ => "wood",
     };
     let said = numbers.material(thing.class, &thing.name).or_else(|| numbers.materials.get(usual));

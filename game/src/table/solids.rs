@@ -1,5 +1,9 @@
 //! What casts shadows and has a top that can be seen.
 
+mod above;
+
+pub(super) use above::above;
+
 use super::class::Class;
 use super::drawing::Thing;
 use super::numbers::{FinishWords, Numbers};
@@ -39,6 +43,7 @@ pub(super) fn height(class: Class) -> u8 {
     match class {
         Class::Flipper => 1,
         Class::Plastic => 2,
+        class if class.is_above() => 3,
         _ => 0,
     }
 }
@@ -123,6 +128,8 @@ fn finish(thing: &Thing, numbers: &Numbers) -> Result<Finish, String> {
 
 fn usual(class: Class) -> (Profile, f32) {
     match class {
+        Class::Ramp => (Profile::Bevel(1.0), 0.6),
+        Class::WireForm => (Profile::Dome, 0.9),
         Class::Wall => (Profile::Bevel(1.0), 0.15),
         Class::Guide | Class::Diverter => (Profile::Bevel(0.6), 0.7),
         Class::Rubber | Class::Slingshot => (Profile::Dome, 0.15),

@@ -149,7 +149,8 @@ fn no_energy_is_made_above_the_playfield() {
     let press = PRESS * libm::cos(6.5_f64.to_radians());
     let energy = |ball: &BallPose| {
         let spin: f64 = ball.spin.iter().map(|s| s * s).sum();
-        0.5 * ball.velocity.length_squared() + 0.2 * BALL_RADIUS_M * BALL_RADIUS_M * spin - gravity * (ball.center.y - 2.0)
+        0.5 * ball.velocity.length_squared() + 0.2 * BALL_RADIUS_M * BALL_RADIUS_M * spin
+            - gravity * (ball.center.y - 2.0)
             + press * ball.height_m
     };
     let mut chance = Chance(8);

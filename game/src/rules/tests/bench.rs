@@ -228,5 +228,14 @@ impl Bench {
 }
 
 fn ball(id: u32, center: DVec2) -> BallPose {
-    BallPose { id, center, velocity: DVec2::ZERO, spin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0], held: false }
+    BallPose {
+        id,
+        center,
+        velocity: DVec2::ZERO,
+        spin: [0.0; 3],
+        rotation: [0.0, 0.0, 0.0, 1.0],
+        held: false,
+        height_m: 0.0,
+        above: false,
+    }
 }
