@@ -5,7 +5,7 @@ use crate::table::drawing::Thing;
 use crate::table::outline::Outline;
 use crate::table::pen::{Piece, Run};
 use geometry::{DVec2, Segment};
-use physics::{Leg, Material};
+use physics::{BALL_RADIUS_M, Leg, Material};
 
 /// What a height of a ramp may be, mm.
 const HEIGHTS_MM: std::ops::RangeInclusive<f64> = 0.0..=200.0;
@@ -23,6 +23,14 @@ pub(super) fn ramp(thing: &Thing, material: Material) -> Result<physics::Ramp, S
         Outline::Circle(_) => return Err("it is drawn as one open line, not as a circle".to_string()),
     };
     let heights_m = heights(thing, way.len() + 1)?;
+    let ball_mm = BALL_RADIUS_M / M_PER_MM;
+    if thing.radius_mm() <= ball_mm {
+        return Err(format!("its stroke-width must be more than a ball's {} mm", 2.0 * ball_mm));
+    }
+    let tightest = thing.radius_mm() + ball_mm;
+    if way.iter().any(|leg| matches!(leg, Leg::Turn { arc, .. } if arc.circle().radius / M_PER_MM <= tightest)) {
+        return Err(format!("a turn must have a radius of {tightest} or more, half its width and a ball's radius"));
+    }
     Ok(physics::Ramp { way, heights_m, half_width_m: thing.radius_mm() * M_PER_MM, material })
 }
 

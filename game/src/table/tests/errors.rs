@@ -96,6 +96,22 @@ fn mistakes_in_words_have_their_line() {
 }
 
 #[test]
+fn mistakes_in_ramps_have_their_line() {
+    let ramp = |way: &str, rest: &str| drawn(&format!(r#"<path id="r" class="ramp" d="{way}" {rest}/>"#));
+    let wide = r#"stroke-width="40" data-heights-mm="0 40""#;
+    says(ramp("M99 99 V50", r#"stroke-width="40""#), &["5: r: it needs heights", "2 heights", "from 0 to 200"]);
+    says(ramp("M99 99 V50 H90", wide), &["5: r: data-heights-mm must give 3 heights"]);
+    says(ramp("M99 99 V50", r#"stroke-width="40" data-heights-mm="0 x""#), &["5: r: data-heights-mm must give 2"]);
+    says(ramp("M99 99 V50", r#"stroke-width="40" data-heights-mm="0 -4""#), &["5: r: data-heights-mm must give 2"]);
+    says(ramp("M99 99 V50 H50 Z", wide), &["5: r: it is drawn as one open line"]);
+    says(drawn(r#"<circle id="r" class="ramp" cx="99" cy="99" r="9"/>"#), &["5: r: it is drawn as one open line"]);
+    says(ramp("M99 99 V50", r#"stroke-width="26" data-heights-mm="0 40""#), &["5: r: its stroke-width must be more"]);
+    says(ramp("M99 99 A30 30 0 0 1 129 69", wide), &["5: r: a turn must have a radius of 33.5 or more"]);
+    let wires = r#"<path class="wire-form" d="M9 9 V50" stroke-width="30" data-heights-mm="0 9"/>"#;
+    says(drawn(wires), &["5: this wire-form has no id"]);
+}
+
+#[test]
 fn mistakes_in_coils_and_captive_balls_have_their_line() {
     let ball = |r: &str| drawn(&format!(r#"<circle id="c" class="captive-ball" cx="99" cy="99" r="{r}"/>"#));
     says(ball("12"), &["5: c: a captive ball is a pinball, so its r is 13.5, and it is 12.0"]);

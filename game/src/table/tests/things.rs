@@ -211,6 +211,30 @@ fn coils_and_captive_balls_become_what_they_are() {
 }
 
 #[test]
+fn ramps_have_a_height_at_each_corner_and_wire_forms_have_wires() {
+    let drawn = r#"<path id="up" class="ramp" d="M200 800 V700 A60 60 0 0 1 260 640 H300" stroke-width="44" fill="none"
+            data-heights-mm="0, 40 50 50"/>
+        <path id="down" class="wire-form" d="M300 640 A60 60 0 0 0 360 580" stroke-width="30" fill="none"
+            data-heights-mm="50 20"/>"#;
+    let table = super::read(drawn, "").unwrap();
+    let Kind::Ramp(up) = kind(&table, "up") else { panic!() };
+    assert_eq!((up.way.len(), up.heights_m.as_slice()), (3, &[0.0, 0.04, 0.05, 0.05][..]));
+    assert!((up.half_width_m - 0.022).abs() < 1e-12);
+    let ends: Vec<DVec2> = up.way.iter().flat_map(|leg| [leg.at(0.0), leg.at(leg.length())]).collect();
+    assert!(near(ends[0], 0.2, 0.8) && near(ends[5], 0.3, 0.64), "{ends:?}");
+    assert!(ends[1].distance(ends[2]) < 1e-9 && ends[3].distance(ends[4]) < 1e-9, "each leg begins where one ends");
+    let Kind::Ramp(down) = kind(&table, "down") else { panic!() };
+    assert!(near(down.way[0].at(0.0), 0.3, 0.64) && near(down.way[0].at(down.way[0].length()), 0.36, 0.58));
+    let solids = |name: &str| {
+        let named = |id: physics::PartId| table.layout.parts[usize::from(id.0)].name == name;
+        table.solids.iter().filter(|solid| solid.part.is_some_and(named)).collect::<Vec<_>>()
+    };
+    assert!(solids("up").len() == 2 && solids("up")[0].plastic_mm.is_some(), "a floor and its sides");
+    assert!(solids("down").len() == 1 && solids("down")[0].shapes_mm.len() > 4, "two wires and their hoops");
+    assert!(table.solids.iter().filter(|solid| solid.shadow).all(|solid| !solids("up").contains(&solid)));
+}
+
+#[test]
 fn a_drain_may_be_a_rectangle() {
     let svg = super::SVG.replace(
         r#"<line class="drain" x1="100" y1="980" x2="400" y2="980" stroke-width="20"/>"#,
