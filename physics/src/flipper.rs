@@ -115,7 +115,7 @@ impl Blade {
     }
 
     /// Torque of coil and spring, positive when it lifts.
-    fn lift(&self, rotor: &Rotor) -> f64 {
+    pub fn lift(&self, rotor: &Rotor) -> f64 {
         rotor.coil - self.flipper.spring_torque_n_m
     }
 

@@ -32,7 +32,7 @@ pub(crate) fn act(plan: &Plan, ball: &Ball, duration: f64, motion: &mut Motion) 
 
 /// After a tick: balls change tracks, and fall. `starts` is where they were before it.
 pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], duration: f64, events: &mut Vec<Event>) {
-    for index in 0..state.balls.len() {
+    for (index, &start) in starts.iter().enumerate() {
         let ball = &mut state.balls[index];
         if ball.is_held() || ball.captive().is_some() {
             continue;
@@ -41,7 +41,7 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], duration: f
             Some(track) => follow(plan, ball, track, events),
             None if ball.height > 0.0 => fall(plan, state, index, duration),
             None => {
-                let entered = plan.tracks.iter().position(|track| track.is_entered(starts[index], ball.center));
+                let entered = plan.tracks.iter().position(|track| track.is_entered(start, ball.center));
                 ball.track = entered.map(|track| track as u16);
             }
         }

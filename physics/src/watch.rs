@@ -12,6 +12,7 @@ impl Machine {
     pub fn pose(&self) -> Pose {
         let (plan, own) = (&self.plan, &self.state.mechanisms);
         let angles = plan.blades.iter().zip(&own.rotors).map(|(blade, rotor)| (PartId(blade.part), rotor.angle));
+        let torques = plan.blades.iter().zip(&own.rotors).map(|(blade, rotor)| (PartId(blade.part), blade.lift(rotor)));
         let drops = plan.drops.iter().enumerate().map(|(index, d)| (PartId(d.part), self.works.height(index)));
         let plates = |parts: Vec<u16>, plate: fn(usize) -> Plate| {
             let angle = |(index, part)| (PartId(part), self.works.angle(plate(index)));
@@ -28,6 +29,7 @@ impl Machine {
             balls: self.in_play().map(Ball::pose).collect(),
             captives: self.state.balls.iter().filter_map(captive).collect(),
             flippers_rad: angles.collect(),
+            torques_n_m: torques.collect(),
             drop_targets: drops.collect(),
             spinners_rad: plates(plan.spinners.iter().map(|&(part, _)| part).collect(), Plate::Spinner),
             gates_rad: plates(plan.gates.iter().map(|&(part, _)| part).collect(), Plate::Gate),

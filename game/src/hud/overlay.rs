@@ -1,6 +1,10 @@
 //! What happens behind the picture: the shapes that balls and light share, where each ball is going, what it has
 //! touched, and what the frame cost.
 
+mod shapes;
+
+use shapes::{first_hit, moving, standing};
+
 use super::canvas::{Canvas, Rect};
 use super::layer::{Kept, Layer};
 use super::lettering::{Align, Family, Lettering, Style};
@@ -8,8 +12,8 @@ use super::{AMBER, IVORY, NIGHT};
 use crate::Table;
 use crate::picture::placement::{Lens, Placement};
 use crate::simulation::Snapshot;
-use geometry::{Bounds, Circle, Core, DVec2, Hit, Ray, Shape, Taper, trig};
-use physics::{BALL_RADIUS_M, BallPose, Contact, Kind, Layout, Leg, Part, Pose};
+use geometry::{Bounds, Circle, Core, DVec2, Ray, Shape, Taper, trig};
+use physics::{BALL_RADIUS_M, BallPose, Contact, Flipper, Kind};
 
 /// What the parts of a frame cost, ms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,11 +64,12 @@ pub struct Debug {
     pub touches: Vec<Touch>,
 }
 
-const SOLID: u32 = 0x4f_d8ff;
-const ABOVE: u32 = 0xff_c86b;
-const SENSOR: u32 = 0x8a_ff9a;
 const RAY: u32 = 0xff_5fd2;
-const CAPTIVE: u32 = 0xff_d28a;
+const IMPULSE: u32 = 0xff_4d3a;
+/// How long an impulse of one newton second is drawn, px.
+const IMPULSE_PX: f64 = 160.0;
+/// How far round a torque of one newton metre is drawn, rad.
+const TORQUE_RAD: f64 = 0.63;
 
 /// The moment that is looked into.
 #[derive(Clone, Copy)]
@@ -108,6 +113,9 @@ impl Overlay {
         lay(canvas, subject.placement.table, &subject.marks(debug));
         for ball in subject.moving_balls() {
             subject.tell_speed(canvas, lettering, ball);
+        }
+        for (flipper, torque) in subject.torques() {
+            subject.tell_torque(canvas, lettering, flipper, torque);
         }
         self.figures(canvas, lettering, subject, &debug.times);
     }
@@ -175,7 +183,39 @@ impl Subject<'_> {
             self.add_ray(ball, &mut marks);
         }
         debug.touches.iter().for_each(|touch| self.add_touch(touch, &mut marks));
+        self.torques().for_each(|(flipper, torque)| self.add_torque(flipper, torque, &mut marks));
         marks
+    }
+
+    /// The flippers, each with what its coil and its spring turn it with, N m.
+    fn torques(&self) -> impl Iterator<Item = (&Flipper, f64)> {
+        self.moment.pose.torques_n_m.iter().filter_map(|&(part, torque)| {
+            match self.table.layout.parts.get(usize::from(part.0)).map(|part| &part.kind) {
+                Some(Kind::Flipper(flipper)) => Some((flipper, torque)),
+                _ => None,
+            }
+        })
+    }
+
+    /// A torque as an arc round the pivot, from the way that the flipper points at rest: a tenth of a turn a newton metre.
+    fn add_torque(&self, flipper: &Flipper, torque: f64, marks: &mut Vec<Mark>) {
+        let lifts = (flipper.up_rad - flipper.rest_rad).signum();
+        let sweep = (lifts * torque * TORQUE_RAD).clamp(-3.0, 3.0);
+        let circle = Circle { center: flipper.base.center, radius: 1.7 * flipper.base.radius };
+        if sweep.abs() > 1e-3 {
+            let arc = geometry::Arc::new(circle, flipper.rest_rad, sweep);
+            let color = if torque > 0.0 { AMBER } else { RAY };
+            let mut mark = self.outline(Shape { core: Core::Arc(arc), radius: 0.0 }, color, 255);
+            mark.line = Some(2.4);
+            marks.push(mark);
+        }
+    }
+
+    fn tell_torque(&self, canvas: &mut Canvas, lettering: &mut Lettering, flipper: &Flipper, torque: f64) {
+        let place = self.screen(flipper.base.center);
+        let y = place.y - 2.2 * flipper.base.radius * self.px_per_m();
+        let text = format!("{torque:.1} N m");
+        lettering.write(canvas, &text, self.style(), Align::Centre, place.x as f32, y as f32);
     }
 
     /// The ball's way as the simulation and the light know it: a ray to the first hit, the ball there, and the normal.
@@ -200,6 +240,8 @@ impl Subject<'_> {
         let length = 8.0 + 12.0 * touch.contact.speed_m_s.abs().min(5.0);
         marks.push(Mark { shape: Shape::disc(point, 2.5), line: None, color: AMBER, alpha });
         marks.push(line(point, point + touch.contact.normal * length, 1.4, AMBER, alpha));
+        let impulse = touch.contact.impulse_n_s * IMPULSE_PX;
+        marks.push(line(point, point + impulse.clamp_length_max(90.0), 2.4, IMPULSE, alpha));
     }
 
     fn tell_speed(&self, canvas: &mut Canvas, lettering: &mut Lettering, ball: &BallPose) {
@@ -258,80 +300,6 @@ fn moved(shape: Shape, by: DVec2) -> Shape {
         Core::Taper(taper) => Core::Taper(Taper { a: circle(taper.a), b: circle(taper.b) }),
     };
     Shape { core, ..shape }
-}
-
-/// Where a ball that flies along `ray` first meets something solid: the same rays, the same shapes, grown by the
-/// ball's radius.
-fn first_hit(layout: &Layout, pose: &Pose, ball: &BallPose, ray: &Ray) -> Option<Hit> {
-    let still = layout.parts.iter().flat_map(|part| standing(&part.kind));
-    let moving = layout.parts.iter().enumerate().flat_map(|(index, part)| moving(index, part, pose));
-    let captives = pose.captives.iter().map(|(_, captive)| captive);
-    let others = pose.balls.iter().chain(captives).filter(|other| other.id != ball.id);
-    let balls = others.map(|other| Shape::disc(other.center, BALL_RADIUS_M));
-    let solids = still.chain(moving).filter(|(_, color)| *color == SOLID).map(|(shape, _)| shape);
-    let cast = |shape: Shape| shape.inflated(BALL_RADIUS_M).cast(ray);
-    solids.chain(balls).map(cast).fold(None, Hit::nearer)
-}
-
-/// The shapes of a part that stand still, m, with the colour of what they do.
-fn standing(part: &Kind) -> Vec<(Shape, u32)> {
-    let thin = |segment: geometry::Segment| Shape::capsule(segment.a, segment.b, 0.0005);
-    match part {
-        Kind::Wall(wall) => wall.shapes.iter().map(|&shape| (shape, SOLID)).collect(),
-        Kind::Bumper(bumper) => vec![(Shape::disc(bumper.circle.center, bumper.circle.radius), SOLID)],
-        Kind::Slingshot(sling) => vec![(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), SOLID)],
-        Kind::Target(target) => vec![(target.shape, SOLID)],
-        Kind::Rollover(rollover) => vec![(rollover.zone, SENSOR)],
-        Kind::Gate(gate) => vec![(thin(gate.segment), SENSOR)],
-        Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
-        Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
-        Kind::Drain(drain) => vec![(drain.zone, SENSOR)],
-        Kind::Ramp(ramp) => ramp.way.iter().flat_map(|leg| sides(leg, ramp.half_width_m)).collect(),
-        Kind::Magnet(magnet) => vec![(Shape::disc(magnet.circle.center, magnet.circle.radius), SENSOR)],
-        Kind::Flipper(_) | Kind::Plunger(_) | Kind::Kickback(_) | Kind::DropTarget(_) | Kind::CaptiveBall(_) => {
-            Vec::new()
-        }
-    }
-}
-
-/// The two sides of a piece of a way above the playfield.
-fn sides(leg: &Leg, half_width_m: f64) -> [(Shape, u32); 2] {
-    [-half_width_m, half_width_m].map(|offset| (Shape { core: leg.beside(offset), radius: 0.0005 }, ABOVE))
-}
-
-/// The shapes of a part that moves, m, where they are in a pose.
-fn moving(index: usize, part: &Part, pose: &Pose) -> Vec<(Shape, u32)> {
-    let value = |parts: &[(physics::PartId, f64)]| {
-        parts.iter().find(|(id, _)| usize::from(id.0) == index).map(|(_, value)| *value)
-    };
-    match &part.kind {
-        Kind::Flipper(flipper) => {
-            let angle = value(&pose.flippers_rad).unwrap_or(flipper.rest_rad);
-            let center = flipper.base.center + trig::direction(angle) * flipper.length_m;
-            let taper = Taper { a: flipper.base, b: Circle { center, radius: flipper.tip_radius_m } };
-            vec![(Shape { core: Core::Taper(taper), radius: 0.0 }, SOLID)]
-        }
-        Kind::DropTarget(target) => {
-            let up = value(&pose.drop_targets).is_none_or(|height| height > 0.5);
-            vec![(target.shape, if up { SOLID } else { SENSOR })]
-        }
-        Kind::Plunger(plunger) => {
-            let tip = plunger.tip - plunger.way * (plunger.stroke_m * pose.plunger);
-            let half = plunger.way.perp() * plunger.half_width_m;
-            vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
-        }
-        Kind::Kickback(kickback) => {
-            let out = value(&pose.kickers).unwrap_or_default();
-            let tip = kickback.tip + kickback.way * (kickback.stroke_m * out);
-            let half = kickback.way.perp() * kickback.half_width_m;
-            vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
-        }
-        Kind::CaptiveBall(_) => {
-            let captive = pose.captives.iter().find(|(id, _)| usize::from(id.0) == index);
-            captive.map(|(_, ball)| (Shape::disc(ball.center, BALL_RADIUS_M), CAPTIVE)).into_iter().collect()
-        }
-        _ => Vec::new(),
-    }
 }
 
 #[cfg(test)]
