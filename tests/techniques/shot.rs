@@ -43,14 +43,14 @@ fn a_shot_up_the_ramp_comes_home_on_the_wires_to_the_right_flipper() {
         let mut play = Play::new().ball((x, 600.0), (0.0, -speed));
         play.until(NONE, 4000, |play| play.has_met("wire"))?;
         let before: Vec<f64> = play.first().iter().map(|ball| ball.height_m).collect();
-        play.until(NONE, 400, |play| play.first().is_some_and(|ball| ball.height_m == 0.0))?;
+        play.until(NONE, 400, |play| play.first().is_some_and(|ball| ball.height_m < 0.003))?;
         let ball = play.first()?;
         Some((before[0], play.switches.clone(), ball.center))
     };
     for speed in [1.9, 2.5, 3.5, 5.0] {
         let (height, switches, place) = home(speed, 270.0).expect("it goes up and comes down");
         assert!(switches.starts_with(&["ramp".into(), "wire".into()]), "{speed} m/s: {switches:?}");
-        assert!(height > 0.02 && (0.33..0.43).contains(&place.x), "{speed} m/s: from {height} m to {place}");
+        assert!(height > 0.02 && (0.34..0.43).contains(&place.x), "{speed} m/s: from {height} m to {place}");
     }
     assert!(home(0.8, 270.0).is_none(), "a slow ball rolls back");
     assert!(home(2.5, 320.0).is_none(), "and one that misses does not go up");
