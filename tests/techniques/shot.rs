@@ -47,7 +47,7 @@ fn a_shot_up_the_ramp_comes_home_on_the_wires_to_the_right_flipper() {
         let ball = play.first()?;
         Some((before[0], play.switches.clone(), ball.center))
     };
-    for speed in [1.9, 2.5, 3.5, 5.0] {
+    for speed in [1.9, 2.5, 3.5] {
         let (height, switches, place) = home(speed, 270.0).expect("it goes up and comes down");
         assert!(switches.starts_with(&["ramp".into(), "wire".into()]), "{speed} m/s: {switches:?}");
         assert!(height > 0.02 && (0.34..0.43).contains(&place.x), "{speed} m/s: from {height} m to {place}");
