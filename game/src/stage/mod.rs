@@ -127,7 +127,7 @@ impl Stage {
             let center_mm = pose.center * MM_PER_M;
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM };
             let rotation = pose.rotation.map(|part| part as f32);
-            scene.balls.push(tracer::Ball { center_mm, radius_mm, group, rotation });
+            scene.balls.push(tracer::Ball { center_mm, radius_mm, height_mm: 0.0, group, rotation });
             scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
         }
     }
