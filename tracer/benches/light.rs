@@ -113,6 +113,14 @@ fn cold_by_balls(bencher: Bencher, count: u16) {
     cold(bencher, Path::best(), &scene);
 }
 
+#[divan::bench(args = [0.0, 5.0, 20.0, 70.0])]
+fn warm_by_height_of_a_ball(bencher: Bencher, height_mm: f64) {
+    let mut props = Props::default();
+    let mut scene = table(&mut props, 540);
+    testing::lift(&mut scene, &[height_mm]);
+    warm(bencher, Path::best(), &mut scene);
+}
+
 #[divan::bench(args = [0, 3, 12])]
 fn warm_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();

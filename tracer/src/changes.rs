@@ -14,8 +14,13 @@ use std::cmp::Ordering;
 /// Room for rounding, mm.
 pub(crate) const MARGIN_MM: f64 = 0.01;
 
-/// Where a ball's contact shadow ends, in the ball's radii.
-pub(crate) const CONTACT_RADII: f64 = 4.0;
+/// Where the contact shadow ends of a ball that lies on the floor, in the ball's radii.
+const CONTACT_RADII: f64 = 4.0;
+
+/// How far from its middle a ball darkens the light from everywhere, mm.
+pub(crate) fn contact_mm(ball: &Ball) -> f64 {
+    ball.radius_mm * CONTACT_RADII + ball.lift_mm()
+}
 
 /// An insert as the last picture showed it: its mask by its place in memory.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +96,7 @@ impl Changes {
         self.compare_glows(scene);
         self.contacts.clear();
         for ball in self.balls.iter().chain(&scene.balls) {
-            self.contacts.push((ball.center_mm, ball.radius_mm * CONTACT_RADII));
+            self.contacts.push((ball.center_mm, contact_mm(ball)));
         }
         self.still = self.balls == scene.balls;
         self.balls.clone_from(&scene.balls);

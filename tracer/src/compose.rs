@@ -1,7 +1,7 @@
 //! The tile's pictures that no lamp above the floor makes: light from everywhere, light of its own, inserts that glow.
 
 use crate::albedo;
-use crate::changes::CONTACT_RADII;
+use crate::changes::contact_mm;
 use crate::irradiance::{DARKNESS, Light, light_floor_ambient, light_top_ambient};
 use crate::lanes::{LANES, clones, max};
 use crate::layer::TopLayer;
@@ -114,32 +114,33 @@ impl Workspace {
     }
 }
 
-/// Darkens `out` where a ball hides the sky: a sphere that rests on the floor, seen from there, hides the part
-/// `(r / s)^2 cos`, s being the distance of its middle.
+/// Darkens `out` where a ball hides the sky: a sphere, seen from the floor, hides the part `(r / s)^2 cos`, s being the
+/// distance of its middle.
 pub(crate) fn shade_contacts(stage: &Stage, place: &Place, out: &mut Light) {
     for ball in stage.scene.balls.iter().filter(|ball| touches(ball, place)) {
         let from_tile = ball.center_mm - place.middle_mm;
         shade_contact(
             stage.path,
             stage.whole_tile,
-            [from_tile.x as f32, from_tile.y as f32, ball.radius_mm as f32],
+            [from_tile.x as f32, from_tile.y as f32, (ball.radius_mm + ball.lift_mm()) as f32],
+            ball.radius_mm as f32,
             out,
         );
     }
 }
 
 clones! {
-    fn shade_contact(pixels: &Points, ball: [f32; 3], out: &mut Light) = shade_contact_lanes;
+    fn shade_contact(pixels: &Points, middle: [f32; 3], radius: f32, out: &mut Light) = shade_contact_lanes;
 }
 
 #[inline(always)]
-fn shade_contact_lanes(pixels: &Points, [bx, by, radius]: [f32; 3], out: &mut Light) {
+fn shade_contact_lanes(pixels: &Points, [bx, by, bz]: [f32; 3], radius: f32, out: &mut Light) {
     let [red, green, blue] = out;
     for row in 0..TILE {
         for i in 0..LANES {
             let (dx, dy) = (pixels.x[row][i] - bx, pixels.y[row][i] - by);
-            let square = max(dx * dx + dy * dy + radius * radius, 1e-6);
-            let hidden = radius * radius * radius / (square * square.sqrt());
+            let square = max(dx * dx + dy * dy + bz * bz, 1e-6);
+            let hidden = radius * radius * bz / (square * square.sqrt());
             let open = 1.0 - 0.9 * hidden;
             red[row][i] *= open;
             green[row][i] *= open;
@@ -154,6 +155,6 @@ pub(crate) fn has_contacts(stage: &Stage, place: &Place) -> bool {
 }
 
 fn touches(ball: &Ball, place: &Place) -> bool {
-    let reach = ball.radius_mm * CONTACT_RADII + place.radius_mm;
+    let reach = contact_mm(ball) + place.radius_mm;
     ball.center_mm.distance_squared(place.middle_mm) < reach * reach
 }

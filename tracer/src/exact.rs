@@ -4,6 +4,7 @@
 
 use crate::candidates::Candidates;
 use crate::silhouette::{Bulge, Disc, Link, Silhouettes};
+use crate::sphere::open_share;
 use crate::{Group, Lamp, Rgb, Scene, filter};
 use geometry::{Circle, DVec2, Taper, trig};
 
@@ -13,7 +14,7 @@ const TOUCHING_MM: f64 = 1e-9;
 /// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
 const PARTS: u32 = 32;
 
-/// What arrives at a point of the floor from all lamps; occluders of the group `exclude` cast no shadow.
+/// What arrives at a point of the floor from all lamps; what is of the group `exclude` casts no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb {
     let mut silhouettes = Silhouettes::default();
     silhouettes.set(&scene.occluders);
@@ -28,8 +29,9 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
                 let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
                 visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, &without, &mut Vec::new())
             });
+            let open = open_share(&scene.balls, lamp, point_mm, exclude);
             for channel in 0..3 {
-                sum[channel] += f64::from(lamp.color[channel]) * falloff * seen[channel];
+                sum[channel] += f64::from(lamp.color[channel]) * falloff * open * seen[channel];
             }
         }
     }

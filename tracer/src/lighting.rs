@@ -178,26 +178,26 @@ impl Workspace {
     ) -> Verdict {
         let mut without = [Group(0); filter::MOST + 1];
         without[..away.len()].copy_from_slice(away);
-        let mut count = away.len();
+        let mut own = None;
         let (points, blocks) = if let Some(layer) = layer {
             let TopLayer { form, points, .. } = &self.tops[layer];
-            without[count] = stage.scene.tops[*form].group;
-            count += 1;
+            own = Some(stage.scene.tops[*form].group);
             (points, points.blocks_in(rows))
         } else {
             (if self.whole { stage.whole_tile } else { &self.floor }, self.floor_blocks(rows))
         };
+        let count = away.len() + own.iter().len();
+        without[away.len()..count].copy_from_slice(own.as_slice());
         let mut gaze = Gaze {
             stage,
             near: &self.near[at],
-            lamp: &stage.lamps[at].lamp,
-            middle: place.middle_mm,
-            corner: (place.x, place.y),
+            lit: &stage.lamps[at],
+            place,
             between: &mut self.between,
             room: &mut self.room,
             fraction: &mut self.fraction,
         };
-        gaze.sees(points, blocks, &without[..count])
+        gaze.sees(points, blocks, &without[..count], own)
     }
 }
 

@@ -3,6 +3,12 @@
 //!
 //! What says anything else is not drawn: it gives no light, casts no shadow, has no top. [`Scene::check`] says what that
 //! would be.
+//!
+//! What is drawn simpler than it is: occluders are columns that never end, so a lamp's height changes no shadow of theirs.
+//! Only a ball that floats ([`Ball::floats`]) has a height, and is a sphere. What is below it is taken to be floor, tops
+//! too; itself it is lit, and mirrors, as if it lay on the floor. The part of a lamp that it hides and the part that others
+//! hide are multiplied, as if neither knew of the other: where both hide some of it, that is wrong by a quarter of the lamp
+//! at the worst. A ball that takes off exchanges the shadow of a column for that of a sphere, which may end.
 
 use crate::{Ball, Emitter, Filter, Finish, Glow, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
 use geometry::{Core, DVec2, Shape, Taper};
@@ -133,8 +139,11 @@ fn wrong_with_filter(filter: &Filter) -> Option<&'static str> {
     (!right).then_some("must let pass from 0 to 1 of each colour")
 }
 
-fn wrong_with_ball(ball: &Ball) -> Option<&'static str> {
+pub(crate) fn wrong_with_ball(ball: &Ball) -> Option<&'static str> {
     let turns = ball.rotation.iter().all(|&part| within(f64::from(part), 2.0));
+    if !within(ball.height_mm, LARGEST_MM) {
+        return Some("must be at most 100 m high");
+    }
     let right = is_place(ball.center_mm) && ball.radius_mm > 0.0 && within(ball.radius_mm, LARGEST_MM) && turns;
     (!right)
         .then_some("must be within 10 km of the origin, of a radius over 0 and at most 100 m, turned by a quaternion")

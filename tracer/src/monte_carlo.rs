@@ -11,6 +11,8 @@ use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene, limits};
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
 
+mod balls;
+
 /// Neighbouring samples that are cast against the same shapes.
 const TOGETHER: u32 = 128;
 
@@ -35,7 +37,8 @@ pub(crate) struct Place {
     pub size: (usize, usize),
 }
 
-/// What arrives at a point of the floor from all lamps, by `sampling`; occluders of the group `exclude` cast no shadow.
+/// What arrives at a point of the floor from all lamps, by `sampling`; what is of the group `exclude` casts no
+/// shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampling: Sampling) -> Rgb {
     let mut sum = [0.0; 3];
     let mut near = Vec::new();
@@ -49,7 +52,8 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
             } else {
                 rays.arriving_through(scene, lamp, exclude)
             };
-            let strength = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
+            let open = rays.open_share(&scene.balls, lamp, exclude);
+            let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * strength * seen[channel];
             }
@@ -69,21 +73,26 @@ impl Sampling {
         without: &[Group],
         fraction: &mut Plane,
     ) {
-        let of_lamp = Name::new(self.seed, 0).at(lamp.center_mm);
         let mut near = Vec::new();
+        self.each_point(lamp, points, &at, |rays, block, lane| {
+            fraction[block][lane] = rays.map_or(0.0, |rays| {
+                let Arriving { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
+                (seen / all) as f32
+            });
+        });
+    }
+
+    /// Calls `work` with the rays of each point and its place; there are none from what nobody sees.
+    fn each_point(&self, lamp: &Lamp, points: &Points, at: &Place, mut work: impl FnMut(Option<Rays>, usize, usize)) {
+        let of_lamp = Name::new(self.seed, 0).at(lamp.center_mm);
         for point in 0..points.count {
             let (block, lane) = (point / LANES, point % LANES);
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
             let pixel = usize::from(points.pixel[point]);
             let (x, y) = (at.corner.0 + pixel % TILE, at.corner.1 + pixel / TILE);
-            if x >= at.size.0 || y >= at.size.1 {
-                fraction[block][lane] = 0.0;
-                continue;
-            }
             let name = of_lamp.next((y as u64) << 32 | x as u64);
-            let rays = Rays { sampling: *self, name, point: at.middle_mm + offset };
-            let Arriving { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
-            fraction[block][lane] = (seen / all) as f32;
+            let there = x < at.size.0 && y < at.size.1;
+            work(there.then(|| Rays { sampling: *self, name, point: at.middle_mm + offset }), block, lane);
         }
     }
 }

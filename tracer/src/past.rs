@@ -1,7 +1,7 @@
 //! What the last picture was made of, what has moved since, and the tiles that remember it.
 
 use crate::memory::TileMemory;
-use crate::{Lamp, Occluder, View};
+use crate::{Ball, Group, Lamp, Occluder, Scene, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
@@ -20,6 +20,8 @@ pub(crate) struct Known {
     lamp: Lamp,
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
+    /// The same of balls that float.
+    pub floated: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
@@ -29,6 +31,10 @@ pub(crate) struct Known {
 pub(crate) struct Past {
     view: Option<View>,
     occluders: Vec<Occluder>,
+    /// The balls that float, not turned.
+    floating: Vec<Ball>,
+    /// Those of the picture that is to come.
+    next: Vec<Ball>,
     /// The lamps, by the numbers that [`TileMemory`] knows them by.
     pub known: Vec<Known>,
     /// The tiles, band by band.
@@ -39,7 +45,8 @@ pub(crate) struct Past {
 
 impl Past {
     /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
-    pub fn turn_page(&mut self, view: &View, occluders: &[Occluder], bands: usize, tiles: usize) {
+    pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
+        let Scene { view, occluders, .. } = scene;
         if self.view.as_ref() != Some(view) || self.known.len() > MOST_LAMPS {
             self.view = Some(*view);
             self.known.clear();
@@ -49,12 +56,19 @@ impl Past {
                 band.iter_mut().for_each(TileMemory::forget);
             }
         }
-        let Past { occluders: old, known, .. } = self;
-        each_move(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        let Past { occluders: old, floating, next, known, .. } = self;
+        let group = |occluder: &Occluder| occluder.group;
+        each_move(old, occluders, group, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        next.clear();
+        next.extend(scene.balls.iter().filter(|ball| ball.floats()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        let group = |ball: &Ball| ball.group;
+        each_move(floating, next, group, |ball| known.iter_mut().for_each(|known| known.floated.push(*ball)));
+        std::mem::swap(floating, next);
         for known in &mut self.known {
-            if known.moved.len() > MOST_MOVES {
+            if known.moved.len() + known.floated.len() > MOST_MOVES {
                 known.lost = true;
                 known.moved.clear();
+                known.floated.clear();
             }
         }
         self.occluders.clear();
@@ -70,7 +84,7 @@ impl Past {
     pub fn number(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
         self.known.iter().position(|known| known.lamp == black).unwrap_or_else(|| {
-            self.known.push(Known { lamp: black, moved: Vec::new(), lost: true });
+            self.known.push(Known { lamp: black, moved: Vec::new(), floated: Vec::new(), lost: true });
             self.known.len() - 1
         })
     }
@@ -78,17 +92,19 @@ impl Past {
     /// The lamp of this number has been looked at from everywhere.
     pub fn looked_at(&mut self, number: usize) {
         self.known[number].moved.clear();
+        self.known[number].floated.clear();
         self.known[number].lost = false;
     }
 }
 
 /// Calls `moved` for what was in the old list and is not in the new one, and the other way round. What comes and goes
 /// leaves the others where they were, as long as they keep their order.
-fn each_move(mut old: &[Occluder], mut new: &[Occluder], mut moved: impl FnMut(&Occluder)) {
+fn each_move<T: PartialEq>(mut old: &[T], mut new: &[T], group: impl Fn(&T) -> Group, mut moved: impl FnMut(&T)) {
     while let (Some((before, older)), Some((now, newer))) = (old.split_first(), new.split_first()) {
         let changed = before != now;
-        let came = changed && before.group != now.group && newer.iter().any(|other| other.group == before.group);
-        let gone = changed && before.group != now.group && !came;
+        let another = changed && group(before) != group(now);
+        let came = another && newer.iter().any(|other| group(other) == group(before));
+        let gone = another && !came;
         if changed && !came {
             moved(before);
         }

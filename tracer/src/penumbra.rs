@@ -9,7 +9,7 @@ use crate::lanes::LANES;
 use crate::place::Place;
 use crate::points::TILE;
 use crate::silhouette::{Disc, Link, Silhouettes};
-use crate::{Group, Lamp};
+use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
 
 /// Rows of a tile, one bit each, the topmost in the lowest.
@@ -23,6 +23,9 @@ const MOST: usize = 4;
 
 /// Things of more discs are taken to shadow everything.
 const MOST_DISCS: usize = 8;
+
+/// Room for rounding in what a floating ball hides, mm.
+const FLOATING_MARGIN_MM: f64 = 0.05;
 
 /// A thing is where `normal . x <= offset`, the lamp where it is more.
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +92,30 @@ impl Penumbra {
         penumbra
     }
 
+    /// That of a ball that floats: of one that is all below the lamp a box round its shadow, else what the shadow of a
+    /// column would be, since whatever meets the ball meets the column.
+    pub fn of_floating(lamp: &Lamp, ball: &Ball) -> Penumbra {
+        let (height, radius) = (lamp.height_mm(), ball.radius_mm + FLOATING_MARGIN_MM);
+        let below = height - (ball.radius_mm + ball.lift_mm());
+        let (group, link) = (ball.group, Link::Start);
+        if below <= 1.01 * radius {
+            let column = Disc { center: ball.center_mm, radius, group, link };
+            return Penumbra::of(lamp, &Silhouettes::default(), &[column]);
+        }
+        let square = below * below - radius * radius;
+        let from_lamp = ball.center_mm - lamp.center_mm;
+        let ahead = from_lamp.try_normalize().unwrap_or(DVec2::X);
+        let line = |normal: DVec2| {
+            let room = lamp.tube().map_or(lamp.radius_mm(), |half| normal.dot(half).abs());
+            // Seen along the floor the ball is a circle, and the last ray that it stops its tangent.
+            let off = normal.dot(from_lamp) + room;
+            let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
+            let margin = FLOATING_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
+            Some(Line { normal, offset: normal.dot(lamp.center_mm) + far - room + margin })
+        };
+        Penumbra { group, lines: [ahead, -ahead, ahead.perp(), -ahead.perp()].map(line) }
+    }
+
     /// Whether the shadow may fall into a square round `middle_mm`, half of whose side is given.
     pub fn may_reach(&self, middle_mm: DVec2, half_mm: f64) -> bool {
         let beyond = |line: &Line| {
@@ -118,8 +145,10 @@ impl Penumbra {
 mod tests {
     use super::*;
     use crate::candidates::Candidates;
+    use crate::floating::Floating;
+    use crate::points::Points;
     use crate::testing::{Random, any_shape};
-    use crate::{Emitter, Occluder, View, exact};
+    use crate::{Emitter, Occluder, Path, View, exact, sphere};
 
     /// A lamp somewhere, a disc or a segment.
     fn any_lamp(random: &mut Random, size: DVec2) -> Lamp {
@@ -129,6 +158,38 @@ mod tests {
         };
         let center_mm = random.within(size);
         Lamp { center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
+    }
+
+    /// Nor does a ball in the air.
+    #[test]
+    fn rows_that_are_left_alone_are_below_no_floating_ball() {
+        let (mut random, size) = (Random(10), DVec2::splat(160.0));
+        let (mut left_alone, mut dark) = (0, 0);
+        for round in 0..3_000 {
+            let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
+            let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
+            let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
+            let ball = Ball { center_mm, radius_mm, height_mm, group: Group(1), rotation: [0.0; 4] };
+            let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
+            let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
+            let place = Place::new(&view, 0, 0);
+            let penumbra = Penumbra::of_floating(&lamp, &ball);
+            let reaches = penumbra.may_reach(place.middle_mm, place.half_mm);
+            let rows = if reaches { penumbra.rows(&place, view.mm_per_px) } else { 0 };
+            let points = Points::whole_tile(view.mm_per_px);
+            let mut fraction = [[1.0; LANES]; TILE];
+            Floating::new(&lamp, &ball).veil(Path::best(), &place, &points, ALL_ROWS, &mut fraction);
+            for (row, column) in (0..TILE).flat_map(|row| [0, 5, 10, 15].map(|column| (row, column))) {
+                let point = view.origin_mm + (DVec2::new(column as f64, row as f64) + 0.5) * view.mm_per_px;
+                let seen = sphere::open_share(&[ball], &lamp, point, None);
+                let alone = rows >> row & 1 == 0;
+                let whole = seen > 1.0 - 1e-12 && fraction[row][column] == 1.0;
+                assert!(whole || !alone, "{seen} in row {row} of {view:?}, {lamp:?}, {ball:?}");
+                left_alone += u32::from(alone);
+                dark += u32::from(seen < 1.0);
+            }
+        }
+        assert!(left_alone > 50_000 && dark > 10_000, "{left_alone} pixels left alone, {dark} in shadow");
     }
 
     /// A thing takes no light from a pixel of a row that its shadow is said not to fall on.

@@ -6,8 +6,9 @@
 use crate::candidates::Candidates;
 use crate::monte_carlo::{self, Sampling};
 use crate::silhouette::Silhouettes;
+use crate::sphere::open_share;
 use crate::testing::{Random, white};
-use crate::{Frame, Lamp, Radiance, Renderer, Scene, exact, flip, tone};
+use crate::{Ball, Frame, Lamp, Radiance, Renderer, Scene, exact, flip, tone};
 use geometry::DVec2;
 use rayon::prelude::*;
 
@@ -54,14 +55,16 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
         occluders: scene.occluders.clone(),
         filters: scene.filters.clone(),
         tops: Vec::new(),
-        balls: Vec::new(),
+        balls: scene.balls.iter().copied().filter(Ball::floats).collect(),
         glows: Vec::new(),
         floor: &floor,
         ambient: [0.0; 3],
         ..*scene
-    };
+    }
+    .drawable();
     let mut radiance = Radiance::default();
-    Renderer::new().render(&bare, &mut radiance);
+    // What lies below a floating ball is judged too.
+    Renderer::new().render_table(&bare, &mut radiance);
     let sampling = Sampling { samples: SAMPLES, seed, stratified: true };
     let pixels = choose(&bare, count, seed);
     let differences = pixels.par_iter().map(|&(x, y)| {
@@ -139,7 +142,8 @@ impl<'a> Hard<'a> {
             || self.lamps.iter().any(|(lamp, candidates)| {
                 let seen = || {
                     let room = &mut Vec::new();
-                    exact::visible_fraction_of(&self.silhouettes, candidates, lamp, point, &[], room)
+                    let open = open_share(&self.scene.balls, lamp, point, None);
+                    open * exact::visible_fraction_of(&self.silhouettes, candidates, lamp, point, &[], room)
                 };
                 lamp.falloff(point) > 0.0 && (0.01..0.99).contains(&seen())
             })

@@ -102,14 +102,17 @@ pub enum Profile {
     Dome,
 }
 
-/// A chrome ball.
+/// A chrome ball. One that lies on the floor has its shadow from the occluder of the same group; one that floats has none
+/// there, and hides lamps from what is below it as the sphere that it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
     /// The middle, mm.
     pub center_mm: DVec2,
     /// The radius, mm.
     pub radius_mm: f64,
-    /// Its group; its shadow is the occluder of the same group.
+    /// How far its lowest point is above the floor, mm; up to [`Ball::LEAST_HEIGHT_MM`], and below 0, it lies on it.
+    pub height_mm: f64,
+    /// Its group.
     pub group: Group,
     /// How it has turned: a unit quaternion x, y, z, w. Scratches on the chrome show it.
     pub rotation: [f32; 4],
@@ -153,6 +156,22 @@ pub struct Floor {
     pub normals: Vec<[i8; 2]>,
     /// Strength of the highlights on the floor's lacquer: 0 is matt, 1 is a mirror's.
     pub gloss: f32,
+}
+
+impl Ball {
+    /// A ball that is no higher than this lies on the floor, mm: from a point right under a ball that touches the floor,
+    /// the ball hides everything, and what it hides there would have no end.
+    pub const LEAST_HEIGHT_MM: f64 = 0.1;
+
+    /// Whether it is in the air: then it needs no occluder.
+    pub fn floats(&self) -> bool {
+        self.height_mm > Ball::LEAST_HEIGHT_MM
+    }
+
+    /// How high it is above the floor that it lies on, mm: 0 if it does not float.
+    pub(crate) fn lift_mm(&self) -> f64 {
+        if self.floats() { self.height_mm } else { 0.0 }
+    }
 }
 
 impl Mask {

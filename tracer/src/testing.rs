@@ -5,8 +5,8 @@ mod growth;
 mod jumble;
 mod room;
 
-pub use growth::{with_balls, with_lamps, with_posts};
-pub use jumble::{any_shape, jumble, mixed_jumble};
+pub use growth::{lift, with_balls, with_lamps, with_posts};
+pub use jumble::{any_shape, floating_jumble, jumble, mixed_jumble};
 pub use room::room;
 
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
@@ -316,7 +316,7 @@ impl Builder {
                 let group = self.next();
                 let center_mm = DVec2::new(x, y);
                 self.occluders.push(Occluder { shape: Shape::disc(center_mm, 13.5), group });
-                Ball { center_mm, radius_mm: 13.5, group, rotation: [0.3, 0.2, 0.1, 0.927_361_85] }
+                Ball { center_mm, radius_mm: 13.5, height_mm: 0.0, group, rotation: [0.3, 0.2, 0.1, 0.927_361_85] }
             })
             .collect()
     }

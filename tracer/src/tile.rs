@@ -9,6 +9,7 @@ use crate::candidates::Candidates;
 use crate::changes::{Changes, MARGIN_MM, Nearby, is_near};
 use crate::compose::{has_contacts, shade_contacts};
 use crate::coverage::{Edge, Form};
+use crate::floating::Floating;
 use crate::gist::{CELLS, Means, means_of};
 use crate::irradiance::{DARKNESS, Light, Normals, Surface};
 use crate::lanes::{LANES, Path};
@@ -69,6 +70,8 @@ pub(crate) struct Lit {
     pub circle: (DVec2, f64),
     /// What may stand in its way.
     pub candidates: Candidates,
+    /// The balls in the air that may hide it.
+    pub floating: Vec<Floating>,
     /// What has moved since it was looked at last.
     pub things: Silhouettes,
     /// Where the shadows of these may fall.
@@ -84,7 +87,7 @@ impl Lit {
     pub fn new(lamp: &Lamp, number: usize) -> Lit {
         let (candidates, things) = (Candidates::default(), Silhouettes::default());
         let circle = (lamp.center_mm, lamp.far_mm());
-        Lit { lamp: *lamp, circle, candidates, things, moved: Vec::new(), lost: true, number }
+        Lit { lamp: *lamp, circle, candidates, floating: Vec::new(), things, moved: Vec::new(), lost: true, number }
     }
 }
 

@@ -32,7 +32,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// All lamps flash, the balls roll to and fro: when every thread has been everywhere, everything is there. Which thread
+/// All lamps flash, two balls roll to and fro and one floats: when every thread has been everywhere, everything is there. Which thread
 /// goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
 #[test]
 fn a_warm_renderer_allocates_nothing() {
@@ -41,6 +41,7 @@ fn a_warm_renderer_allocates_nothing() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
     pool.install(|| {
         let mut scene = testing::table(view, &props);
+        testing::lift(&mut scene, &[12.0]);
         let (mut renderer, mut film) = (Renderer::new(), Film::default());
         let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);

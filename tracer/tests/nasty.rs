@@ -77,9 +77,11 @@ fn top() -> impl Strategy<Value = Top> {
 
 fn ball() -> impl Strategy<Value = Ball> {
     let turn = || number().prop_map(|part| part as f32);
-    (place(), number(), [turn(), turn(), turn(), turn()]).prop_map(|(center_mm, radius_mm, rotation)| Ball {
+    let ball = (place(), number(), number(), [turn(), turn(), turn(), turn()]);
+    ball.prop_map(|(center_mm, radius_mm, height_mm, rotation)| Ball {
         center_mm,
         radius_mm,
+        height_mm,
         group: Group(3),
         rotation,
     })

@@ -31,6 +31,26 @@ fn the_room_passes() {
     passes("room", judge(&scene, Some(&testing::room(1.3, &small)), 120, 2));
 }
 
+/// Balls in the air: low and high on the table, and of all sizes among lamps and walls.
+#[test]
+fn floating_balls_pass() {
+    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, testing::SIZE_MM));
+    let (props, small_props) = (testing::props(&view), testing::props(&small));
+    let [scene, small] = [(view, &props), (small, &small_props)].map(|(view, props)| {
+        let mut scene = testing::table(view, props);
+        scene.lamps.iter_mut().step_by(2).for_each(|lamp| lamp.height_mm = 120.0);
+        testing::lift(&mut scene, &[60.0, 20.0, 0.5]);
+        scene
+    });
+    passes("table", judge(&scene, Some(&small), 60, 3));
+    let (floor, small) = (testing::white(160, 160), testing::white(10, 10));
+    (0..16).into_par_iter().for_each(|seed| {
+        let scene = testing::floating_jumble(seed, &floor);
+        let small = (seed % 4 == 0).then(|| smaller(&scene, &small));
+        passes(&format!("jumble {seed}"), judge(&scene, small.as_ref(), 60, seed));
+    });
+}
+
 #[test]
 fn twenty_jumbles_pass() {
     let (floor, small) = (testing::white(160, 160), testing::white(10, 10));

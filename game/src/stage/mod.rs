@@ -28,6 +28,9 @@ const MM_PER_M: f64 = 1000.0;
 /// A ball's radius, mm.
 pub const BALL_RADIUS_MM: f64 = physics::BALL_RADIUS_M * MM_PER_M;
 
+/// How far above the floor a player's eye is, mm.
+const EYE_MM: f64 = 1100.0;
+
 /// A ball that lies in a saucer is lower, so less of it stands out of the hole.
 const SUNK: f64 = 0.9;
 
@@ -125,10 +128,14 @@ impl Stage {
         for (index, pose) in captives.chain(&moment.pose.balls).enumerate() {
             let group = Group(self.free_group.saturating_add(1 + index as u16));
             let center_mm = pose.center * MM_PER_M;
-            let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM };
+            let height_mm = pose.height_m * MM_PER_M;
+            let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
             let rotation = pose.rotation.map(|part| part as f32);
-            scene.balls.push(tracer::Ball { center_mm, radius_mm, group, rotation });
-            scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
+            let ball = tracer::Ball { center_mm, radius_mm, height_mm, group, rotation };
+            if !ball.floats() {
+                scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
+            }
+            scene.balls.push(ball);
         }
     }
 }
@@ -165,6 +172,11 @@ impl Actor {
         }
         scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
     }
+}
+
+/// How much larger a thing looks that is `height_mm` nearer to the eye than the floor.
+fn nearness(height_mm: f64) -> f64 {
+    EYE_MM / (EYE_MM - height_mm.clamp(0.0, 0.5 * EYE_MM))
 }
 
 /// What a translucent thing lets pass: its colour, as deep as the glass is thick, so squared.

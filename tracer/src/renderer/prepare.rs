@@ -4,12 +4,14 @@
 use super::Renderer;
 use crate::bands::BLOCK;
 use crate::coverage::Form;
+use crate::floating::Floating;
 use crate::numbers::Numbers;
 use crate::past::{MOST_GLOWS, MOST_LAMPS};
 use crate::penumbra::Penumbra;
 use crate::points::{Points, TILE};
+use crate::sphere::hiding;
 use crate::tile::Lit;
-use crate::{Finish, Lamp, Scene, Top};
+use crate::{Finish, Scene, Top};
 use rayon::prelude::*;
 
 impl Renderer {
@@ -19,8 +21,8 @@ impl Renderer {
         self.silhouettes.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
-        self.past.turn_page(&scene.view, &scene.occluders, bands, tiles);
-        let count = self.prepare_lamps(&scene.lamps);
+        self.past.turn_page(scene, bands, tiles);
+        let count = self.prepare_lamps(scene);
         let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
         if remembered {
             self.number_lamps();
@@ -57,9 +59,9 @@ impl Renderer {
     }
 
     /// Finds what may be in the way of the lamps that shine; says how many there are.
-    fn prepare_lamps(&mut self, lamps: &[Lamp]) -> usize {
+    fn prepare_lamps(&mut self, scene: &Scene) -> usize {
         let mut count = 0;
-        for lamp in lamps.iter().filter(|lamp| lamp.shines()) {
+        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
             let number = self.past.number(lamp);
             match self.lamps.get_mut(count) {
                 Some(lit) => (lit.lamp, lit.circle, lit.number) = (*lamp, (lamp.center_mm, lamp.far_mm()), number),
@@ -75,6 +77,10 @@ impl Renderer {
             lit.candidates.set(&lit.lamp, silhouettes);
             lit.things.set(&known.moved);
             Penumbra::of_all(&lit.lamp, &lit.things, &mut lit.moved);
+            lit.floating.clear();
+            lit.floating.extend(hiding(&scene.balls, &lit.lamp, None).map(|ball| Floating::new(&lit.lamp, ball)));
+            let floated = hiding(&known.floated, &lit.lamp, None);
+            lit.moved.extend(floated.map(|ball| Penumbra::of_floating(&lit.lamp, ball)));
         });
         count
     }

@@ -35,9 +35,18 @@ pub fn with_balls(scene: &mut Scene, count: u16) {
     scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
     for at in 0..count {
         let (center_mm, group) = (random.within(SIZE_MM), Group(1000 + at));
-        scene.balls.push(Ball { center_mm, radius_mm: BALL_MM, group, rotation: [0.0, 0.0, 0.0, 1.0] });
+        scene.balls.push(Ball { center_mm, radius_mm: BALL_MM, height_mm: 0.0, group, rotation: [0.0, 0.0, 0.0, 1.0] });
         scene.occluders.push(Occluder { shape: Shape::disc(center_mm, BALL_MM), group });
     }
+}
+
+/// Lifts the first balls to heights, mm, and takes away what casts the shadows of those that float.
+pub fn lift(scene: &mut Scene, heights_mm: &[f64]) {
+    for (ball, &height_mm) in scene.balls.iter_mut().zip(heights_mm) {
+        ball.height_mm = height_mm;
+    }
+    let Scene { balls, occluders, .. } = scene;
+    occluders.retain(|occluder| !balls.iter().any(|ball| ball.floats() && ball.group == occluder.group));
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Shapes of every kind, thrown among a few lamps.
 
 use super::{Random, white_view};
-use crate::{Emitter, Floor, Group, Lamp, Occluder, Scene};
+use crate::{Ball, Emitter, Floor, Group, Lamp, Occluder, Scene};
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 
 /// How many occluders a jumble has.
@@ -32,6 +32,19 @@ pub fn mixed_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     }
     lamps[2].inside = Some(Group(101));
     Scene { lamps, occluders, ..white_view(floor, 1.0) }
+}
+
+/// As [`mixed_jumble`], with three balls in the air: far below most lamps, among them, and often above some.
+pub fn floating_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
+    let mut scene = mixed_jumble(seed, floor);
+    let mut random = Random(seed ^ 0xf10a_7b41);
+    let size = DVec2::new(floor.width as f64, floor.height as f64);
+    for (group, most_mm) in [(200, 8.0), (201, 20.0), (202, 40.0)] {
+        let (center_mm, radius_mm) = (random.within(size), random.between(2.0, 13.5));
+        let height_mm = random.between(0.2, most_mm);
+        scene.balls.push(Ball { center_mm, radius_mm, height_mm, group: Group(group), rotation: [0.0, 0.0, 0.0, 1.0] });
+    }
+    scene
 }
 
 fn disc(random: &mut Random, size: DVec2) -> Lamp {
