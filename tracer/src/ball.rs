@@ -10,7 +10,7 @@ use crate::irradiance::Light;
 use crate::lanes::{Path, clamp, max};
 use crate::points::TILE;
 use crate::silhouette::Silhouettes;
-use crate::{Ball, Filter, Lamp, Rgb, View, exact, filter, surroundings as room};
+use crate::{Ball, Filter, Lamp, Rgb, Veil, View, exact, filter, surroundings as room};
 use geometry::DVec2;
 use rayon::prelude::*;
 
@@ -65,6 +65,8 @@ pub(crate) struct Patch {
     arriving: Rgb,
     /// What may stand before a lamp, and the parts that it hides: room to work in.
     near: Candidates,
+    /// What hangs above it.
+    veils: Vec<Veil>,
     intervals: Vec<(f64, f64)>,
 }
 
@@ -75,6 +77,8 @@ pub(crate) struct Table<'a> {
     pub level: &'a Level,
     pub planes: [&'a [f32]; 3],
     pub ambient: Rgb,
+    /// What may hang above a ball.
+    pub veils: &'a [Veil],
 }
 
 impl Patch {
@@ -127,11 +131,16 @@ impl Patch {
             return;
         }
         self.pixels.resize(self.width * height, [0.0; 4]);
+        self.veils.clear();
+        self.veils.extend(table.veils.iter().filter(|veil| ball.below && veil.is_near(ball)));
+        let veils = &self.veils;
         let mirror = Mirror { ball, table, glints: &self.glints, arriving: self.arriving };
         let (x, y) = (self.x, self.y);
         self.pixels.par_chunks_mut(self.width).with_min_len(4).enumerate().for_each(|(row, pixels)| {
             for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = mirror.pixel(view.table_from_pixel(x + column, y + row));
+                let point = view.table_from_pixel(x + column, y + row);
+                *pixel = mirror.pixel(point);
+                veils.iter().for_each(|veil| pixel[3] *= veil.passes_at(point, view.mm_per_px));
             }
         });
     }

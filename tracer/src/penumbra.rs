@@ -169,7 +169,7 @@ mod tests {
             let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
             let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
             let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
-            let ball = Ball { center_mm, radius_mm, height_mm, group: Group(1), rotation: [0.0; 4] };
+            let ball = Ball { center_mm, radius_mm, height_mm, below: false, group: Group(1), rotation: [0.0; 4] };
             let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
             let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
             let place = Place::new(&view, 0, 0);

@@ -54,6 +54,7 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
         lamps: scene.lamps.clone(),
         occluders: scene.occluders.clone(),
         filters: scene.filters.clone(),
+        veils: scene.veils.clone(),
         tops: Vec::new(),
         balls: scene.balls.iter().copied().filter(Ball::floats).collect(),
         glows: Vec::new(),

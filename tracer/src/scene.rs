@@ -1,6 +1,6 @@
 //! What is lit, what lights it and what is in the way: plain data.
 
-use crate::{Lamp, View};
+use crate::{Lamp, Veil, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -26,6 +26,8 @@ pub struct Scene<'a> {
     pub tops: Vec<Top>,
     /// The balls, above every top.
     pub balls: Vec<Ball>,
+    /// What hangs above those balls that are below.
+    pub veils: Vec<Veil>,
     /// Inserts that glow from below.
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
@@ -114,6 +116,8 @@ pub struct Ball {
     pub height_mm: f64,
     /// Its group.
     pub group: Group,
+    /// It is below the scene's veils, where there are any.
+    pub below: bool,
     /// How it has turned: a unit quaternion x, y, z, w. Scratches on the chrome show it.
     pub rotation: [f32; 4],
 }

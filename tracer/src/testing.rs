@@ -65,6 +65,7 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
         lamps: lamps(&caps),
         occluders,
         filters: Vec::new(),
+        veils: Vec::new(),
         tops,
         balls,
         glows,
@@ -116,6 +117,7 @@ pub fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
         lamps: Vec::new(),
         occluders: Vec::new(),
         filters: Vec::new(),
+        veils: Vec::new(),
         tops: Vec::new(),
         balls: Vec::new(),
         glows: Vec::new(),
@@ -316,7 +318,14 @@ impl Builder {
                 let group = self.next();
                 let center_mm = DVec2::new(x, y);
                 self.occluders.push(Occluder { shape: Shape::disc(center_mm, 13.5), group });
-                Ball { center_mm, radius_mm: 13.5, height_mm: 0.0, group, rotation: [0.3, 0.2, 0.1, 0.927_361_85] }
+                Ball {
+                    center_mm,
+                    radius_mm: 13.5,
+                    height_mm: 0.0,
+                    below: false,
+                    group,
+                    rotation: [0.3, 0.2, 0.1, 0.927_361_85],
+                }
             })
             .collect()
     }

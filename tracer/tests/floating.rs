@@ -20,7 +20,7 @@ fn lamp(x: f64, y: f64, height_mm: f64, radius_mm: f64) -> Lamp {
 
 fn ball(x: f64, y: f64, height_mm: f64) -> Ball {
     let center_mm = DVec2::new(x, y);
-    Ball { center_mm, radius_mm: BALL_MM, height_mm, group: Group(7), rotation: [0.0, 0.0, 0.0, 1.0] }
+    Ball { center_mm, radius_mm: BALL_MM, height_mm, below: false, group: Group(7), rotation: [0.0, 0.0, 0.0, 1.0] }
 }
 
 fn scene(floor: &Floor, lamp: Lamp, ball: Ball) -> Scene<'_> {

@@ -228,7 +228,8 @@ fn degenerate_scenes_give_numbers() {
         scene.tops.push(Top { outline: Outline::Polygon(vec![at; group]), group: Group(1), finish });
     }
     for radius_mm in [0.0, 13.5] {
-        let ball = Ball { center_mm: at, radius_mm, height_mm: 0.0, group: Group(90), rotation: [0.0; 4] };
+        let ball =
+            Ball { center_mm: at, radius_mm, height_mm: 0.0, below: false, group: Group(90), rotation: [0.0; 4] };
         scene.balls.extend([ball, Ball { center_mm: DVec2::splat(-60.0), group: Group(91), ..ball }]);
     }
     let radiance = rendered(&scene);

@@ -82,6 +82,7 @@ fn ball() -> impl Strategy<Value = Ball> {
         center_mm,
         radius_mm,
         height_mm,
+        below: true,
         group: Group(3),
         rotation,
     })

@@ -20,7 +20,8 @@ use crate::simulation::{LampLight, Snapshot};
 use crate::table::{Lamp, LampKind, Solid, Table, art};
 use geometry::{DVec2, Shape};
 use motion::Motion;
-use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, View};
+use physics::{Kind, Leg};
+use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, Veil, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -66,6 +67,7 @@ impl Printed {
 pub struct Stage {
     actors: Vec<Actor>,
     filters: Vec<Filter>,
+    veils: Vec<Veil>,
     rods: Vec<rod::Rod>,
     /// The first group that no solid uses.
     free_group: u16,
@@ -98,7 +100,7 @@ impl Stage {
             filters.push(Filter { group, tint: tint(&actor.solid.finish) });
         }
         let free_group = free_group.saturating_add(filters.len() as u16);
-        Stage { actors, filters, rods, free_group, ambient: table.ambient }
+        Stage { actors, filters, veils: veils(table), rods, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -108,6 +110,7 @@ impl Stage {
             lamps: lamps(&table.lamps, &moment.lamps),
             occluders: Vec::with_capacity(2 * self.actors.len()),
             filters: self.filters.clone(),
+            veils: self.veils.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
             balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
@@ -131,7 +134,7 @@ impl Stage {
             let height_mm = pose.height_m * MM_PER_M;
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
             let rotation = pose.rotation.map(|part| part as f32);
-            let ball = tracer::Ball { center_mm, radius_mm, height_mm, group, rotation };
+            let ball = tracer::Ball { center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
             if !ball.floats() {
                 scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
             }
@@ -172,6 +175,26 @@ impl Actor {
         }
         scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
     }
+}
+
+/// What hangs above the balls: the floors, sides and wires of the ways above the playfield.
+fn veils(table: &Table) -> Vec<Veil> {
+    let way = |solid: &Solid| {
+        let part = solid.part.and_then(|id| table.layout.parts.get(usize::from(id.0)))?;
+        if let Kind::Ramp(ramp) = &part.kind { Some(ramp.clone()) } else { None }
+    };
+    table.solids.iter().filter_map(|solid| way(solid).map(|ramp| (solid, ramp))).flat_map(hung).collect()
+}
+
+/// A floor is its way, as broad as it is; sides and wires are what they are.
+fn hung((solid, ramp): (&Solid, physics::Ramp)) -> Vec<Veil> {
+    let passes = 1.0 - solid.finish.opacity;
+    let floor = |leg: &Leg| Shape { core: leg.beside(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
+    let shapes: Vec<Shape> = match solid.plastic_mm {
+        Some(_) => ramp.way.iter().map(floor).collect(),
+        None => solid.shapes_mm.clone(),
+    };
+    shapes.into_iter().map(|shape| Veil { shape, passes }).collect()
 }
 
 /// How much larger a thing looks that is `height_mm` nearer to the eye than the floor.

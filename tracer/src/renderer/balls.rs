@@ -14,7 +14,7 @@ impl Renderer {
         self.patches.resize_with(scene.balls.len(), Patch::default);
         self.patches.truncate(scene.balls.len());
         if let Some((level, planes)) = glare.means() {
-            let table = Table { view: &scene.view, level, planes, ambient: scene.ambient };
+            let table = Table { view: &scene.view, level, planes, ambient: scene.ambient, veils: &scene.veils };
             let (path, lamps, all) = (self.path, &self.lamps, &self.silhouettes);
             self.patches.par_iter_mut().zip(&scene.balls).for_each(|(patch, ball)| {
                 let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.candidates));

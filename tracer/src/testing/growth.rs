@@ -35,7 +35,14 @@ pub fn with_balls(scene: &mut Scene, count: u16) {
     scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
     for at in 0..count {
         let (center_mm, group) = (random.within(SIZE_MM), Group(1000 + at));
-        scene.balls.push(Ball { center_mm, radius_mm: BALL_MM, height_mm: 0.0, group, rotation: [0.0, 0.0, 0.0, 1.0] });
+        scene.balls.push(Ball {
+            center_mm,
+            radius_mm: BALL_MM,
+            height_mm: 0.0,
+            below: false,
+            group,
+            rotation: [0.0, 0.0, 0.0, 1.0],
+        });
         scene.occluders.push(Occluder { shape: Shape::disc(center_mm, BALL_MM), group });
     }
 }

@@ -42,7 +42,14 @@ pub fn floating_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     for (group, most_mm) in [(200, 8.0), (201, 20.0), (202, 40.0)] {
         let (center_mm, radius_mm) = (random.within(size), random.between(2.0, 13.5));
         let height_mm = random.between(0.2, most_mm);
-        scene.balls.push(Ball { center_mm, radius_mm, height_mm, group: Group(group), rotation: [0.0, 0.0, 0.0, 1.0] });
+        scene.balls.push(Ball {
+            center_mm,
+            radius_mm,
+            height_mm,
+            below: false,
+            group: Group(group),
+            rotation: [0.0, 0.0, 0.0, 1.0],
+        });
     }
     scene
 }
