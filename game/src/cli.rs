@@ -261,6 +261,9 @@ pub struct BenchArgs {
     /// Threads that trace light; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
+    /// Shots of `bench physics`, and a tenth of them at moving flippers
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub shots: u64,
     /// Print rows as JSON
     #[arg(long)]
     pub json: bool,
@@ -279,7 +282,9 @@ pub enum Bench {
     Tick,
     /// How exact the light is, against shadow rays.
     Quality,
-    /// All of them but quality.
+    /// Whether a ball gets through anything, and what a tick with six balls costs.
+    Physics,
+    /// All of them but quality and physics.
     All,
 }
 

@@ -44,6 +44,12 @@ const REST_RAD: f64 = 2e-3;
 /// How little play is left when the bat has come to rest on the plunger.
 const REST_PLAY_RAD: f64 = 1e-3;
 
+/// Steps in a tick while a flipper moves near a ball: 32 kHz...
+pub(crate) const FINE_STEPS: u32 = 32;
+/// ... and while its bat only creeps home, slower than this.
+const CREEP_STEPS: u32 = 8;
+const CREEP_RAD_S: f64 = 6.0;
+
 /// The numbers of a flipper that never change.
 #[derive(Clone, Debug)]
 pub(crate) struct Blade {
@@ -143,7 +149,7 @@ impl Blade {
 
     /// Lets the coil's force follow its button for `duration`, and frees the flipper where that lifts it off its stop.
     /// True if the flipper may now move.
-    pub fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
+    fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
         let near_end = self.along(rotor.angle) > self.stroke - END_OF_STROKE_RAD;
         let (goal, time_constant) = match (pressed, near_end) {
             (false, _) => (0.0, COIL_FALL_S),
@@ -154,6 +160,17 @@ impl Blade {
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
+    }
+
+    /// In how many steps a tick is to be cut while the flipper moves near a ball.
+    pub fn steps(&self, rotor: &Rotor) -> u32 {
+        if rotor.home && rotor.speed.abs() < CREEP_RAD_S { CREEP_STEPS } else { FINE_STEPS }
+    }
+
+    /// The coil follows its button, and torques act, for `duration`.
+    pub fn turn(&self, rotor: &mut Rotor, pressed: bool, duration: f64) {
+        self.energise(rotor, pressed, duration);
+        self.accelerate(rotor, duration);
     }
 
     /// Whether the flipper moves, or will within `duration`.
@@ -173,7 +190,7 @@ impl Blade {
     /// Torques act for `duration`: until its end the flipper goes with its mean speed.
     ///
     /// The stop is stiff, so this goes in finer steps than the balls do.
-    pub fn accelerate(&self, rotor: &mut Rotor, duration: f64) {
+    fn accelerate(&self, rotor: &mut Rotor, duration: f64) {
         if rotor.seated {
             return;
         }

@@ -1,7 +1,7 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
-use crate::flipper::Blade;
+use crate::flipper::{Blade, FINE_STEPS, Rotor};
 use crate::motion::Motion;
 use crate::plan::Plan;
 use crate::state::{KICKER_READY_TICKS, State};
@@ -13,9 +13,6 @@ use crate::{
 };
 use geometry::DVec2;
 use std::sync::Arc;
-
-/// Steps in a tick while a flipper moves near a ball: 32 kHz.
-const FINE_STEPS: u32 = 32;
 
 /// Everything on the playfield, tick after tick. A clone goes on exactly as the original does, and is cheap: the layout
 /// and all that follows from it is shared.
@@ -132,47 +129,40 @@ impl Machine {
         let plan = Arc::clone(&self.plan);
         let pull = DVec2::new(0.0, plan.floor.gravity) - cabinet;
         let pressed = self.pressed(controls);
-        let fine = TICK_S / f64::from(FINE_STEPS);
-        let (mut moving, mut near) = (false, false);
-        for ((blade, rotor), &pressed) in plan.blades.iter().zip(&self.state.mechanisms.rotors).zip(&pressed) {
-            moving |= blade.will_move(rotor, pressed, TICK_S);
-            near |= self.state.balls.iter().any(|ball| may_reach(blade, ball));
-        }
-        let apart = moving && !near;
-        if apart {
-            for _ in 0..FINE_STEPS {
-                self.turn_flippers(&plan, fine, &pressed);
-                self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(fine));
-                self.settle_flippers(&plan);
+        // A flipper that moves where no ball can come to turns alone; the others turn in the steps of the balls.
+        let mut alone = vec![false; plan.blades.len()];
+        let mut steps = 1;
+        for (index, (blade, rotor)) in plan.blades.iter().zip(&self.state.mechanisms.rotors).enumerate() {
+            if blade.will_move(rotor, pressed[index], TICK_S) {
+                alone[index] = !self.state.balls.iter().any(|ball| may_reach(blade, ball));
+                steps = if alone[index] { steps } else { steps.max(blade.steps(rotor)) };
             }
         }
-        let steps = if moving && near { FINE_STEPS } else { 1 };
+        for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| alone[index]) {
+            let rotor = &mut self.state.mechanisms.rotors[index];
+            for _ in 0..FINE_STEPS {
+                blade.turn(rotor, pressed[index], TICK_S / f64::from(FINE_STEPS));
+                rotor.advance(TICK_S / f64::from(FINE_STEPS));
+                blade.settle(rotor);
+            }
+        }
         let duration = TICK_S / f64::from(steps);
         for _ in 0..steps {
-            if !apart {
-                self.turn_flippers(&plan, duration, &pressed);
-            }
-            self.step(&plan, pull, duration, !apart);
-            if !apart {
-                self.settle_flippers(&plan);
-            }
+            self.each_rotor(&plan, &alone, |index, blade, rotor| blade.turn(rotor, pressed[index], duration));
+            self.step(&plan, pull, duration, &alone);
+            self.each_rotor(&plan, &alone, |_, blade, rotor| blade.settle(rotor));
         }
     }
 
-    fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: &[bool]) {
-        for ((blade, rotor), &pressed) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors).zip(pressed) {
-            blade.energise(rotor, pressed, duration);
-            blade.accelerate(rotor, duration);
+    /// Calls `work` with every flipper that does not turn alone.
+    fn each_rotor(&mut self, plan: &Plan, alone: &[bool], mut work: impl FnMut(usize, &Blade, &mut Rotor)) {
+        let rotors = self.state.mechanisms.rotors.iter_mut();
+        for (index, (blade, rotor)) in plan.blades.iter().zip(rotors).enumerate().filter(|(index, _)| !alone[*index]) {
+            work(index, blade, rotor);
         }
     }
 
-    fn settle_flippers(&mut self, plan: &Plan) {
-        for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
-            blade.settle(rotor);
-        }
-    }
-
-    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64, flippers_move: bool) {
+    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64, alone: &[bool]) {
         self.scratch.motions.clear();
         for ball in &self.state.balls {
             let sunk = match ball.hold {
@@ -185,8 +175,7 @@ impl Machine {
             self.scratch.motions.push(motion);
         }
         let (events, contacts) = (&mut self.events, &mut self.contacts);
-        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, flippers_move }
-            .step(duration);
+        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, alone }.step(duration);
     }
 
     /// What happened in the last tick, in order.

@@ -141,13 +141,16 @@ impl Plan {
 
     /// The sides of the tracks: behind all that stands on the playfield, and in no grid.
     fn add_tracks(&mut self, layout: &Layout) {
-        for track in &mut self.tracks {
+        Track::join(&mut self.tracks);
+        for index in 0..self.tracks.len() {
+            let track = &self.tracks[index];
             let Kind::Ramp(ramp) = &layout.parts[usize::from(track.part)].kind else { continue };
             let first = self.obstacles.len();
             self.obstacles.extend(track.sides(ramp));
-            track.sides = first..self.obstacles.len();
+            self.obstacles.extend(track.funnels(ramp, &self.tracks));
+            self.obstacles.extend(track.overlaps(ramp, &self.tracks));
+            self.tracks[index].sides = first..self.obstacles.len();
         }
-        Track::join(&mut self.tracks);
     }
 
     /// Calls `visit` with every obstacle that may be near the straight way of a ball on this track, or on the playfield,

@@ -4,6 +4,7 @@
 //! together, so that stacks, wedges and a ball on a flipper find their common speeds.
 
 use crate::BALL_RADIUS_M;
+use crate::ball::Ball;
 use crate::levels::apart;
 use crate::meet::is_out_of_reach;
 use crate::plan::SKIN_M;
@@ -20,6 +21,9 @@ const AHEAD_M_S: f64 = 1e-5;
 /// How much of an overlap is undone in a step, and how far at most.
 const PART_OF_DEPTH: f64 = 0.2;
 const MOST_OUT_M: f64 = 1e-4;
+/// A machine hums with its coils and motors: what has lain still for so long does not cling by friction any more, so
+/// that no arch of balls holds for ever.
+const HUM_TICKS: u32 = 1000;
 /// A ball that a flipper pushes is kept at least this far from it.
 const NEAR_M: f64 = 1e-6;
 
@@ -190,6 +194,12 @@ impl Sweep<'_> {
     }
 
     fn add_touch(&mut self, ball: usize, other: Other, normal: DVec2, friction: f64, sudden: f64) {
+        let clings = |ball: &Ball| ball.still_ticks < HUM_TICKS;
+        let both = match other {
+            Other::Ball(other) => clings(&self.state.balls[ball]) && clings(&self.state.balls[other]),
+            _ => clings(&self.state.balls[ball]),
+        };
+        let friction = if both { friction } else { 0.0 };
         let bodies = bodies(self.plan, self.state);
         let touch = Touch::new(ball, other, normal, friction, &bodies);
         let approach = touch.approach(&bodies);

@@ -56,8 +56,8 @@ pub(crate) struct Sweep<'a> {
     pub scratch: &'a mut Scratch,
     pub events: &'a mut Vec<Event>,
     pub contacts: &'a mut Vec<Contact>,
-    /// Flippers move in this step; else they have done so already, out of every ball's reach.
-    pub flippers_move: bool,
+    /// The flippers that have turned already, out of every ball's reach.
+    pub alone: &'a [bool],
 }
 
 pub(crate) fn bodies<'a>(plan: &'a Plan, state: &'a mut State) -> Bodies<'a> {
@@ -122,8 +122,8 @@ impl Sweep<'_> {
             ball.velocity += drive.velocity * time;
             ball.spin += drive.spin * time;
         }
-        if self.flippers_move {
-            self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(time));
+        for (rotor, _) in self.state.mechanisms.rotors.iter_mut().zip(self.alone).filter(|(_, alone)| !**alone) {
+            rotor.advance(time);
         }
         for rod in &mut self.state.mechanisms.rods {
             rod.advance(time);

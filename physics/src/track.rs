@@ -12,6 +12,12 @@ const SIDE_M: f64 = 0.001;
 const CLEAR_M: f64 = 2.0 * BALL_RADIUS_M + 0.002;
 /// An end no higher than this opens on the playfield.
 const FLUSH_M: f64 = 0.001;
+/// How much longer than deep a funnel is.
+const FUNNEL: f64 = 5.0;
+/// How far its sides go on beyond a joint: what the fastest ball goes in a tick.
+const OVERLAP_M: f64 = 0.016;
+/// How long the straight end of a funnel is.
+const STRAIGHT_M: f64 = 0.005;
 /// Ends that are no farther apart than this, and no more different in height, are joined.
 const JOINT_M: f64 = 0.005;
 
@@ -118,6 +124,44 @@ impl Track {
     /// Its sides where balls meet them: above, those that keep a ball on it.
     pub fn sides<'a>(&'a self, ramp: &'a Ramp) -> impl Iterator<Item = Obstacle> + 'a {
         self.legs.iter().flat_map(|leg| self.beside(leg)).map(|shape| self.obstacle(ramp, shape))
+    }
+
+    /// Its sides a little way beyond its joints: a ball is on it until the end of the tick in which it goes over.
+    pub fn overlaps<'a>(&'a self, ramp: &'a Ramp, tracks: &'a [Track]) -> impl Iterator<Item = Obstacle> + 'a {
+        let ends = self.joined.iter().zip(self.mouths()).filter_map(|(other, mouth)| other.map(|other| (other, mouth)));
+        let shapes = ends.flat_map(|(other, mouth)| {
+            let half = self.half_width.min(tracks[usize::from(other)].half_width) + SIDE_M;
+            [-half, half].map(|half| {
+                let from = mouth.middle + mouth.out.perp() * half;
+                Shape::capsule(from, from + mouth.out * OVERLAP_M, SIDE_M)
+            })
+        });
+        shapes.map(|shape| self.obstacle(ramp, shape))
+    }
+
+    /// Where it goes on in a narrower one its sides come together before the joint.
+    pub fn funnels<'a>(&'a self, ramp: &'a Ramp, tracks: &'a [Track]) -> impl Iterator<Item = Obstacle> + 'a {
+        let ends = self.joined.iter().enumerate().filter_map(|(end, other)| other.map(|other| (end, other)));
+        let narrower = ends.map(|(end, other)| (end, tracks[usize::from(other)].half_width));
+        let funnels = narrower.filter(|&(_, half)| half < self.half_width).flat_map(|(end, half)| {
+            let leg = &self.legs[if end == 0 { 0 } else { self.legs.len() - 1 }];
+            let length = leg.length();
+            let back = (FUNNEL * (self.half_width - half)).min(length);
+            // It ends before the joint, so that a ball that leaves it is in the middle when it gets there.
+            let (wide, narrow, joint) = match end {
+                0 => (back, STRAIGHT_M.min(back), 0.0),
+                _ => (length - back, length - STRAIGHT_M.min(back), length),
+            };
+            let side = |along: f64, half: f64| leg.at(along) + leg.way_at(along).perp() * half;
+            let (wider, narrower) = (self.half_width + SIDE_M, half + SIDE_M);
+            let shapes = [-1.0, 1.0].map(|sign| {
+                let a = side(wide, sign * wider);
+                let (b, c) = (side(narrow, sign * narrower), side(joint, sign * narrower));
+                [Shape::capsule(a, b, SIDE_M), Shape::capsule(b, c, SIDE_M)]
+            });
+            shapes.into_iter().flatten()
+        });
+        funnels.map(|shape| self.obstacle(ramp, shape))
     }
 
     /// What a ball on the playfield meets of it: its sides where its floor is low, and the ends of the room below it.

@@ -18,11 +18,11 @@ mod tour;
 pub mod trial;
 mod worth;
 
+pub(crate) use chance::Chance;
 pub use random::Random;
 pub use tour::Tour;
 
 use crate::{Buttons, Simulation};
-use chance::Chance;
 use hands::{Hands, Move};
 use lookahead::Future;
 use physics::{BallPose, EventKind};

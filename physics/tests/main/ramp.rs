@@ -144,6 +144,30 @@ fn a_ball_goes_round_a_turn_and_over_to_the_next_way() {
 }
 
 #[test]
+fn a_wide_way_that_goes_on_in_a_narrow_one_leads_every_ball_into_it() {
+    let mut layout = straight();
+    let narrow = Ramp {
+        way: vec![leg(v(0.25, 0.4), v(0.25, 0.2))],
+        heights_m: vec![0.06, 0.05],
+        half_width_m: 0.015,
+        material: WOOD,
+    };
+    layout.parts.push(part("wires", Kind::Ramp(narrow)));
+    let mut chance = Chance(9);
+    let mut through = 0;
+    for _ in 0..200 {
+        let mut machine = machine(layout.clone());
+        let aside = chance.between(-0.008, 0.008);
+        rolling(&mut machine, v(0.25 + aside, 0.85), v(chance.between(-0.3, 0.3), chance.between(-5.0, -1.8)));
+        let end = until(&mut machine, 2500, |ball| ball.center.y < 0.19 || ball.center.y > 0.9);
+        assert!(end.is_some(), "it goes through or comes back: {:?}", ball(&machine));
+        through += u32::from(ball(&machine).center.y < 0.19);
+    }
+    println!("{through} of 200 go through, the others bounce back");
+    assert!(through > 120, "{through} of 200");
+}
+
+#[test]
 fn no_energy_is_made_above_the_playfield() {
     let gravity = PRESS * libm::sin(6.5_f64.to_radians());
     let press = PRESS * libm::cos(6.5_f64.to_radians());

@@ -4,6 +4,7 @@
 
 mod clock;
 mod growth;
+mod physics;
 mod quality;
 mod room;
 mod table;
@@ -65,6 +66,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     }
     if matches!(args.bench, Bench::Growth | Bench::All) {
         rows.extend(growth::rows(args.size, args.threads)?);
+    }
+    if args.bench == Bench::Physics {
+        rows.extend(physics::rows(args.shots, args.threads)?);
     }
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
