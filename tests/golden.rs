@@ -38,6 +38,12 @@ fn golden_frame_of_a_game_of_three_players() {
     compare(&played("tour-1", &[90]));
 }
 
+#[cfg_attr(not(target_arch = "x86_64"), ignore = "art is the same to the bit on x86-64 only")]
+#[test]
+fn golden_frame_of_a_ball_on_the_ramp() {
+    compare(&played("bot-3", &[120]));
+}
+
 #[test]
 fn golden_frame_of_the_generated_table() {
     let view = View::fit(150, 300, testing::SIZE_MM);
