@@ -89,16 +89,17 @@ fn fall(plan: &Plan, state: &mut State, index: usize, duration: f64) {
     }
 }
 
-/// The impact of two spheres of which the playfield carries the lower one.
+/// The impact of two spheres of which the playfield carries the lower one; one that is on its way down itself yields
+/// no more than one that lies there.
 fn come_down_on(ball: &mut Ball, below: &mut Ball) {
-    let away = ball.center - below.center;
+    let (away, over) = (ball.center - below.center, ball.height - below.height);
     let reach = 4.0 * BALL_RADIUS_M * BALL_RADIUS_M - away.length_squared();
-    if below.is_up() || below.height > 0.0 || reach <= 0.0 || ball.height * ball.height >= reach {
+    if below.track.is_some() || over < 0.0 || reach <= 0.0 || over * over >= reach {
         return;
     }
-    ball.height = reach.sqrt();
-    let (across, up) = (away / (2.0 * BALL_RADIUS_M), ball.height / (2.0 * BALL_RADIUS_M));
-    let approach = (ball.velocity - below.velocity).dot(across) + ball.climb * up;
+    ball.height = below.height + reach.sqrt();
+    let (across, up) = (away / (2.0 * BALL_RADIUS_M), reach.sqrt() / (2.0 * BALL_RADIUS_M));
+    let approach = (ball.velocity - below.velocity).dot(across) + (ball.climb - below.climb) * up;
     if approach < 0.0 {
         let yields = if below.is_held() { 0.0 } else { across.length_squared() };
         let impulse = -(1.0 + BALL_RESTITUTION) * approach / (1.0 + yields);

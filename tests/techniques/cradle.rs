@@ -37,5 +37,5 @@ fn two_held_balls_part_onto_two_flippers() {
     let found: Vec<_> = (2..14).flat_map(|press| (0..150).step_by(3).map(move |gap| (gap, press))).collect();
     let parts: Vec<_> = found.iter().filter(|&&(gap, press)| parted(gap, press)).collect();
     println!("{parts:?}");
-    assert!(parts.len() > 5);
+    assert!((1..60).contains(&parts.len()), "{} of {} inputs part them", parts.len(), found.len());
 }

@@ -12,6 +12,8 @@ const FLAP_MM: f64 = 11.0;
 const FLAP_EDGE_MM: f64 = 0.9;
 /// How far a slingshot's arm pushes its rubber out, mm.
 const SLING_REACH_MM: f64 = 7.0;
+/// Where nothing is seen, mm.
+const AWAY_MM: DVec2 = DVec2::new(-1e4, -1e4);
 /// How much smaller a bumper's ring looks when it is pulled down.
 const RING_PULL: f64 = 0.07;
 /// Below this much of its height a drop target's shadow is under the floor.
@@ -210,16 +212,19 @@ fn pulled(solid: &Solid, center: DVec2, pull: f64) -> Placed {
 }
 
 /// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle.
+///
+/// A band that does not break has its second half far away: a thing must have as many outlines in every picture, or all
+/// that is drawn after it would seem to be new.
 fn bent(solid: &Solid, out: DVec2, kick: f64) -> Placed {
-    if kick <= 0.0 || solid.plastic_mm.is_some() {
+    if solid.plastic_mm.is_some() {
         return as_drawn(solid);
     }
     let bend = |shape: &Shape| match shape.core {
-        Core::Segment(Segment { a, b }) => {
+        Core::Segment(Segment { a, b }) if kick > 0.0 => {
             let knee = (a + b) * 0.5 + out * (SLING_REACH_MM * kick.min(1.0));
-            vec![Shape::capsule(a, knee, shape.radius), Shape::capsule(knee, b, shape.radius)]
+            [Shape::capsule(a, knee, shape.radius), Shape::capsule(knee, b, shape.radius)]
         }
-        _ => vec![*shape],
+        _ => [*shape, Shape::disc(AWAY_MM, 0.0)],
     };
     let shapes: Vec<Shape> = solid.shapes_mm.iter().flat_map(bend).collect();
     Placed {

@@ -71,6 +71,22 @@ fn dark_inserts_do_not_glow_and_the_parts_keep_their_order() {
 }
 
 #[test]
+fn a_thing_has_as_many_outlines_in_every_picture() {
+    let (table, moment) = set();
+    let count = |moment: &Snapshot| {
+        let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
+        Stage::new(&table).scene(&table, moment, view(&table), &printed).tops.len()
+    };
+    let still = count(&moment);
+    let mut moved = moment;
+    moved.pose.kickers.iter_mut().for_each(|(_, out)| *out = 0.7);
+    moved.pose.drop_targets.iter_mut().for_each(|(_, up)| *up = 0.0);
+    moved.pose.gates_rad.iter_mut().chain(&mut moved.pose.spinners_rad).for_each(|(_, angle)| *angle = 1.0);
+    moved.pose.plunger = 1.0;
+    assert_eq!(count(&moved), still, "or all that is drawn after it would be made anew");
+}
+
+#[test]
 fn a_spinner_that_lies_flat_is_broader_than_one_that_hangs() {
     let (table, mut moment) = set();
     let width = |moment: &Snapshot| {

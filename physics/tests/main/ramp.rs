@@ -213,6 +213,21 @@ fn a_ball_that_falls_on_another_pushes_it_away_and_neither_sinks_in() {
 }
 
 #[test]
+fn balls_that_follow_each_other_off_the_end_do_not_sink_into_each_other() {
+    for behind in [0.028, 0.04, 0.06] {
+        let mut machine = machine(straight());
+        for ball in 0..3 {
+            rolling(&mut machine, v(0.25, 0.85 + behind * f64::from(ball)), v(0.0, -0.97));
+        }
+        for _ in 0..4000 {
+            machine.tick(Controls::default(), &[]);
+            assert!(machine.overlap_m() < 5e-5, "{behind} m apart: {} m deep", machine.overlap_m());
+        }
+        assert!(machine.pose().balls.iter().all(|ball| ball.height_m == 0.0), "{:?}", machine.pose().balls);
+    }
+}
+
+#[test]
 fn a_machine_saved_on_a_ramp_goes_on_as_if_nothing_had_been() {
     let layout = Shared::new(winding());
     let mut machine = Machine::new(layout.clone()).expect("fixture");
