@@ -56,6 +56,15 @@ pub(crate) struct Floor {
 pub(crate) struct Drive {
     pub velocity: DVec2,
     pub spin: DVec3,
+    /// In how many seconds the ball stops sliding: then it is driven in another way.
+    pub rolls_in: Option<f64>,
+}
+
+impl Floor {
+    /// How much of its slip a sliding ball loses to friction, m/s^2.
+    fn slip_loss(&self) -> f64 {
+        self.friction * self.press * (1.0 + INERTIA) / INERTIA
+    }
 }
 
 impl Ball {
@@ -106,16 +115,40 @@ impl Ball {
     ///
     /// Friction never does more than end the slip, so a rolling ball keeps rolling: 5/7 of the pull is left of itself.
     pub fn drive(&self, floor: &Floor, pull: DVec2, duration: f64) -> Drive {
+        let rolls_in = self.slides_for(floor, pull, duration).filter(|&time| time > 1e-3 * duration && time < duration);
+        let duration = rolls_in.unwrap_or(duration);
         let mut after = *self;
         after.velocity += pull * duration;
         let slip = after.floor_slip();
-        let speed = slip.length();
-        if speed > 0.0 {
-            let grip = (floor.friction * floor.press * duration).min(speed * INERTIA / (1.0 + INERTIA));
-            after.push_floor(slip * (-grip / speed));
-        }
+        let stop = slip * (-INERTIA / (1.0 + INERTIA));
+        let most = floor.friction * floor.press * duration;
+        let slides = rolls_in.is_none() && stop.length_squared() > most * most;
+        let push = if slides { self.slip_midway(floor, pull, duration) * -most } else { stop };
+        after.push_floor(push);
         after.resist(floor, duration);
-        Drive { velocity: (after.velocity - self.velocity) / duration, spin: (after.spin - self.spin) / duration }
+        let (velocity, spin) = ((after.velocity - self.velocity) / duration, (after.spin - self.spin) / duration);
+        Drive { velocity, spin, rolls_in }
+    }
+
+    /// The way in which a sliding ball slips half of `duration` from now: friction turns with it.
+    fn slip_midway(&self, floor: &Floor, pull: DVec2, duration: f64) -> DVec2 {
+        let slip = self.floor_slip();
+        let Some(way) = slip.try_normalize() else { return pull.normalize_or_zero() };
+        let turned = slip + (pull - way * floor.slip_loss()) * (0.5 * duration);
+        turned.try_normalize().unwrap_or(way)
+    }
+
+    /// In what time friction ends the slip, if it does; as good as exact where that is within `duration`.
+    fn slides_for(&self, floor: &Floor, pull: DVec2, duration: f64) -> Option<f64> {
+        let slip = self.floor_slip();
+        if slip.length() > 2.0 * floor.slip_loss() * duration {
+            return None;
+        }
+        // The slip is lost along the way that it has on the mean: the whole slip, the pull's with it, is what is lost.
+        let (loss, own) = (floor.slip_loss(), pull.length_squared());
+        let (half, end) = (slip.dot(pull), slip.length_squared());
+        let square = half * half + (loss * loss - own) * end;
+        (loss * loss > own && square >= 0.0).then(|| (half + square.sqrt()) / (loss * loss - own))
     }
 
     /// Rolling resistance, and the drag of the patch on the spin about the vertical.

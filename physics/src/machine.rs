@@ -26,6 +26,8 @@ pub struct Machine {
     pub(crate) starts: Vec<DVec2>,
     pub(crate) events: Vec<Event>,
     contacts: Vec<Contact>,
+    /// Steps in a tick, or times [`FINE_STEPS`] of them.
+    divisions: u32,
 }
 
 /// Why a layout or saved bytes cannot be played.
@@ -65,7 +67,14 @@ impl Machine {
             starts: Vec::new(),
             events: Vec::new(),
             contacts: Vec::new(),
+            divisions: 1,
         })
+    }
+
+    /// The slow twin of a machine in play, for experiments: its balls and flippers take `divisions` times as many steps
+    /// in a tick. Its clones are as slow; what is restored from its bytes is not.
+    pub fn divided(self, divisions: u32) -> Machine {
+        Machine { divisions: divisions.max(1), ..self }
     }
 
     /// What stands on the playfield.
@@ -131,13 +140,13 @@ impl Machine {
                 self.settle_flippers(&plan);
             }
         }
-        let steps = if moving && near { FINE_STEPS } else { 1 };
+        let steps = self.divisions * if moving && near { FINE_STEPS } else { 1 };
         let duration = TICK_S / f64::from(steps);
-        for _ in 0..steps {
+        for step in 0..steps {
             if !apart {
                 self.turn_flippers(&plan, duration, pressed);
             }
-            self.step(&plan, pull, duration, !apart);
+            self.step(&plan, pull, f64::from(step) * duration, duration, !apart);
             if !apart {
                 self.settle_flippers(&plan);
             }
@@ -157,7 +166,7 @@ impl Machine {
         }
     }
 
-    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64, flippers_move: bool) {
+    fn step(&mut self, plan: &Plan, pull: DVec2, elapsed: f64, duration: f64, flippers_move: bool) {
         self.scratch.motions.clear();
         for ball in &self.state.balls {
             let sunk = match ball.hold {
@@ -167,7 +176,7 @@ impl Machine {
             self.scratch.motions.push(Motion::new(pull + sunk));
         }
         let (events, contacts) = (&mut self.events, &mut self.contacts);
-        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, flippers_move }
+        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, elapsed, flippers_move }
             .step(duration);
     }
 

@@ -20,6 +20,8 @@ pub(crate) const PARTING_M_S: f64 = 0.02;
 const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.02, friction: BALL_FRICTION };
 /// A round of the solver that changes no speed by more than this was the last.
 pub(crate) const SAME_M_S: f64 = 1e-8;
+/// Farther than this from where it seemed to be, a hit was no hit on the straight way either.
+const BEND_M: f64 = 2e-6;
 /// A touch that the ball has left by this much says nothing any more.
 const STALE_M: f64 = 2e-4;
 
@@ -54,6 +56,8 @@ pub(crate) struct Sweep<'a> {
     pub scratch: &'a mut Scratch,
     pub events: &'a mut Vec<Event>,
     pub contacts: &'a mut Vec<Contact>,
+    /// What has passed of the tick, s.
+    pub elapsed: f64,
     /// Flippers move in this step; else they have done so already, out of every ball's reach.
     pub flippers_move: bool,
 }
@@ -73,13 +77,17 @@ impl Sweep<'_> {
         let mut left = duration;
         let most = 16 + 8 * self.state.balls.len();
         for _ in 0..most {
-            let Some(strike) = self.first_strike(left) else {
-                self.advance(left, left);
+            let reach = self.scratch.motions.iter().filter_map(|motion| motion.drive.rolls_in).fold(left, f64::min);
+            let strike = self.first_strike(reach).map(|strike| self.refine(strike, reach));
+            let time = strike.map_or(reach, |strike| strike.time);
+            self.advance(time);
+            left -= time;
+            if let Some(strike) = strike {
+                self.respond(&strike, left, duration);
+            } else if left <= 0.0 {
                 return;
-            };
-            self.advance(strike.time, left);
-            left -= strike.time;
-            self.respond(&strike, left, duration);
+            }
+            self.roll_on(left);
         }
         for touch in &self.scratch.touches {
             if let Other::Flipper(index) = touch.other {
@@ -108,23 +116,82 @@ impl Sweep<'_> {
         self.state.balls[ball].velocity + self.scratch.motions[ball].drive.velocity * (0.5 * left)
     }
 
-    fn advance(&mut self, time: f64, left: f64) {
+    fn advance(&mut self, time: f64) {
+        self.elapsed += time;
         for index in 0..self.state.balls.len() {
             if self.state.balls[index].is_held() {
                 continue;
             }
-            let mean = self.mean_velocity(index, left);
-            let drive = self.scratch.motions[index].drive;
+            let mean = self.mean_velocity(index, time);
+            let drive = &mut self.scratch.motions[index].drive;
             let ball = &mut self.state.balls[index];
             ball.center += mean * time;
             ball.velocity += drive.velocity * time;
             ball.spin += drive.spin * time;
+            drive.rolls_in = drive.rolls_in.map(|rolls_in| rolls_in - time);
         }
         if self.flippers_move {
             self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(time));
         }
         for rod in &mut self.state.mechanisms.rods {
             rod.advance(time);
+        }
+    }
+
+    /// Drives the balls that have just come to roll as rolling balls.
+    fn roll_on(&mut self, left: f64) {
+        for ball in 0..self.state.balls.len() {
+            if self.scratch.motions[ball].drive.rolls_in.is_some_and(|time| time <= 0.0) && left > 0.0 {
+                self.drive_on(ball, left);
+                self.hold_back(left);
+            }
+        }
+    }
+
+    /// The very moment of a hit that was found on a straight way: the true one bends by a quarter of a micron.
+    fn refine(&self, mut strike: Strike, reach: f64) -> Strike {
+        for _ in 0..2 {
+            if strike.time <= 0.0 {
+                break;
+            }
+            let (gap, normal, closing) = self.gap_at(&strike);
+            if closing <= SLOW_M_S || gap.abs() > BEND_M {
+                break;
+            }
+            strike.time = (strike.time + gap / closing).clamp(0.0, reach);
+            strike.normal = normal;
+        }
+        strike
+    }
+
+    /// Distance, normal and speed of approach of the two that meet, at the moment of the strike.
+    fn gap_at(&self, strike: &Strike) -> (f64, DVec2, f64) {
+        let time = strike.time;
+        let place = |ball: usize| self.state.balls[ball].center + self.mean_velocity(ball, time) * time;
+        let speed = |ball: usize| 2.0 * self.mean_velocity(ball, time) - self.mean_velocity(ball, 0.0);
+        let (center, velocity) = (place(strike.ball), speed(strike.ball));
+        match strike.target {
+            Target::Obstacle(index) => {
+                let (distance, normal) = self.plan.obstacles[index].shape.distance(center);
+                (distance, normal, -velocity.dot(normal))
+            }
+            Target::Rod(index) => {
+                let (rod, plunger) = (&self.state.mechanisms.rods[index], &self.plan.plungers[index].1);
+                let moved = rod.velocity(plunger);
+                let (distance, normal) = rod.face(plunger).distance(center - moved * time);
+                (distance, normal, (moved - velocity).dot(normal))
+            }
+            Target::Flipper(index) => {
+                let (rotor, blade) = (&self.state.mechanisms.rotors[index], &self.plan.blades[index]);
+                let (distance, normal) = blade.taper(rotor.angle + rotor.speed * time).distance(center);
+                let lever = center - normal * BALL_RADIUS_M - blade.pivot();
+                (distance - BALL_RADIUS_M, normal, (rotor.velocity_at(lever) - velocity).dot(normal))
+            }
+            Target::Ball(other) => {
+                let away = center - place(other);
+                let normal = away.try_normalize().unwrap_or(strike.normal);
+                (away.length() - 2.0 * BALL_RADIUS_M, normal, (speed(other) - velocity).dot(normal))
+            }
         }
     }
 
@@ -281,6 +348,7 @@ impl Sweep<'_> {
 
     fn report(&mut self, strike: &Strike, part: Option<u16>, approach: f64, impulse: DVec2) {
         self.contacts.push(Contact {
+            time_s: self.elapsed,
             part: part.map(PartId),
             point: self.state.balls[strike.ball].center - strike.normal * BALL_RADIUS_M,
             normal: strike.normal,
@@ -349,9 +417,15 @@ impl Sweep<'_> {
         if let Target::Ball(other) = strike.target {
             self.drive_on(other, left);
         }
+        self.hold_back(left);
+    }
+
+    /// Takes from the balls' drive what would press them together or into what they lie on before the step ends.
+    fn hold_back(&mut self, left: f64) {
+        let all = bodies(self.plan, self.state);
         for _ in 0..2 {
             for touch in &self.scratch.touches {
-                hold_back(touch, &mut self.scratch.motions);
+                hold_back(touch, touch.approach(&all) / left, &mut self.scratch.motions);
             }
         }
     }
