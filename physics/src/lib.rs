@@ -22,6 +22,7 @@ mod grid;
 mod layout;
 mod machine;
 mod meet;
+mod moment;
 mod motion;
 mod plan;
 mod plates;

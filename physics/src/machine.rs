@@ -26,7 +26,7 @@ pub struct Machine {
     pub(crate) starts: Vec<DVec2>,
     pub(crate) events: Vec<Event>,
     contacts: Vec<Contact>,
-    /// Steps in a tick, or times [`FINE_STEPS`] of them.
+    /// Least number of steps in a tick: 1 in play.
     divisions: u32,
 }
 
@@ -71,8 +71,9 @@ impl Machine {
         })
     }
 
-    /// The slow twin of a machine in play, for experiments: its balls and flippers take `divisions` times as many steps
-    /// in a tick. Its clones are as slow; what is restored from its bytes is not.
+    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least `divisions` steps in a
+    /// tick (1 in play; near a moving flipper there are more in any case). Its clones are as slow; what is restored from
+    /// its bytes is not.
     pub fn divided(self, divisions: u32) -> Machine {
         Machine { divisions: divisions.max(1), ..self }
     }
@@ -140,7 +141,7 @@ impl Machine {
                 self.settle_flippers(&plan);
             }
         }
-        let steps = self.divisions * if moving && near { FINE_STEPS } else { 1 };
+        let steps = self.divisions.max(if moving && near { FINE_STEPS } else { 1 });
         let duration = TICK_S / f64::from(steps);
         for step in 0..steps {
             if !apart {
@@ -154,9 +155,12 @@ impl Machine {
     }
 
     fn turn_flippers(&mut self, plan: &Plan, duration: f64, pressed: impl Fn(bool) -> bool) {
+        self.scratch.gains.clear();
         for (blade, rotor) in plan.blades.iter().zip(&mut self.state.mechanisms.rotors) {
             blade.energise(rotor, pressed(blade.flipper.left), duration);
+            let start = rotor.speed;
             blade.accelerate(rotor, duration);
+            self.scratch.gains.push(rotor.speed - start);
         }
     }
 

@@ -20,8 +20,6 @@ pub(crate) const PARTING_M_S: f64 = 0.02;
 const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.02, friction: BALL_FRICTION };
 /// A round of the solver that changes no speed by more than this was the last.
 pub(crate) const SAME_M_S: f64 = 1e-8;
-/// Farther than this from where it seemed to be, a hit was no hit on the straight way either.
-const BEND_M: f64 = 2e-6;
 /// A touch that the ball has left by this much says nothing any more.
 const STALE_M: f64 = 2e-4;
 
@@ -30,11 +28,13 @@ const STALE_M: f64 = 2e-4;
 pub(crate) struct Scratch {
     pub motions: Vec<Motion>,
     pub touches: Vec<Touch>,
+    /// By how much each flipper's speed at the step's end is above its mean in it, and at its start below: rad/s.
+    pub gains: Vec<f64>,
 }
 
 /// What a ball is about to hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Target {
+pub(crate) enum Target {
     Obstacle(usize),
     Rod(usize),
     Flipper(usize),
@@ -42,11 +42,12 @@ enum Target {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Strike {
-    time: f64,
-    ball: usize,
-    target: Target,
-    normal: DVec2,
+pub(crate) struct Strike {
+    /// From now, s.
+    pub time: f64,
+    pub ball: usize,
+    pub target: Target,
+    pub normal: DVec2,
 }
 
 /// One step of everything that moves by rays.
@@ -76,18 +77,20 @@ impl Sweep<'_> {
         self.settle(duration);
         let mut left = duration;
         let most = 16 + 8 * self.state.balls.len();
-        for _ in 0..most {
-            let reach = self.scratch.motions.iter().filter_map(|motion| motion.drive.rolls_in).fold(left, f64::min);
+        let mut strikes = 0;
+        while strikes < most {
+            let reach = self.scratch.motions.iter().filter_map(|motion| motion.drive.lasts).fold(left, f64::min);
             let strike = self.first_strike(reach).map(|strike| self.refine(strike, reach));
             let time = strike.map_or(reach, |strike| strike.time);
             self.advance(time);
             left -= time;
             if let Some(strike) = strike {
+                strikes += 1;
                 self.respond(&strike, left, duration);
             } else if left <= 0.0 {
                 return;
             }
-            self.roll_on(left);
+            self.slide_on(left);
         }
         for touch in &self.scratch.touches {
             if let Other::Flipper(index) = touch.other {
@@ -109,11 +112,12 @@ impl Sweep<'_> {
     }
 
     /// A ball's mean velocity over what is `left` of the step.
-    fn mean_velocity(&self, ball: usize, left: f64) -> DVec2 {
+    pub(crate) fn mean_velocity(&self, ball: usize, left: f64) -> DVec2 {
         if self.state.balls[ball].is_held() {
             return DVec2::ZERO;
         }
-        self.state.balls[ball].velocity + self.scratch.motions[ball].drive.velocity * (0.5 * left)
+        let drive = &self.scratch.motions[ball].drive;
+        self.state.balls[ball].velocity + drive.velocity * (0.5 * left) + drive.lead
     }
 
     fn advance(&mut self, time: f64) {
@@ -128,7 +132,7 @@ impl Sweep<'_> {
             ball.center += mean * time;
             ball.velocity += drive.velocity * time;
             ball.spin += drive.spin * time;
-            drive.rolls_in = drive.rolls_in.map(|rolls_in| rolls_in - time);
+            drive.lasts = drive.lasts.map(|lasts| lasts - time);
         }
         if self.flippers_move {
             self.state.mechanisms.rotors.iter_mut().for_each(|rotor| rotor.advance(time));
@@ -138,59 +142,12 @@ impl Sweep<'_> {
         }
     }
 
-    /// Drives the balls that have just come to roll as rolling balls.
-    fn roll_on(&mut self, left: f64) {
+    /// Drives on the balls whose slide has come to its next part, or to its end.
+    fn slide_on(&mut self, left: f64) {
         for ball in 0..self.state.balls.len() {
-            if self.scratch.motions[ball].drive.rolls_in.is_some_and(|time| time <= 0.0) && left > 0.0 {
+            if self.scratch.motions[ball].drive.lasts.is_some_and(|time| time <= 0.0) && left > 0.0 {
                 self.drive_on(ball, left);
                 self.hold_back(left);
-            }
-        }
-    }
-
-    /// The very moment of a hit that was found on a straight way: the true one bends by a quarter of a micron.
-    fn refine(&self, mut strike: Strike, reach: f64) -> Strike {
-        for _ in 0..2 {
-            if strike.time <= 0.0 {
-                break;
-            }
-            let (gap, normal, closing) = self.gap_at(&strike);
-            if closing <= SLOW_M_S || gap.abs() > BEND_M {
-                break;
-            }
-            strike.time = (strike.time + gap / closing).clamp(0.0, reach);
-            strike.normal = normal;
-        }
-        strike
-    }
-
-    /// Distance, normal and speed of approach of the two that meet, at the moment of the strike.
-    fn gap_at(&self, strike: &Strike) -> (f64, DVec2, f64) {
-        let time = strike.time;
-        let place = |ball: usize| self.state.balls[ball].center + self.mean_velocity(ball, time) * time;
-        let speed = |ball: usize| 2.0 * self.mean_velocity(ball, time) - self.mean_velocity(ball, 0.0);
-        let (center, velocity) = (place(strike.ball), speed(strike.ball));
-        match strike.target {
-            Target::Obstacle(index) => {
-                let (distance, normal) = self.plan.obstacles[index].shape.distance(center);
-                (distance, normal, -velocity.dot(normal))
-            }
-            Target::Rod(index) => {
-                let (rod, plunger) = (&self.state.mechanisms.rods[index], &self.plan.plungers[index].1);
-                let moved = rod.velocity(plunger);
-                let (distance, normal) = rod.face(plunger).distance(center - moved * time);
-                (distance, normal, (moved - velocity).dot(normal))
-            }
-            Target::Flipper(index) => {
-                let (rotor, blade) = (&self.state.mechanisms.rotors[index], &self.plan.blades[index]);
-                let (distance, normal) = blade.taper(rotor.angle + rotor.speed * time).distance(center);
-                let lever = center - normal * BALL_RADIUS_M - blade.pivot();
-                (distance - BALL_RADIUS_M, normal, (rotor.velocity_at(lever) - velocity).dot(normal))
-            }
-            Target::Ball(other) => {
-                let away = center - place(other);
-                let normal = away.try_normalize().unwrap_or(strike.normal);
-                (away.length() - 2.0 * BALL_RADIUS_M, normal, (speed(other) - velocity).dot(normal))
             }
         }
     }
@@ -308,6 +265,10 @@ impl Sweep<'_> {
             }
             _ => 0.0,
         };
+        let ahead = self.ahead(strike, left, duration);
+        if let Other::Flipper(index) = other {
+            self.state.mechanisms.rotors[index].speed += ahead;
+        }
         let mut all = bodies(plan, self.state);
         let mut touch = Touch::new(strike.ball, other, strike.normal, material.friction, &all);
         let approach = touch.approach(&all);
@@ -333,6 +294,9 @@ impl Sweep<'_> {
                     }
                 }
             }
+        }
+        if let Other::Flipper(index) = other {
+            self.state.mechanisms.rotors[index].speed -= ahead;
         }
         if approach > 0.0
             && let Target::Obstacle(index) = strike.target
