@@ -17,7 +17,11 @@ pub enum Other {
     Wall,
     Ball(State),
     /// Turns round `pivot` at `turn` rad/s, with this moment of inertia (infinite: it does not yield).
-    Rotor { pivot: DVec2, turn: f64, inertia: f64 },
+    Rotor {
+        pivot: DVec2,
+        turn: f64,
+        inertia: f64,
+    },
 }
 
 /// Two bodies that touch.

@@ -7,12 +7,30 @@ use geometry::DVec2;
 /// What a ball may meet, as the oracle sees it.
 #[derive(Clone, Copy, Debug)]
 pub enum Outline {
-    Disc { center: DVec2, radius: f64 },
-    Capsule { a: DVec2, b: DVec2, radius: f64 },
+    Disc {
+        center: DVec2,
+        radius: f64,
+    },
+    Capsule {
+        a: DVec2,
+        b: DVec2,
+        radius: f64,
+    },
     /// A bent strip: its line's centre and radius, where it starts and how far it goes (positive), and half its width.
-    Bow { center: DVec2, line: f64, start: f64, sweep: f64, radius: f64 },
+    Bow {
+        center: DVec2,
+        line: f64,
+        start: f64,
+        sweep: f64,
+        radius: f64,
+    },
     /// The hull of two discs.
-    Hull { a: DVec2, a_radius: f64, b: DVec2, b_radius: f64 },
+    Hull {
+        a: DVec2,
+        a_radius: f64,
+        b: DVec2,
+        b_radius: f64,
+    },
 }
 
 impl Outline {
@@ -34,7 +52,8 @@ impl Outline {
             }
             Outline::Hull { a, a_radius, b, b_radius } => {
                 // The nearest of all the discs between the two: a convex function of how far along they are.
-                let disc = |part: f64| (point - (a + (b - a) * part)).length() - (a_radius + (b_radius - a_radius) * part);
+                let disc =
+                    |part: f64| (point - (a + (b - a) * part)).length() - (a_radius + (b_radius - a_radius) * part);
                 least(disc)
             }
         }

@@ -10,3 +10,4 @@ mod mechanisms;
 mod oracle;
 mod rolling;
 mod shots;
+mod strokes;
