@@ -13,6 +13,12 @@ const ROLLING_RESISTANCE: f64 = 2e-4;
 const PATCH_RADIUS_M: f64 = 3e-4;
 /// What stands on the playfield is no higher than this where a ball comes down.
 const ABOVE_M: f64 = 0.02;
+/// A slide goes on in steps that are this part of what is left of it...
+const SLIDE_PART: f64 = 0.3;
+/// ... until that is this part of a step.
+const SLIDE_END: f64 = 0.05;
+/// A ball that would slide for no longer than this rolls.
+const ROLLS_S: f64 = 1e-9;
 /// Below this a ball counts as still.
 const STILL_M_S: f64 = 5e-3;
 
@@ -68,6 +74,17 @@ pub(crate) struct Floor {
 pub(crate) struct Drive {
     pub velocity: DVec2,
     pub spin: DVec3,
+    /// How much faster the ball is on its mean than with an even change: friction turns as the slip turns. m/s.
+    pub lead: DVec2,
+    /// For how many seconds this holds, where that is less than asked for: friction turns quickly at a slide's end.
+    pub lasts: Option<f64>,
+}
+
+impl Floor {
+    /// How much of its slip a sliding ball loses to friction, m/s^2.
+    fn slip_loss(&self) -> f64 {
+        self.friction * self.press * (1.0 + INERTIA) / INERTIA
+    }
 }
 
 impl Ball {
@@ -134,16 +151,54 @@ impl Ball {
     ///
     /// Friction never does more than end the slip, so a rolling ball keeps rolling: 5/7 of the pull is left of itself.
     pub fn drive(&self, floor: &Floor, pull: DVec2, duration: f64) -> Drive {
+        let lasts = self.slides_for(floor, pull, duration);
+        let stops = lasts.is_some_and(|time| time < SLIDE_END * duration);
+        let lasts = lasts.map(|time| if stops { time } else { SLIDE_PART * time }).filter(|&time| time < duration);
+        let duration = lasts.unwrap_or(duration);
         let mut after = *self;
+        // Half of it before all else and half after it: so the error of taking them in turn is of the third order.
+        after.resist(floor, 0.5 * duration);
         after.velocity += pull * duration;
         let slip = after.floor_slip();
-        let speed = slip.length();
-        if speed > 0.0 {
-            let grip = (floor.friction * floor.press * duration).min(speed * INERTIA / (1.0 + INERTIA));
-            after.push_floor(slip * (-grip / speed));
+        let stop = slip * (-INERTIA / (1.0 + INERTIA));
+        let most = floor.friction * floor.press * duration;
+        let (push, lead) = if stops || stop.length_squared() <= most * most {
+            (stop, DVec2::ZERO)
+        } else {
+            let (mean, turn) = self.slip_ways(floor, pull, duration);
+            (mean * -most, turn * (most / 12.0))
+        };
+        after.push_floor(push);
+        after.resist(floor, 0.5 * duration);
+        let (velocity, spin) = ((after.velocity - self.velocity) / duration, (after.spin - self.spin) / duration);
+        Drive { velocity, spin, lead, lasts }
+    }
+
+    /// The mean of the unit vectors in which a sliding ball slips in the next `duration`, and by how much they change
+    /// (by the rule of Runge and Kutta): the pull turns the slip, and friction turns with it.
+    fn slip_ways(&self, floor: &Floor, pull: DVec2, duration: f64) -> (DVec2, DVec2) {
+        let slip = self.floor_slip();
+        let way = |gained: DVec2| (slip + gained).normalize_or_zero();
+        let gain = |way: DVec2, time: f64| (pull - way * floor.slip_loss()) * time;
+        let first = way(DVec2::ZERO);
+        let second = way(gain(first, 0.5 * duration));
+        let third = way(gain(second, 0.5 * duration));
+        let fourth = way(gain(third, duration));
+        ((first + (second + third) * 2.0 + fourth) / 6.0, fourth - first)
+    }
+
+    /// In what time friction ends the slip, if it does; only told where that is not many times `duration`.
+    fn slides_for(&self, floor: &Floor, pull: DVec2, duration: f64) -> Option<f64> {
+        let slip = self.floor_slip();
+        if slip.length() > 20.0 * floor.slip_loss() * duration {
+            return None;
         }
-        after.resist(floor, duration);
-        Drive { velocity: (after.velocity - self.velocity) / duration, spin: (after.spin - self.spin) / duration }
+        // The slip is lost along the way that it has on the mean: the whole slip, the pull's with it, is what is lost.
+        let (loss, own) = (floor.slip_loss(), pull.length_squared());
+        let (half, end) = (slip.dot(pull), slip.length_squared());
+        let square = half * half + (loss * loss - own) * end;
+        let time = (half + square.max(0.0).sqrt()) / (loss * loss - own);
+        (loss * loss > own && time > ROLLS_S).then_some(time)
     }
 
     /// Rolling resistance, and the drag of the patch on the spin about the vertical.

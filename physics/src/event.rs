@@ -36,6 +36,8 @@ pub enum EventKind {
 /// One impact of a ball, for the debug overlay and for sounds; the rules never see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
+    /// When in the tick, s: from 0 to [`crate::TICK_S`].
+    pub time_s: f64,
     /// What was hit; `None` for another ball.
     pub part: Option<PartId>,
     /// The point of contact, m.

@@ -76,7 +76,7 @@ pub(crate) struct Rotor {
     /// Torque of the coil, N m.
     coil: f64,
     /// What the speed will have changed by at the end of the step, apart from what balls do to it.
-    rest_of_step: f64,
+    pub rest_of_step: f64,
     /// The plunger has shut its gap.
     home: bool,
     /// How far the bat has turned in its bushing of late, rad: the film of grease that it rides on.

@@ -25,6 +25,7 @@ mod levels;
 mod machine;
 mod magnet;
 mod meet;
+mod moment;
 mod motion;
 mod plan;
 mod plates;

@@ -26,6 +26,8 @@ pub struct Machine {
     pub(crate) starts: Vec<DVec2>,
     pub(crate) events: Vec<Event>,
     contacts: Vec<Contact>,
+    /// Least number of steps in a tick: 1 in play.
+    divisions: u32,
 }
 
 /// Why a layout or saved bytes cannot be played.
@@ -65,7 +67,15 @@ impl Machine {
             starts: Vec::new(),
             events: Vec::new(),
             contacts: Vec::new(),
+            divisions: 1,
         })
+    }
+
+    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least `divisions` steps in a
+    /// tick (1 in play; near a moving flipper there are more in any case). Its clones are as slow; what is restored from
+    /// its bytes is not.
+    pub fn divided(self, divisions: u32) -> Machine {
+        Machine { divisions: divisions.max(1), ..self }
     }
 
     /// What stands on the playfield.
@@ -146,10 +156,11 @@ impl Machine {
                 blade.settle(rotor);
             }
         }
+        let steps = self.divisions.max(steps);
         let duration = TICK_S / f64::from(steps);
-        for _ in 0..steps {
+        for step in 0..steps {
             self.each_rotor(&plan, &alone, |index, blade, rotor| blade.turn(rotor, pressed[index], duration));
-            self.step(&plan, pull, duration, &alone);
+            self.step(&plan, pull, f64::from(step) * duration, duration, &alone);
             self.each_rotor(&plan, &alone, |_, blade, rotor| blade.settle(rotor));
         }
     }
@@ -162,7 +173,7 @@ impl Machine {
         }
     }
 
-    fn step(&mut self, plan: &Plan, pull: DVec2, duration: f64, alone: &[bool]) {
+    fn step(&mut self, plan: &Plan, pull: DVec2, elapsed: f64, duration: f64, alone: &[bool]) {
         self.scratch.motions.clear();
         for ball in &self.state.balls {
             let sunk = match ball.hold {
@@ -175,7 +186,8 @@ impl Machine {
             self.scratch.motions.push(motion);
         }
         let (events, contacts) = (&mut self.events, &mut self.contacts);
-        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, alone }.step(duration);
+        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, elapsed, alone }
+            .step(duration);
     }
 
     /// What happened in the last tick, in order.

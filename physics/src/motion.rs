@@ -23,19 +23,21 @@ impl Motion {
     }
 }
 
-/// Takes from the balls' drive what would push them into what they touch.
-pub(crate) fn hold_back(touch: &Touch, motions: &mut [Motion]) {
+/// Takes from the balls' drive what would push them into what they touch: what they are given away from it must be more
+/// than `least`, m/s^2, which is below 0 where they part.
+pub(crate) fn hold_back(touch: &Touch, least: f64, motions: &mut [Motion]) {
+    motions[touch.ball].drive.lead = DVec2::ZERO;
     match touch.other {
         Other::Ball(other) => {
-            let into = (motions[touch.ball].drive.velocity - motions[other].drive.velocity).dot(touch.normal);
-            if into < 0.0 {
-                motions[touch.ball].drive.velocity -= touch.normal * (0.5 * into);
-                motions[other].drive.velocity += touch.normal * (0.5 * into);
-            }
+            let away = (motions[touch.ball].drive.velocity - motions[other].drive.velocity).dot(touch.normal);
+            let missing = (least.min(0.0) - away).max(0.0);
+            motions[touch.ball].drive.velocity += touch.normal * (0.5 * missing);
+            motions[other].drive.velocity -= touch.normal * (0.5 * missing);
+            motions[other].drive.lead = DVec2::ZERO;
         }
         _ => {
             let drive = &mut motions[touch.ball].drive.velocity;
-            *drive -= touch.normal * drive.dot(touch.normal).min(0.0);
+            *drive += touch.normal * (least.min(0.0) - drive.dot(touch.normal)).max(0.0);
         }
     }
 }

@@ -34,7 +34,7 @@ pub(crate) struct Scratch {
 
 /// What a ball is about to hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Target {
+pub(crate) enum Target {
     Obstacle(usize),
     Rod(usize),
     Flipper(usize),
@@ -42,11 +42,12 @@ enum Target {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Strike {
-    time: f64,
-    ball: usize,
-    target: Target,
-    normal: DVec2,
+pub(crate) struct Strike {
+    /// From now, s.
+    pub time: f64,
+    pub ball: usize,
+    pub target: Target,
+    pub normal: DVec2,
 }
 
 /// One step of everything that moves by rays.
@@ -56,6 +57,8 @@ pub(crate) struct Sweep<'a> {
     pub scratch: &'a mut Scratch,
     pub events: &'a mut Vec<Event>,
     pub contacts: &'a mut Vec<Contact>,
+    /// What has passed of the tick, s.
+    pub elapsed: f64,
     /// The flippers that have turned already, out of every ball's reach.
     pub alone: &'a [bool],
 }
@@ -74,14 +77,20 @@ impl Sweep<'_> {
         self.settle(duration);
         let mut left = duration;
         let most = 16 + 8 * self.state.balls.len();
-        for _ in 0..most {
-            let Some(strike) = self.first_strike(left) else {
-                self.advance(left, left);
+        let mut strikes = 0;
+        while strikes < most {
+            let reach = self.scratch.motions.iter().filter_map(|motion| motion.drive.lasts).fold(left, f64::min);
+            let strike = self.first_strike(reach).map(|strike| self.refine(strike, reach));
+            let time = strike.map_or(reach, |strike| strike.time);
+            self.advance(time);
+            left -= time;
+            if let Some(strike) = strike {
+                strikes += 1;
+                self.respond(&strike, left, duration);
+            } else if left <= 0.0 {
                 return;
-            };
-            self.advance(strike.time, left);
-            left -= strike.time;
-            self.respond(&strike, left, duration);
+            }
+            self.slide_on(left);
         }
         for touch in &self.scratch.touches {
             if let Other::Flipper(index) = touch.other {
@@ -103,30 +112,43 @@ impl Sweep<'_> {
     }
 
     /// A ball's mean velocity over what is `left` of the step.
-    fn mean_velocity(&self, ball: usize, left: f64) -> DVec2 {
+    pub(crate) fn mean_velocity(&self, ball: usize, left: f64) -> DVec2 {
         if self.state.balls[ball].is_held() {
             return DVec2::ZERO;
         }
-        self.state.balls[ball].velocity + self.scratch.motions[ball].drive.velocity * (0.5 * left)
+        let drive = &self.scratch.motions[ball].drive;
+        self.state.balls[ball].velocity + drive.velocity * (0.5 * left) + drive.lead
     }
 
-    fn advance(&mut self, time: f64, left: f64) {
+    fn advance(&mut self, time: f64) {
+        self.elapsed += time;
         for index in 0..self.state.balls.len() {
             if self.state.balls[index].is_held() {
                 continue;
             }
-            let mean = self.mean_velocity(index, left);
-            let drive = self.scratch.motions[index].drive;
+            let mean = self.mean_velocity(index, time);
+            let drive = &mut self.scratch.motions[index].drive;
             let ball = &mut self.state.balls[index];
             ball.center += mean * time;
             ball.velocity += drive.velocity * time;
             ball.spin += drive.spin * time;
+            drive.lasts = drive.lasts.map(|lasts| lasts - time);
         }
         for (rotor, _) in self.state.mechanisms.rotors.iter_mut().zip(self.alone).filter(|(_, alone)| !**alone) {
             rotor.advance(time);
         }
         for rod in &mut self.state.mechanisms.rods {
             rod.advance(time);
+        }
+    }
+
+    /// Drives on the balls whose slide has come to its next part, or to its end.
+    fn slide_on(&mut self, left: f64) {
+        for ball in 0..self.state.balls.len() {
+            if self.scratch.motions[ball].drive.lasts.is_some_and(|time| time <= 0.0) && left > 0.0 {
+                self.drive_on(ball, left);
+                self.hold_back(left);
+            }
         }
     }
 
@@ -247,6 +269,10 @@ impl Sweep<'_> {
             }
             _ => 0.0,
         };
+        let ahead = self.ahead(strike, left, duration);
+        if let Other::Flipper(index) = other {
+            self.state.mechanisms.rotors[index].speed += ahead;
+        }
         let mut all = bodies(plan, self.state);
         let mut touch = Touch::new(strike.ball, other, strike.normal, material.friction, &all);
         let approach = touch.approach(&all);
@@ -273,6 +299,9 @@ impl Sweep<'_> {
                 }
             }
         }
+        if let Other::Flipper(index) = other {
+            self.state.mechanisms.rotors[index].speed -= ahead;
+        }
         match strike.target {
             Target::Obstacle(index) if approach > 0.0 => self.react(index, strike, approach),
             Target::Rod(index) => self.state.mechanisms.rods[index].hit = true,
@@ -291,6 +320,7 @@ impl Sweep<'_> {
 
     fn report(&mut self, strike: &Strike, part: Option<u16>, approach: f64, impulse: DVec2) {
         self.contacts.push(Contact {
+            time_s: self.elapsed,
             part: part.map(PartId),
             point: self.state.balls[strike.ball].center - strike.normal * BALL_RADIUS_M,
             normal: strike.normal,
@@ -359,9 +389,15 @@ impl Sweep<'_> {
         if let Target::Ball(other) = strike.target {
             self.drive_on(other, left);
         }
+        self.hold_back(left);
+    }
+
+    /// Takes from the balls' drive what would press them together or into what they lie on before the step ends.
+    fn hold_back(&mut self, left: f64) {
+        let all = bodies(self.plan, self.state);
         for _ in 0..2 {
             for touch in &self.scratch.touches {
-                hold_back(touch, &mut self.scratch.motions);
+                hold_back(touch, touch.approach(&all) / left, &mut self.scratch.motions);
             }
         }
     }

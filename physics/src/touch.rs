@@ -46,6 +46,8 @@ pub(crate) struct Touch {
     give: f64,
     pressed: f64,
     rubbed: DVec2,
+    /// It is an impact: for its moment the ball is free to rise, which takes from the slip as well.
+    sudden: bool,
 }
 
 impl Touch {
@@ -59,7 +61,19 @@ impl Touch {
             let approach = (rotor.velocity_at(lever) - bodies.balls[ball].velocity).dot(normal);
             give = BALL_MASS_KG * blade.inverse_inertia(rotor, arm, approach);
         }
-        Touch { ball, other, normal, center, friction, goal: 0.0, lever, give, pressed: 0.0, rubbed: DVec2::ZERO }
+        Touch {
+            ball,
+            other,
+            normal,
+            center,
+            friction,
+            goal: 0.0,
+            lever,
+            give,
+            pressed: 0.0,
+            rubbed: DVec2::ZERO,
+            sudden: false,
+        }
     }
 
     fn other_velocity(&self, bodies: &Bodies) -> DVec2 {
@@ -77,11 +91,15 @@ impl Touch {
 
     /// How the ball's rim slides on the other: along `normal.perp()` and along the vertical.
     fn slip(&self, bodies: &Bodies) -> DVec2 {
-        let own = bodies.balls[self.ball].rim_slip(self.normal);
+        let mut own = bodies.balls[self.ball].rim_slip(self.normal);
+        if self.sudden {
+            own.y += self.rubbed.y;
+        }
         match self.other {
             Other::Ball(index) => {
                 let other = bodies.balls[index].rim_slip(-self.normal);
-                DVec2::new(own.x + other.x, own.y - other.y)
+                let sinks = if self.sudden { -self.rubbed.y } else { 0.0 };
+                DVec2::new(own.x + other.x, own.y - other.y - sinks)
             }
             _ => DVec2::new(own.x - self.other_velocity(bodies).dot(self.normal.perp()), own.y),
         }
@@ -130,7 +148,8 @@ impl Touch {
     /// Rubs until the slip ends or the friction cone is reached.
     pub fn grip(&mut self, bodies: &mut Bodies) {
         let (_, masses) = self.inverse_masses();
-        let wanted = self.rubbed - self.slip(bodies) / masses;
+        // One mass for both, or what slides in the end would not slide against the friction.
+        let wanted = self.rubbed - self.slip(bodies) / masses.max_element();
         let limited = wanted.clamp_length_max(self.friction * self.pressed);
         let change = limited - self.rubbed;
         self.rubbed = limited;
@@ -140,11 +159,13 @@ impl Touch {
     /// An impact: the two part at `restitution` times their approach, with friction. Returns the impulse over mass.
     pub fn strike(&mut self, bodies: &mut Bodies, restitution: f64) -> DVec2 {
         let goal = restitution * self.approach(bodies);
-        let rounds = if self.give > 0.0 { 6 } else { 1 };
+        let rounds = if self.give > 0.0 { 8 } else { 1 };
+        self.sudden = true;
         for _ in 0..rounds {
             self.separate(bodies, goal);
             self.grip(bodies);
         }
+        self.sudden = false;
         self.normal * self.pressed + self.normal.perp() * self.rubbed.x
     }
 }

@@ -1,7 +1,10 @@
 //! What the machine must do, asserted from outside: only the crate's public interface is used.
 
+mod accuracy;
 mod cabinet;
 mod captive;
+mod collision;
+mod distances;
 mod diverter;
 mod fixture;
 mod flippers;
@@ -10,7 +13,9 @@ mod machine;
 mod magnet;
 mod material;
 mod mechanisms;
+mod oracle;
 mod ramp;
 mod rest;
 mod rolling;
 mod shots;
+mod strokes;
