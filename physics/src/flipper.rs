@@ -64,8 +64,8 @@ pub(crate) struct Blade {
     pub reach: f64,
 }
 
-/// Steps of the rotor's own in one step of the balls.
-const STOP_STEPS: u32 = 2;
+/// A rotor's own steps are no longer than this, and there are two at least in one of the balls.
+const OWN_STEP_S: f64 = 1.0 / 64_000.0;
 
 /// What a flipper is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -147,15 +147,20 @@ impl Blade {
         self.along(rotor.angle) > 0.5 * self.stroke
     }
 
-    /// Lets the coil's force follow its button for `duration`, and frees the flipper where that lifts it off its stop.
-    /// True if the flipper may now move.
-    fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
+    /// Where the coil's torque goes, N m, and with which time constant, s.
+    fn coil_goal(&self, rotor: &Rotor, pressed: bool) -> (f64, f64) {
         let near_end = self.along(rotor.angle) > self.stroke - END_OF_STROKE_RAD;
-        let (goal, time_constant) = match (pressed, near_end) {
+        match (pressed, near_end) {
             (false, _) => (0.0, COIL_FALL_S),
             (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
             (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
-        };
+        }
+    }
+
+    /// Lets the coil's force follow its button for `duration`, and frees the flipper where that lifts it off its stop.
+    /// True if the flipper may now move.
+    fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
+        let (goal, time_constant) = self.coil_goal(rotor, pressed);
         rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
@@ -164,13 +169,30 @@ impl Blade {
 
     /// In how many steps a tick is to be cut while the flipper moves near a ball.
     pub fn steps(&self, rotor: &Rotor) -> u32 {
-        if rotor.home && rotor.speed.abs() < CREEP_RAD_S { CREEP_STEPS } else { FINE_STEPS }
+        if rotor.home && !rotor.seated && rotor.speed.abs() < CREEP_RAD_S { CREEP_STEPS } else { FINE_STEPS }
     }
 
-    /// The coil follows its button, and torques act, for `duration`.
+    /// The coil follows its button, and torques act, for `duration`: until its end the flipper goes with its mean speed.
+    ///
+    /// The stop and the link are stiff, so this goes in finer steps than the balls do.
     pub fn turn(&self, rotor: &mut Rotor, pressed: bool, duration: f64) {
-        self.energise(rotor, pressed, duration);
-        self.accelerate(rotor, duration);
+        let (goal, time_constant) = self.coil_goal(rotor, pressed);
+        let mut free = *rotor;
+        if !self.energise(rotor, pressed, duration) {
+            return;
+        }
+        (free.home, free.seated) = (rotor.home, false);
+        let count = (duration / OWN_STEP_S).ceil().max(2.0);
+        let half = libm::exp(-0.5 * duration / (count * time_constant));
+        for _ in 0..count as u32 {
+            free.coil = goal + (free.coil - goal) * half;
+            self.go_on(&mut free, duration / count);
+            free.coil = goal + (free.coil - goal) * half;
+        }
+        rotor.film = if free.home { free.film } else { 0.0 };
+        let mean = (free.angle - rotor.angle) / duration;
+        rotor.rest_of_step = free.speed - mean;
+        rotor.speed = mean;
     }
 
     /// Whether the flipper moves, or will within `duration`.
@@ -187,24 +209,29 @@ impl Blade {
         rotor.home || (self.along(rotor.angle) <= 0.0 && self.lift(rotor) <= 0.0)
     }
 
-    /// Torques act for `duration`: until its end the flipper goes with its mean speed.
-    ///
-    /// The stop is stiff, so this goes in finer steps than the balls do.
-    fn accelerate(&self, rotor: &mut Rotor, duration: f64) {
-        if rotor.seated {
+    /// Turns freely for `duration`; where the plunger comes home on the way, from there on as the bat alone.
+    fn go_on(&self, free: &mut Rotor, duration: f64) {
+        let after = self.ahead(free, duration);
+        let (start, end) = (self.along(free.angle) - self.stroke, self.along(after.angle) - self.stroke);
+        let comes_home = !free.home && start < 0.0 && end >= 0.0 && self.is_kept_home(&after);
+        if !comes_home {
+            *free = after;
             return;
         }
-        let fine = duration / f64::from(STOP_STEPS);
-        let mut free = *rotor;
-        for _ in 0..STOP_STEPS {
-            free.speed += self.sense * self.acceleration(&free) * fine;
-            free.angle += free.speed * fine;
-            free.film += (free.speed.abs() - free.film / SQUEEZE_S) * fine;
-        }
-        rotor.film = if rotor.home { free.film } else { 0.0 };
-        let mean = (free.angle - rotor.angle) / duration;
-        rotor.rest_of_step = free.speed - mean;
-        rotor.speed = mean;
+        let way = start / (start - end) * duration;
+        let home = Rotor { home: true, film: 0.0, ..self.ahead(free, way) };
+        *free = self.ahead(&home, duration - way);
+    }
+
+    /// A flipper after `duration` under its own torques, by the midpoint rule.
+    fn ahead(&self, rotor: &Rotor, duration: f64) -> Rotor {
+        let after = |middle: &Rotor, time: f64| Rotor {
+            angle: rotor.angle + middle.speed * time,
+            speed: rotor.speed + self.sense * self.acceleration(middle) * time,
+            film: rotor.film + (middle.speed.abs() - middle.film / SQUEEZE_S) * time,
+            ..*rotor
+        };
+        after(&after(rotor, 0.5 * duration), duration)
     }
 
     /// The flipper has turned: its plunger may have come home, and it may have come to rest.
