@@ -1,7 +1,7 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
-use crate::flipper::{Blade, FINE_STEPS, Rotor};
+use crate::flipper::{Blade, FINE_STEPS};
 use crate::motion::Motion;
 use crate::plan::Plan;
 use crate::state::{KICKER_READY_TICKS, State};
@@ -159,17 +159,10 @@ impl Machine {
         let steps = self.divisions.max(steps);
         let duration = TICK_S / f64::from(steps);
         for step in 0..steps {
-            self.each_rotor(&plan, &alone, |index, blade, rotor| blade.turn(rotor, pressed[index], duration));
+            for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| !alone[index]) {
+                blade.turn(&mut self.state.mechanisms.rotors[index], pressed[index], duration);
+            }
             self.step(&plan, pull, f64::from(step) * duration, duration, &alone);
-            self.each_rotor(&plan, &alone, |_, blade, rotor| blade.settle(rotor));
-        }
-    }
-
-    /// Calls `work` with every flipper that does not turn alone.
-    fn each_rotor(&mut self, plan: &Plan, alone: &[bool], mut work: impl FnMut(usize, &Blade, &mut Rotor)) {
-        let rotors = self.state.mechanisms.rotors.iter_mut();
-        for (index, (blade, rotor)) in plan.blades.iter().zip(rotors).enumerate().filter(|(index, _)| !alone[*index]) {
-            work(index, blade, rotor);
         }
     }
 

@@ -12,14 +12,16 @@ pub(crate) struct Motion {
     pub pull: DVec2,
     /// What the playfield does to it here.
     pub floor: Floor,
-    /// The step's pull is in its velocity already.
+    /// It lies on something: the step's pull is in its velocity already.
     pub settled: bool,
+    /// Its velocity at the step's start.
+    pub start: DVec2,
 }
 
 impl Motion {
     /// Of a ball that `pull` acts on, m/s^2.
     pub fn new(pull: DVec2, floor: Floor) -> Motion {
-        Motion { drive: Drive::default(), pull, floor, settled: false }
+        Motion { drive: Drive::default(), pull, floor, settled: false, start: DVec2::ZERO }
     }
 }
 

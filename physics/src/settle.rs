@@ -24,6 +24,8 @@ const MOST_OUT_M: f64 = 1e-4;
 /// A machine hums with its coils and motors: what has lain still for so long does not cling by friction any more, so
 /// that no arch of balls holds for ever.
 const HUM_TICKS: u32 = 1000;
+/// The sine of an angle by which two ways differ that are the same but for rounding.
+const ALONG: f64 = 1e-9;
 /// A ball that a flipper pushes is kept at least this far from it.
 const NEAR_M: f64 = 1e-6;
 
@@ -58,6 +60,7 @@ impl Sweep<'_> {
             if ball.is_held() {
                 continue;
             } else if motion.settled {
+                motion.start = ball.velocity;
                 ball.velocity += motion.pull * duration;
             } else {
                 motion.drive = ball.drive(&motion.floor, motion.pull, duration);
@@ -65,6 +68,37 @@ impl Sweep<'_> {
         }
         if !self.scratch.touches.is_empty() {
             self.press_together(duration);
+            self.ease_in(duration);
+        }
+    }
+
+    /// A ball that rolls along something gains its speed evenly within the step: its way is that of the mean.
+    fn ease_in(&mut self, duration: f64) {
+        for (ball, motion) in self.state.balls.iter_mut().zip(&mut self.scratch.motions) {
+            if motion.settled && !ball.is_held() {
+                motion.drive.velocity = (ball.velocity - motion.start) / duration;
+            }
+        }
+        for touch in &self.scratch.touches {
+            let still = match touch.other {
+                Other::Fixed(velocity) => velocity == DVec2::ZERO,
+                Other::Flipper(index) => self.state.mechanisms.rotors[index].seated,
+                Other::Ball(other) => {
+                    self.scratch.motions[other].drive.velocity = DVec2::ZERO;
+                    false
+                }
+            };
+            let gain = &mut self.scratch.motions[touch.ball].drive.velocity;
+            *gain = if still { gain.project_onto_normalized(touch.normal.perp()) } else { DVec2::ZERO };
+        }
+        for touch in &self.scratch.touches {
+            let gain = &mut self.scratch.motions[touch.ball].drive.velocity;
+            if gain.dot(touch.normal).abs() > ALONG * gain.length() {
+                *gain = DVec2::ZERO; // there is no way along the walls of a corner
+            }
+        }
+        for (ball, motion) in self.state.balls.iter_mut().zip(&self.scratch.motions).filter(|(_, motion)| motion.settled) {
+            ball.velocity -= motion.drive.velocity * duration;
         }
     }
 
@@ -104,6 +138,26 @@ impl Sweep<'_> {
             }
             if change < SAME_M_S {
                 break;
+            }
+        }
+    }
+
+    /// The flippers get the speed that they have at the step's end, and what they push takes its part of it.
+    pub(crate) fn end_strokes(&mut self, duration: f64) {
+        let plan = self.plan;
+        for (index, blade) in plan.blades.iter().enumerate().filter(|(index, _)| !self.alone[*index]) {
+            blade.settle(&mut self.state.mechanisms.rotors[index]);
+        }
+        for at in 0..self.scratch.touches.len() {
+            let Touch { ball, other, friction, .. } = self.scratch.touches[at];
+            let Other::Flipper(index) = other else { continue };
+            let (blade, center) = (&plan.blades[index], self.state.balls[ball].center);
+            let (distance, normal) = blade.taper(self.state.mechanisms.rotors[index].angle).distance(center);
+            let most = SLOW_M_S + self.turning(index, ball) * duration;
+            let mut all = bodies(plan, self.state);
+            let mut touch = Touch::new(ball, center, other, normal, friction, &all);
+            if distance - BALL_RADIUS_M <= SKIN_M && touch.approach(&all) <= most {
+                touch.strike(&mut all, 0.0);
             }
         }
     }
@@ -152,7 +206,7 @@ impl Sweep<'_> {
         });
         for &(index, normal) in &found[..count] {
             let friction = self.plan.obstacles[index].material.friction;
-            self.add_touch(ball, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
+            self.add_touch(ball, center, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
         }
         for (rod, slide) in self.plan.slides.iter().enumerate().filter(|_| !up) {
             let rod = &self.state.mechanisms.rods[rod];
@@ -160,19 +214,22 @@ impl Sweep<'_> {
             if distance <= SKIN_M {
                 out += way_out(distance, normal);
                 let sudden = if rod.is_shooting() { f64::INFINITY } else { 0.0 };
-                self.add_touch(ball, Other::Fixed(slide.velocity(rod)), normal, 0.2, sudden);
+                self.add_touch(ball, center, Other::Fixed(slide.velocity(rod)), normal, 0.2, sudden);
             }
         }
         for (index, blade) in self.plan.blades.iter().enumerate().filter(|_| !up) {
             if is_out_of_reach(blade, center, SKIN_M) {
                 continue;
             }
-            let angle = self.state.mechanisms.rotors[index].angle;
-            let (distance, normal) = blade.taper(angle).distance(center);
+            let rotor = self.state.mechanisms.rotors[index];
+            let (distance, normal) = blade.taper(rotor.angle).distance(center);
             if distance - BALL_RADIUS_M <= SKIN_M {
                 out += way_out(distance - BALL_RADIUS_M, normal);
                 let sudden = self.turning(index, ball) * duration;
-                self.add_touch(ball, Other::Flipper(index), normal, blade.flipper.material.friction, sudden);
+                // What presses them together turns with the flipper: on the mean it is as in the middle of the step.
+                let (middle, half) = (center + velocity * (0.5 * duration), rotor.angle + rotor.speed * 0.5 * duration);
+                let normal = blade.taper(half).distance(middle).1;
+                self.add_touch(ball, middle, Other::Flipper(index), normal, blade.flipper.material.friction, sudden);
             }
         }
         for other in 0..self.state.balls.len() {
@@ -187,13 +244,13 @@ impl Sweep<'_> {
             }
             if away.length() - 2.0 * BALL_RADIUS_M <= SKIN_M {
                 let what = if held { Other::Fixed(DVec2::ZERO) } else { Other::Ball(other) };
-                self.add_touch(ball, what, away.try_normalize().unwrap_or(DVec2::Y), BALL_FRICTION, 0.0);
+                self.add_touch(ball, center, what, away.try_normalize().unwrap_or(DVec2::Y), BALL_FRICTION, 0.0);
             }
         }
         self.state.balls[ball].center += out;
     }
 
-    fn add_touch(&mut self, ball: usize, other: Other, normal: DVec2, friction: f64, sudden: f64) {
+    fn add_touch(&mut self, ball: usize, center: DVec2, other: Other, normal: DVec2, friction: f64, sudden: f64) {
         let clings = |ball: &Ball| ball.still_ticks < HUM_TICKS;
         let both = match other {
             Other::Ball(other) => clings(&self.state.balls[ball]) && clings(&self.state.balls[other]),
@@ -201,7 +258,7 @@ impl Sweep<'_> {
         };
         let friction = if both { friction } else { 0.0 };
         let bodies = bodies(self.plan, self.state);
-        let touch = Touch::new(ball, other, normal, friction, &bodies);
+        let touch = Touch::new(ball, center, other, normal, friction, &bodies);
         let approach = touch.approach(&bodies);
         if approach > -PARTING_M_S && approach <= SLOW_M_S + sudden {
             self.scratch.touches.push(touch);

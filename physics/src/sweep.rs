@@ -69,12 +69,18 @@ pub(crate) fn bodies<'a>(plan: &'a Plan, state: &'a mut State) -> Bodies<'a> {
 
 impl Sweep<'_> {
     /// Advances everything by `duration`. `scratch.motions` holds the pull on each ball.
+    pub fn step(&mut self, duration: f64) {
+        self.settle(duration);
+        self.sweep(duration);
+        self.end_strokes(duration);
+    }
+
+    /// From hit to hit.
     ///
     /// After very many hits (a ball squeezed between moving things) the rest of the step is dropped: everything stands
     /// still for less than a millisecond. A flipper that is in it is jammed and stops, or its coil would go on giving it
     /// speed in a place where time does not pass.
-    pub fn step(&mut self, duration: f64) {
-        self.settle(duration);
+    fn sweep(&mut self, duration: f64) {
         let mut left = duration;
         let most = 16 + 8 * self.state.balls.len();
         let mut strikes = 0;
@@ -274,7 +280,8 @@ impl Sweep<'_> {
             self.state.mechanisms.rotors[index].speed += ahead;
         }
         let mut all = bodies(plan, self.state);
-        let mut touch = Touch::new(strike.ball, other, strike.normal, material.friction, &all);
+        let center = all.balls[strike.ball].center;
+        let mut touch = Touch::new(strike.ball, center, other, strike.normal, material.friction, &all);
         let approach = touch.approach(&all);
         let impact = approach > SLOW_M_S + sudden;
         let mut restitution = if impact { material.restitution_at(approach) } else { 0.0 };

@@ -51,8 +51,8 @@ pub(crate) struct Touch {
 }
 
 impl Touch {
-    pub fn new(ball: usize, other: Other, normal: DVec2, friction: f64, bodies: &Bodies) -> Touch {
-        let center = bodies.balls[ball].center;
+    /// Of a ball whose centre is taken to be at `center`.
+    pub fn new(ball: usize, center: DVec2, other: Other, normal: DVec2, friction: f64, bodies: &Bodies) -> Touch {
         let (mut lever, mut give) = (DVec2::ZERO, 0.0);
         if let Other::Flipper(index) = other {
             let blade = &bodies.blades[index];

@@ -247,3 +247,25 @@ fn an_early_flip_sends_the_ball_back_up_its_inlane() {
     println!("{waits:?}");
     assert!((3..15).contains(&waits.len()), "it goes back for {waits:?} ms");
 }
+
+/// A ball that rolls down the resting flipper and is shot when it has come some way.
+fn shot(divisions: u32, wait: usize) -> DVec2 {
+    let (layout, start, _) = seam();
+    let mut machine = machine(layout).divided(divisions);
+    machine.put_ball(start, v(0.0, 0.0), [0.0; 3]);
+    machine.tick(Controls::default(), &[Command::SetFlippers(true)]);
+    (0..wait).for_each(|_| machine.tick(Controls::default(), &[]));
+    let up = Controls { left: true, ..Controls::default() };
+    (0..40).for_each(|_| machine.tick(up, &[]));
+    machine.pose().balls[0].velocity
+}
+
+#[test]
+fn a_shot_is_the_same_in_eight_times_as_many_steps() {
+    for wait in (620..980).step_by(10) {
+        let (fast, slow) = (shot(1, wait), shot(8 * 32, wait));
+        let off = (fast - slow).length() / slow.length();
+        println!("{wait} ms: {fast} {slow} {:.4} %", off * 100.0);
+        assert!(off < 5e-3, "after {wait} ms {fast} and {slow}, {off} of it apart");
+    }
+}
