@@ -19,6 +19,11 @@ const SLIDE_PART: f64 = 0.3;
 const SLIDE_END: f64 = 0.05;
 /// A ball that would slide for no longer than this rolls.
 const ROLLS_S: f64 = 1e-9;
+/// A machine hums with its coils and motors: what has lain still for so long is shaken loose and does not cling by
+/// friction, so that no arch of balls holds for ever...
+const HUM_TICKS: u32 = 1000;
+/// ... nor for so long after it has begun to move, or it would stop again half a millimetre on.
+const LOOSE_TICKS: u32 = 200;
 /// Below this a ball counts as still.
 const STILL_M_S: f64 = 5e-3;
 
@@ -54,6 +59,8 @@ pub(crate) struct Ball {
     pub climb: f64,
     /// Ticks since it last moved.
     pub still_ticks: u32,
+    /// Ticks for which it still does not cling to anything: it has been shaken loose.
+    pub loose_ticks: u32,
 }
 
 /// What the playfield does to a ball.
@@ -100,6 +107,7 @@ impl Ball {
             height: 0.0,
             climb: 0.0,
             still_ticks: 0,
+            loose_ticks: 0,
         }
     }
 
@@ -223,6 +231,7 @@ impl Ball {
         // Nobody waits for a captive ball.
         let still = self.velocity.length() < STILL_M_S && self.captive().is_none();
         self.still_ticks = if still { self.still_ticks.saturating_add(1) } else { 0 };
+        self.loose_ticks = if self.still_ticks >= HUM_TICKS { LOOSE_TICKS } else { self.loose_ticks.saturating_sub(1) };
     }
 
     pub fn pose(&self) -> crate::BallPose {

@@ -21,9 +21,6 @@ const AHEAD_M_S: f64 = 1e-5;
 /// How much of an overlap is undone in a step, and how far at most.
 const PART_OF_DEPTH: f64 = 0.2;
 const MOST_OUT_M: f64 = 1e-4;
-/// A machine hums with its coils and motors: what has lain still for so long does not cling by friction any more, so
-/// that no arch of balls holds for ever.
-const HUM_TICKS: u32 = 1000;
 /// The sine of an angle by which two ways differ that are the same but for rounding.
 const ALONG: f64 = 1e-9;
 /// A ball that a flipper pushes is kept at least this far from it.
@@ -251,7 +248,7 @@ impl Sweep<'_> {
     }
 
     fn add_touch(&mut self, ball: usize, center: DVec2, other: Other, normal: DVec2, friction: f64, sudden: f64) {
-        let clings = |ball: &Ball| ball.still_ticks < HUM_TICKS;
+        let clings = |ball: &Ball| ball.loose_ticks == 0;
         let both = match other {
             Other::Ball(other) => clings(&self.state.balls[ball]) && clings(&self.state.balls[other]),
             _ => clings(&self.state.balls[ball]),

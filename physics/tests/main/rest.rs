@@ -98,6 +98,7 @@ fn balls_that_jam_in_a_chute_free_themselves() {
                 machine.tick(Controls::default(), &[]);
                 through(&machine)
             });
+            println!("{count} balls, start {start}: free after {done:?} ms");
             assert!(done.is_some(), "{count} balls, start {start}: {:?}", machine.pose().balls);
         }
     }
