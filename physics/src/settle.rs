@@ -94,7 +94,9 @@ impl Sweep<'_> {
                 *gain = DVec2::ZERO; // there is no way along the walls of a corner
             }
         }
-        for (ball, motion) in self.state.balls.iter_mut().zip(&self.scratch.motions).filter(|(_, motion)| motion.settled) {
+        for (ball, motion) in
+            self.state.balls.iter_mut().zip(&self.scratch.motions).filter(|(_, motion)| motion.settled)
+        {
             ball.velocity -= motion.drive.velocity * duration;
         }
     }
