@@ -8,7 +8,7 @@
 //!
 //! Refuses to know what a ball is: balls turn it through [`Rotor::push`].
 
-use crate::Flipper;
+use crate::{Flipper, TICK_S};
 use geometry::{Circle, DVec2, Taper, trig};
 use serde::{Deserialize, Serialize};
 
@@ -62,6 +62,30 @@ pub(crate) struct Blade {
     stroke: f64,
     /// How far from the pivot the outline ends.
     pub reach: f64,
+    /// What the coil's force keeps, for the steps and time constants of play: an exponential at every step would cost
+    /// more than all else that a flipper does.
+    fades: [Fade; 9],
+}
+
+/// What is left after `duration` of what dies away with a time constant.
+#[derive(Clone, Copy, Debug)]
+struct Fade {
+    duration: f64,
+    time_constant: f64,
+    left: f64,
+}
+
+impl Fade {
+    fn new(duration: f64, time_constant: f64) -> Fade {
+        Fade { duration, time_constant, left: libm::exp(-duration / time_constant) }
+    }
+
+    /// Those of play, the most wanted first.
+    fn all() -> [Fade; 9] {
+        let durations = [FINE_STEPS, 1, CREEP_STEPS].map(|steps| TICK_S / f64::from(steps));
+        let constants = [COIL_FALL_S, COIL_HOLD_S, COIL_RISE_S];
+        std::array::from_fn(|index| Fade::new(durations[index / 3], constants[index % 3]))
+    }
 }
 
 /// Steps of the rotor's own in one step of the balls.
@@ -96,6 +120,7 @@ impl Blade {
             stroke: sweep.abs(),
             reach: end.max(flipper.base.radius),
             flipper: flipper.clone(),
+            fades: Fade::all(),
         }
     }
 
@@ -156,10 +181,15 @@ impl Blade {
             (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
             (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
         };
-        rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
+        rotor.coil = goal + (rotor.coil - goal) * self.fade(duration, time_constant);
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
+    }
+
+    fn fade(&self, duration: f64, time_constant: f64) -> f64 {
+        let known = |fade: &&Fade| fade.duration == duration && fade.time_constant == time_constant;
+        self.fades.iter().find(known).map_or_else(|| Fade::new(duration, time_constant).left, |fade| fade.left)
     }
 
     /// In how many steps a tick is to be cut while the flipper moves near a ball.
