@@ -59,6 +59,8 @@ struct World {
     angle: f64,
     /// Ticks that the world is still stepped if nothing moves it.
     awake: u16,
+    #[serde(skip)]
+    engine: Engine,
 }
 
 /// The body of a plate or flap, counted by kind.
@@ -69,30 +71,29 @@ pub(crate) enum Plate {
 }
 
 /// All rigid bodies.
+#[derive(Clone)]
 pub(crate) struct Works {
     spinners: Vec<Arc<World>>,
     gates: Vec<Arc<World>>,
     drops: Vec<Arc<World>>,
-    engine: Engine,
 }
 
-/// What rapier works with; it carries nothing over.
+/// What rapier works with. It remembers from step to step which world it worked on, so each world has its own; a new one
+/// goes on exactly as an old one does.
 struct Engine {
     pipeline: PhysicsPipeline,
     ccd: CCDSolver,
-    parameters: IntegrationParameters,
 }
 
-impl Engine {
-    fn new() -> Engine {
-        let parameters = IntegrationParameters { dt: TICK_S as f32, ..IntegrationParameters::default() };
-        Engine { pipeline: PhysicsPipeline::new(), ccd: CCDSolver::new(), parameters }
+impl Default for Engine {
+    fn default() -> Engine {
+        Engine { pipeline: PhysicsPipeline::new(), ccd: CCDSolver::new() }
     }
 }
 
-impl Clone for Works {
-    fn clone(&self) -> Works {
-        Works::of(self.spinners.clone(), self.gates.clone(), self.drops.clone())
+impl Clone for Engine {
+    fn clone(&self) -> Engine {
+        Engine::default()
     }
 }
 
@@ -126,15 +127,11 @@ impl Works {
     pub fn new(plan: &Plan) -> Works {
         let spinner = |damping| World::turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), damping);
         let gate = || World::turning(FLAP_KG, 0.5 * BLADE_M, Plate::Gate(0), FLAP_DAMPING_PER_S);
-        Works::of(
-            plan.spinners.iter().map(|(_, numbers)| Arc::new(spinner(numbers.damping_per_s))).collect(),
-            plan.gates.iter().map(|_| Arc::new(gate())).collect(),
-            plan.drops.iter().map(|_| Arc::new(World::sliding())).collect(),
-        )
-    }
-
-    fn of(spinners: Vec<Arc<World>>, gates: Vec<Arc<World>>, drops: Vec<Arc<World>>) -> Works {
-        Works { spinners, gates, drops, engine: Engine::new() }
+        Works {
+            spinners: plan.spinners.iter().map(|(_, numbers)| Arc::new(spinner(numbers.damping_per_s))).collect(),
+            gates: plan.gates.iter().map(|_| Arc::new(gate())).collect(),
+            drops: plan.drops.iter().map(|_| Arc::new(World::sliding())).collect(),
+        }
     }
 
     fn worlds(&self) -> impl Iterator<Item = &World> {
@@ -200,18 +197,18 @@ impl Works {
         for (index, spinner) in self.spinners.iter_mut().enumerate().filter(|(_, world)| world.awake > 0) {
             let spinner = Arc::make_mut(spinner);
             let before = half_turns(spinner.angle);
-            spinner.step(&mut self.engine);
+            spinner.step();
             spinner.follow();
             let turned = half_turns(spinner.angle).abs_diff(before);
             (0..turned).for_each(|_| half_turn(index));
         }
         for gate in self.gates.iter_mut().filter(|world| world.awake > 0) {
             let gate = Arc::make_mut(gate);
-            gate.step(&mut self.engine);
+            gate.step();
             gate.follow();
         }
         for drop in self.drops.iter_mut().filter(|world| world.awake > 0) {
-            Arc::make_mut(drop).step(&mut self.engine);
+            Arc::make_mut(drop).step();
         }
     }
 
@@ -228,7 +225,7 @@ impl Works {
         let whole = |world: &World| world.bodies.get(world.body).is_some() && world.joints.get(world.joint).is_some();
         let fits = worlds.iter().zip(counts).all(|(own, count)| own.len() == count && own.iter().all(whole));
         let [spinners, gates, drops] = worlds.map(|own| own.into_iter().map(Arc::new).collect());
-        fits.then(|| Works::of(spinners, gates, drops))
+        fits.then_some(Works { spinners, gates, drops })
     }
 
     /// Where every body is and how it moves.
@@ -267,6 +264,7 @@ impl World {
             joint,
             angle: 0.0,
             awake: 0,
+            engine: Engine::default(),
         }
     }
 
@@ -304,10 +302,11 @@ impl World {
         self.angle += change - turn * (change / turn).round();
     }
 
-    fn step(&mut self, engine: &mut Engine) {
-        engine.pipeline.step(
+    fn step(&mut self) {
+        let parameters = IntegrationParameters { dt: TICK_S as f32, ..IntegrationParameters::default() };
+        self.engine.pipeline.step(
             Vector::new(0.0, -9.81),
-            &engine.parameters,
+            &parameters,
             &mut self.islands,
             &mut self.broad_phase,
             &mut self.narrow_phase,
@@ -316,12 +315,39 @@ impl World {
             &mut self.joints,
             &mut self.multibodies,
             &mut self.soft_bodies,
-            &mut engine.ccd,
+            &mut self.engine.ccd,
             &(),
             &(),
         );
         let body = &self.bodies[self.body];
         let moves = body.linvel().length() > QUIET || body.angvel().abs() > 100.0 * QUIET;
         self.awake = if moves { QUIET_TICKS } else { self.awake - 1 };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clones_at_every_tick_go_on_as_the_original_does() {
+        let spinner = World::turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), 0.7);
+        let gate = World::turning(FLAP_KG, 0.5 * BLADE_M, Plate::Gate(0), FLAP_DAMPING_PER_S);
+        let (spinners, gates) = (vec![Arc::new(spinner)], vec![Arc::new(gate)]);
+        let mut works = Works { spinners, gates, drops: vec![Arc::new(World::sliding())] };
+        works.push(Plate::Spinner(0), 1e-4);
+        works.push(Plate::Gate(0), 1e-5);
+        works.send(0, false);
+        let mut cloned = works.clone();
+        for tick in 0..3000 {
+            let before = cloned.clone();
+            cloned.tick(|_| {});
+            // It is shared no more, and nothing that moves keeps its engine.
+            drop(before);
+            works.tick(|_| {});
+            assert_eq!(works.motion(), cloned.motion(), "after {tick} ticks");
+        }
+        assert_eq!(works.motion()[2].0, 0, "the target has come to rest");
+        assert!(works.motion()[0].0 > 0, "while the spinner still turns");
     }
 }
