@@ -181,7 +181,10 @@ impl Blade {
             (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
             (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
         };
-        rotor.coil = goal + (rotor.coil - goal) * self.fade(duration, time_constant);
+        // A force that is where it goes stays there.
+        if rotor.coil != goal {
+            rotor.coil = goal + (rotor.coil - goal) * self.fade(duration, time_constant);
+        }
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
