@@ -100,20 +100,21 @@ impl Machine {
     /// Raises the drop targets that are asked to rise and have no ball over them.
     pub(crate) fn raise(&mut self) {
         let plan = Arc::clone(&self.plan);
-        for obstacle in &plan.obstacles {
-            let Role::Drop(index) = obstacle.role else { continue };
+        for (index, &obstacle) in plan.drop_obstacles.iter().enumerate() {
+            let obstacle = &plan.obstacles[obstacle];
             let away = |ball: &Ball, time: f64| obstacle.shape.distance(ball.center).0 > ball.velocity.length() * time;
-            let clear = self.state.balls.iter().all(|ball| away(ball, 0.0));
-            let stays_clear = self.state.balls.iter().all(|ball| away(ball, RISE_S));
+            // Asked only where it matters: most targets stand, and nothing is to be done.
+            let balls = &self.state.balls;
+            let clear = |time: f64| balls.iter().all(|ball| away(ball, time));
             let drop = &mut self.state.mechanisms.drops[index];
             let high = self.works.height(index) > STANDING;
             match drop.goal {
-                Goal::Rise if stays_clear => {
+                Goal::Rise if clear(RISE_S) => {
                     drop.goal = Goal::Up;
                     self.works.send(index, true);
                 }
                 // A ball has come over it while it rose: down again, until it has gone.
-                Goal::Up if high && !drop.solid && !clear => {
+                Goal::Up if high && !drop.solid && !clear(0.0) => {
                     drop.goal = Goal::Rise;
                     self.works.send(index, false);
                 }

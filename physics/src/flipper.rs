@@ -8,7 +8,7 @@
 //!
 //! Refuses to know what a ball is: balls turn it through [`Rotor::push`].
 
-use crate::Flipper;
+use crate::{Flipper, TICK_S};
 use geometry::{Circle, DVec2, Taper, trig};
 use serde::{Deserialize, Serialize};
 
@@ -62,10 +62,35 @@ pub(crate) struct Blade {
     stroke: f64,
     /// How far from the pivot the outline ends.
     pub reach: f64,
+    /// What the coil's force keeps, for the steps and time constants of play: an exponential at every step would cost
+    /// more than all else that a flipper does.
+    fades: [Fade; 12],
+}
+
+/// What is left after `duration` of what dies away with a time constant.
+#[derive(Clone, Copy, Debug)]
+struct Fade {
+    duration: f64,
+    time_constant: f64,
+    left: f64,
+}
+
+impl Fade {
+    fn new(duration: f64, time_constant: f64) -> Fade {
+        Fade { duration, time_constant, left: libm::exp(-duration / time_constant) }
+    }
+
+    /// Those of play, the most wanted first.
+    fn all() -> [Fade; 12] {
+        let steps = [FINE_STEPS, 1, CREEP_STEPS].map(|steps| TICK_S / f64::from(steps));
+        let durations = [0.5 * OWN_STEP_S, steps[0], steps[1], steps[2]];
+        let constants = [COIL_FALL_S, COIL_HOLD_S, COIL_RISE_S];
+        std::array::from_fn(|index| Fade::new(durations[index / 3], constants[index % 3]))
+    }
 }
 
 /// A rotor's own steps are no longer than this, and there are two at least in one of the balls.
-const OWN_STEP_S: f64 = 1.0 / 64_000.0;
+const OWN_STEP_S: f64 = TICK_S / 64.0;
 
 /// What a flipper is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -96,6 +121,7 @@ impl Blade {
             stroke: sweep.abs(),
             reach: end.max(flipper.base.radius),
             flipper: flipper.clone(),
+            fades: Fade::all(),
         }
     }
 
@@ -161,10 +187,18 @@ impl Blade {
     /// True if the flipper may now move.
     fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
         let (goal, time_constant) = self.coil_goal(rotor, pressed);
-        rotor.coil = goal + (rotor.coil - goal) * libm::exp(-duration / time_constant);
+        // A force that is where it goes stays there.
+        if rotor.coil != goal {
+            rotor.coil = goal + (rotor.coil - goal) * self.fade(duration, time_constant);
+        }
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
+    }
+
+    fn fade(&self, duration: f64, time_constant: f64) -> f64 {
+        let known = |fade: &&Fade| fade.duration == duration && fade.time_constant == time_constant;
+        self.fades.iter().find(known).map_or_else(|| Fade::new(duration, time_constant).left, |fade| fade.left)
     }
 
     /// In how many steps a tick is to be cut while the flipper moves near a ball.
@@ -183,7 +217,7 @@ impl Blade {
         }
         (free.home, free.seated) = (rotor.home, false);
         let count = (duration / OWN_STEP_S).ceil().max(2.0);
-        let half = libm::exp(-0.5 * duration / (count * time_constant));
+        let half = self.fade(0.5 * duration / count, time_constant);
         for _ in 0..count as u32 {
             free.coil = goal + (free.coil - goal) * half;
             self.go_on(&mut free, duration / count);

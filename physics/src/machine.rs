@@ -1,7 +1,8 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
-use crate::flipper::{Blade, FINE_STEPS};
+use crate::flipper::{Blade, FINE_STEPS, Rotor};
+use crate::meet::is_out_of_reach;
 use crate::motion::Motion;
 use crate::plan::Plan;
 use crate::state::{KICKER_READY_TICKS, State};
@@ -144,7 +145,7 @@ impl Machine {
         let mut steps = 1;
         for (index, (blade, rotor)) in plan.blades.iter().zip(&self.state.mechanisms.rotors).enumerate() {
             if blade.will_move(rotor, pressed[index], TICK_S) {
-                alone[index] = !self.state.balls.iter().any(|ball| may_reach(blade, ball));
+                alone[index] = !self.state.balls.iter().any(|ball| may_reach(blade, rotor, ball));
                 steps = if alone[index] { steps } else { steps.max(blade.steps(rotor)) };
             }
         }
@@ -214,8 +215,13 @@ impl Machine {
     }
 }
 
-/// Whether a ball can come to where the flipper may be within the tick.
-fn may_reach(blade: &Blade, ball: &Ball) -> bool {
-    let reach = blade.reach + BALL_RADIUS_M + 2.0 * ball.velocity.length() * TICK_S + 2e-3;
-    !ball.is_held() && !ball.is_up() && ball.center.distance_squared(blade.pivot()) < reach * reach
+/// Whether a ball can come to where the flipper may be within the tick, both being a good deal faster than they are:
+/// another ball, a kicker and the coil may see to that.
+fn may_reach(blade: &Blade, rotor: &Rotor, ball: &Ball) -> bool {
+    let travel = 2.0 * ball.velocity.length() * TICK_S + 6e-3;
+    if ball.is_held() || ball.is_up() || is_out_of_reach(blade, ball.center, travel) {
+        return false;
+    }
+    let turn = (2.0 * rotor.speed.abs() + blade.most_acceleration(rotor) * TICK_S) * TICK_S;
+    blade.taper(rotor.angle).distance(ball.center).0 < BALL_RADIUS_M + travel + turn * blade.reach
 }

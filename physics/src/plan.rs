@@ -88,6 +88,8 @@ pub(crate) struct Plan {
     pub kickers: Vec<Kicker>,
     pub targets: Vec<Switch>,
     pub drops: Vec<Switch>,
+    /// Where the drop targets are among the obstacles.
+    pub drop_obstacles: Vec<usize>,
     pub rollovers: Vec<u16>,
     pub gates: Vec<Numbered<Gate>>,
     pub spinners: Vec<Numbered<Spinner>>,
@@ -101,8 +103,9 @@ pub(crate) struct Plan {
     pub tracks: Vec<Track>,
 }
 
-/// How far from its axle's line a plate or flap can still meet the ball.
-const PLATE_REACH_M: f64 = 0.03;
+/// How far from its axle's line a plate or flap can still meet the ball: a little over 30 mm, where it stands out at 62
+/// degrees and its edge touches the ball below its middle.
+const PLATE_REACH_M: f64 = 0.031;
 
 impl Plan {
     pub fn new(layout: &Layout) -> Plan {
@@ -121,6 +124,7 @@ impl Plan {
             kickers: Vec::new(),
             targets: Vec::new(),
             drops: Vec::new(),
+            drop_obstacles: Vec::new(),
             rollovers: Vec::new(),
             gates: Vec::new(),
             spinners: Vec::new(),
@@ -192,6 +196,7 @@ impl Plan {
                 self.targets.push(Switch { part, threshold: t.threshold_m_s });
             }
             Kind::DropTarget(t) => {
+                self.drop_obstacles.push(self.obstacles.len());
                 self.obstacle(part, t.shape, t.material, Role::Drop(self.drops.len()));
                 self.drops.push(Switch { part, threshold: t.threshold_m_s });
             }

@@ -30,6 +30,8 @@ pub(crate) struct Track {
     /// Height of the floor at each mark, m.
     heights: Vec<f64>,
     half_width: f64,
+    /// Kept, because they are asked for in every tick, and an arc's ends cost trigonometry.
+    mouths: [Mouth; 2],
     /// Its sides among the plan's obstacles.
     pub sides: std::ops::Range<usize>,
     /// The tracks that its start and its end are joined to.
@@ -68,6 +70,7 @@ impl Track {
             marks,
             heights: ramp.heights_m.clone(),
             half_width: ramp.half_width_m,
+            mouths: mouths(&ramp.way, &ramp.heights_m),
             sides: 0..0,
             joined: [None; 2],
         }
@@ -98,13 +101,8 @@ impl Track {
     }
 
     /// Its two ends: the start and the end.
-    pub fn mouths(&self) -> [Mouth; 2] {
-        let (first, last) = (&self.legs[0], &self.legs[self.legs.len() - 1]);
-        let end = last.length();
-        [
-            Mouth { middle: first.at(0.0), out: -first.way_at(0.0), height: self.heights[0] },
-            Mouth { middle: last.at(end), out: last.way_at(end), height: self.heights[self.heights.len() - 1] },
-        ]
+    pub fn mouths(&self) -> &[Mouth; 2] {
+        &self.mouths
     }
 
     /// Whether a ball that goes from `from` to `to` on the playfield rolls in through one of its ends.
@@ -196,7 +194,7 @@ impl Track {
 
     /// Joins the ends of tracks that lie on each other.
     pub fn join(tracks: &mut [Track]) {
-        let mouths: Vec<[Mouth; 2]> = tracks.iter().map(Track::mouths).collect();
+        let mouths: Vec<[Mouth; 2]> = tracks.iter().map(|track| track.mouths).collect();
         for (index, track) in tracks.iter_mut().enumerate() {
             for end in 0..2 {
                 let own = mouths[index][end];
@@ -210,6 +208,16 @@ impl Track {
             }
         }
     }
+}
+
+/// The start and the end of a way whose floor has these heights at its marks.
+fn mouths(legs: &[Leg], heights: &[f64]) -> [Mouth; 2] {
+    let (first, last) = (&legs[0], &legs[legs.len() - 1]);
+    let end = last.length();
+    [
+        Mouth { middle: first.at(0.0), out: -first.way_at(0.0), height: heights[0] },
+        Mouth { middle: last.at(end), out: last.way_at(end), height: heights[heights.len() - 1] },
+    ]
 }
 
 /// Where on its way from `from` to `to`, one of them below 0, the floor goes through 0: 0 to 1.

@@ -4,7 +4,7 @@ use crate::ball::Ball;
 use crate::levels::apart;
 use crate::plan::Role;
 use crate::works::Plate;
-use crate::{BALL_RADIUS_M, Machine, PartId, Pose, Trigger, magnet};
+use crate::{BALL_RADIUS_M, BallPose, Machine, PartId, Pose, Trigger, magnet};
 use geometry::DVec2;
 
 impl Machine {
@@ -26,7 +26,7 @@ impl Machine {
         let captive = |ball: &Ball| Some((PartId(plan.captives[ball.captive()?].0), ball.pose()));
         let magnets = plan.magnets.iter().zip(&own.coils);
         Pose {
-            balls: self.in_play().map(Ball::pose).collect(),
+            balls: self.balls(),
             captives: self.state.balls.iter().filter_map(captive).collect(),
             flippers_rad: angles.collect(),
             torques_n_m: torques.collect(),
@@ -38,6 +38,11 @@ impl Machine {
             plunger: pulled.fold(0.0, f64::max),
             cabinet_m: own.cabinet.place,
         }
+    }
+
+    /// Where the balls in play are now: the `balls` of [`Machine::pose`], without the rest.
+    pub fn balls(&self) -> Vec<BallPose> {
+        self.in_play().map(Ball::pose).collect()
     }
 
     fn in_play(&self) -> impl Iterator<Item = &Ball> {

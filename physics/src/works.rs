@@ -1,10 +1,11 @@
-//! The mechanisms that are rigid bodies: spinner plates, gate flaps and drop targets, in one rapier world.
+//! The mechanisms that are rigid bodies: spinner plates, gate flaps and drop targets, each in a rapier world of its own.
 //!
-//! Each moves in its own upright plane, seen from the side: x is the ball's way, y is up, 0 on the playfield. The planes
-//! lie side by side in the one world, out of each other's reach. Refuses to know what a ball is: others read how a body
-//! stands and turn it.
+//! Each moves in its own upright plane, seen from the side: x is the ball's way, y is up, 0 on the playfield. None of them
+//! touches another, so each has its own world: what spins costs nothing for what hangs. Refuses to know what a ball is:
+//! others read how a body stands and turn it.
 //!
-//! While nothing moves the world is not stepped. Clones of a machine share the world until one of them must step it.
+//! While a mechanism does not move its world is not stepped. Clones of a machine share a world until one of them must
+//! step it.
 
 use crate::TICK_S;
 use crate::plan::Plan;
@@ -34,12 +35,16 @@ const TARGET_KG: f64 = 0.02;
 /// Natural frequency of the spring that pulls a target down and of the coil that raises it, rad/s.
 const DOWN_RAD_S: f64 = 40.0;
 const UP_RAD_S: f64 = 120.0;
-/// Ticks without motion after which the world stands still.
+/// Ticks without motion after which a world stands still.
 const QUIET_TICKS: u16 = 250;
 /// Slower than this is no motion: m/s, and rad/s.
 const QUIET: f32 = 2e-3;
+/// Parts that rapier divides a tick into: stops and springs need them.
+const ROUNDS: usize = 4;
+/// A spinner's plate meets no stop and is nearly balanced; it spins for many seconds after every ball.
+const SPINNER_ROUNDS: usize = 1;
 
-/// What rapier knows.
+/// A mechanism: all that rapier knows of it.
 #[derive(Clone, Serialize, Deserialize)]
 struct World {
     islands: IslandManager,
@@ -50,26 +55,16 @@ struct World {
     joints: ImpulseJointSet,
     multibodies: MultibodyJointSet,
     soft_bodies: SoftBodySet,
-    spinners: Vec<Turning>,
-    gates: Vec<Turning>,
-    drops: Vec<Sliding>,
+    /// The one body that moves.
+    body: RigidBodyHandle,
+    /// Its axle or slot.
+    joint: ImpulseJointHandle,
+    /// From hanging, rad; goes on past a turn. 0 of what does not turn.
+    angle: f64,
     /// Ticks that the world is still stepped if nothing moves it.
     awake: u16,
-}
-
-/// A body on an axle.
-#[derive(Clone, Copy, Serialize, Deserialize)]
-struct Turning {
-    body: RigidBodyHandle,
-    /// From hanging, rad; goes on past a turn.
-    angle: f64,
-}
-
-/// A body in an upright slot.
-#[derive(Clone, Copy, Serialize, Deserialize)]
-struct Sliding {
-    body: RigidBodyHandle,
-    joint: ImpulseJointHandle,
+    #[serde(skip)]
+    engine: Engine,
 }
 
 /// The body of a plate or flap, counted by kind.
@@ -80,21 +75,36 @@ pub(crate) enum Plate {
 }
 
 /// All rigid bodies.
+#[derive(Clone)]
 pub(crate) struct Works {
-    world: Arc<World>,
+    spinners: Vec<Arc<World>>,
+    gates: Vec<Arc<World>>,
+    drops: Vec<Arc<World>>,
+}
+
+/// What rapier works with. It remembers from step to step which world it worked on, so each world has its own; a new one
+/// goes on exactly as an old one does.
+struct Engine {
     pipeline: PhysicsPipeline,
     ccd: CCDSolver,
 }
 
-impl Clone for Works {
-    fn clone(&self) -> Works {
-        Works::around(Arc::clone(&self.world))
+impl Default for Engine {
+    fn default() -> Engine {
+        Engine { pipeline: PhysicsPipeline::new(), ccd: CCDSolver::new() }
+    }
+}
+
+impl Clone for Engine {
+    fn clone(&self) -> Engine {
+        Engine::default()
     }
 }
 
 impl std::fmt::Debug for Works {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Works").field("awake", &self.world.awake).finish_non_exhaustive()
+        let awake: Vec<u16> = self.worlds().map(|world| world.awake).collect();
+        f.debug_struct("Works").field("awake", &awake).finish_non_exhaustive()
     }
 }
 
@@ -119,62 +129,168 @@ impl Plate {
 impl Works {
     /// Everything hanging, every target up.
     pub fn new(plan: &Plan) -> Works {
-        let mut world = World {
-            islands: IslandManager::new(),
-            broad_phase: BroadPhaseBvh::default(),
-            narrow_phase: NarrowPhase::new(),
-            bodies: RigidBodySet::new(),
-            colliders: ColliderSet::new(),
-            joints: ImpulseJointSet::new(),
-            multibodies: MultibodyJointSet::new(),
-            soft_bodies: SoftBodySet::new(),
-            spinners: Vec::new(),
-            gates: Vec::new(),
-            drops: Vec::new(),
-            awake: 0,
-        };
-        for (_, spinner) in &plan.spinners {
-            let turning = world.add_turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), spinner.damping_per_s);
-            world.spinners.push(turning);
+        let spinner = |damping| World::turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), damping);
+        let gate = || World::turning(FLAP_KG, 0.5 * BLADE_M, Plate::Gate(0), FLAP_DAMPING_PER_S);
+        Works {
+            spinners: plan.spinners.iter().map(|(_, numbers)| Arc::new(spinner(numbers.damping_per_s))).collect(),
+            gates: plan.gates.iter().map(|_| Arc::new(gate())).collect(),
+            drops: plan.drops.iter().map(|_| Arc::new(World::sliding())).collect(),
         }
-        for _ in &plan.gates {
-            let turning = world.add_turning(FLAP_KG, 0.5 * BLADE_M, Plate::Gate(0), FLAP_DAMPING_PER_S);
-            world.gates.push(turning);
-        }
-        for _ in &plan.drops {
-            let sliding = world.add_sliding();
-            world.drops.push(sliding);
-        }
-        Works::around(Arc::new(world))
     }
 
-    fn around(world: Arc<World>) -> Works {
-        Works { world, pipeline: PhysicsPipeline::new(), ccd: CCDSolver::new() }
+    fn worlds(&self) -> impl Iterator<Item = &World> {
+        self.spinners.iter().chain(&self.gates).chain(&self.drops).map(|world| &**world)
     }
 
-    fn turning(&self, plate: Plate) -> &Turning {
+    fn plate(&self, plate: Plate) -> &World {
         match plate {
-            Plate::Spinner(index) => &self.world.spinners[index],
-            Plate::Gate(index) => &self.world.gates[index],
+            Plate::Spinner(index) => &self.spinners[index],
+            Plate::Gate(index) => &self.gates[index],
         }
     }
 
     /// The angle of a plate from hanging, rad; positive where its lower edge has gone the ball's way.
     pub fn angle(&self, plate: Plate) -> f64 {
-        self.turning(plate).angle
+        self.plate(plate).angle
     }
 
     /// How fast a plate turns, rad/s.
     pub fn turn(&self, plate: Plate) -> f64 {
-        f64::from(self.world.bodies[self.turning(plate).body].angvel())
+        let world = self.plate(plate);
+        f64::from(world.bodies[world.body].angvel())
     }
 
     /// Gives a plate an angular impulse about its axle, N m s.
     pub fn push(&mut self, plate: Plate, impulse: f64) {
-        let body = self.turning(plate).body;
-        let world = Arc::make_mut(&mut self.world);
+        let world = match plate {
+            Plate::Spinner(index) => &mut self.spinners[index],
+            Plate::Gate(index) => &mut self.gates[index],
+        };
+        Arc::make_mut(world).push(plate, impulse);
+    }
+
+    /// How far up a drop target stands: 1 is up, 0 is flush with the playfield.
+    pub fn height(&self, drop: usize) -> f64 {
+        let world = &self.drops[drop];
+        let sunk = -f64::from(world.bodies[world.body].translation().y);
+        (1.0 - sunk / FALL_M).clamp(0.0, 1.0)
+    }
+
+    /// Lets a drop target fall, or raises it.
+    pub fn send(&mut self, drop: usize, up: bool) {
+        let world = Arc::make_mut(&mut self.drops[drop]);
         world.awake = QUIET_TICKS;
-        if let Some(body) = world.bodies.get_mut(body) {
+        let (place, frequency) = if up { (0.0, UP_RAD_S) } else { (-FALL_M, DOWN_RAD_S) };
+        if let Some(joint) = world.joints.get_mut(world.joint, true) {
+            let (stiffness, damping) = (frequency * frequency, 2.0 * frequency);
+            joint.data.set_motor_position(JointAxis::LinX, place as f32, stiffness as f32, damping as f32);
+        }
+    }
+
+    /// One tick. Calls `half_turn` once for each half turn that a spinner's plate makes.
+    pub fn tick(&mut self, mut half_turn: impl FnMut(usize)) {
+        for (index, spinner) in self.spinners.iter_mut().enumerate().filter(|(_, world)| world.awake > 0) {
+            let spinner = Arc::make_mut(spinner);
+            let before = half_turns(spinner.angle);
+            spinner.step(SPINNER_ROUNDS);
+            spinner.follow();
+            let turned = half_turns(spinner.angle).abs_diff(before);
+            (0..turned).for_each(|_| half_turn(index));
+        }
+        for gate in self.gates.iter_mut().filter(|world| world.awake > 0) {
+            let gate = Arc::make_mut(gate);
+            gate.step(ROUNDS);
+            gate.follow();
+        }
+        for drop in self.drops.iter_mut().filter(|world| world.awake > 0) {
+            Arc::make_mut(drop).step(ROUNDS);
+        }
+    }
+
+    /// The state as bytes.
+    pub fn save(&self) -> Vec<u8> {
+        let all = |worlds: &[Arc<World>]| -> Vec<World> { worlds.iter().map(|world| (**world).clone()).collect() };
+        postcard::to_stdvec(&[all(&self.spinners), all(&self.gates), all(&self.drops)]).unwrap_or_default()
+    }
+
+    /// The worlds that `save` wrote, if they fit the plan.
+    pub fn restore(plan: &Plan, bytes: &[u8]) -> Option<Works> {
+        let worlds: [Vec<World>; 3] = postcard::from_bytes(bytes).ok()?;
+        let counts = [plan.spinners.len(), plan.gates.len(), plan.drops.len()];
+        let whole = |world: &World| world.bodies.get(world.body).is_some() && world.joints.get(world.joint).is_some();
+        let fits = worlds.iter().zip(counts).all(|(own, count)| own.len() == count && own.iter().all(whole));
+        let [spinners, gates, drops] = worlds.map(|own| own.into_iter().map(Arc::new).collect());
+        fits.then_some(Works { spinners, gates, drops })
+    }
+
+    /// Where every body is and how it moves.
+    pub fn motion(&self) -> Vec<(u16, f64, [f32; 6])> {
+        let motion = |world: &World| {
+            let body = &world.bodies[world.body];
+            let (place, turned, speed) = (body.translation(), body.rotation(), body.linvel());
+            (world.awake, world.angle, [place.x, place.y, turned.im, speed.x, speed.y, body.angvel()])
+        };
+        self.worlds().map(motion).collect()
+    }
+}
+
+/// How many times a plate at `angle` has been through upright, from hanging.
+fn half_turns(angle: f64) -> i64 {
+    (angle / PI + 0.5).floor() as i64
+}
+
+impl World {
+    /// A body whose axle or slot is at `place`, on a joint.
+    fn new(place: Vector, body: RigidBodyBuilder, joint: impl Into<GenericJoint>) -> World {
+        let (mut bodies, mut joints) = (RigidBodySet::new(), ImpulseJointSet::new());
+        let body = bodies.insert(body.translation(place).can_sleep(false));
+        let fixed = bodies.insert(RigidBodyBuilder::fixed().translation(place));
+        let joint = joints.insert(fixed, body, joint, true);
+        World {
+            islands: IslandManager::new(),
+            broad_phase: BroadPhaseBvh::default(),
+            narrow_phase: NarrowPhase::new(),
+            bodies,
+            colliders: ColliderSet::new(),
+            joints,
+            multibodies: MultibodyJointSet::new(),
+            soft_bodies: SoftBodySet::new(),
+            body,
+            joint,
+            angle: 0.0,
+            awake: 0,
+            engine: Engine::default(),
+        }
+    }
+
+    fn turning(mass: f64, hang: f64, plate: Plate, damping: f64) -> World {
+        let own_inertia = plate.inertia() - mass * hang * hang;
+        let middle = Vector::new(0.0, -hang as f32);
+        let body = RigidBodyBuilder::dynamic()
+            .additional_mass_properties(MassProperties::new(middle, mass as f32, own_inertia as f32))
+            .angular_damping(damping as f32);
+        let mut joint = RevoluteJointBuilder::new();
+        let (low, high) = plate.range();
+        if low.is_finite() {
+            joint = joint.limits([low as f32, high as f32]);
+        }
+        World::new(Vector::new(0.0, AXLE_M as f32), body, joint.build())
+    }
+
+    fn sliding() -> World {
+        let properties = MassProperties::new(Vector::ZERO, TARGET_KG as f32, 1e-5);
+        let body = RigidBodyBuilder::dynamic().additional_mass_properties(properties);
+        let (stiffness, damping) = ((UP_RAD_S * UP_RAD_S) as f32, (2.0 * UP_RAD_S) as f32);
+        let joint = PrismaticJointBuilder::new(Vector::Y)
+            .limits([-FALL_M as f32, 0.0])
+            .motor_position(0.0, stiffness, damping)
+            .build();
+        World::new(Vector::ZERO, body, joint)
+    }
+
+    fn push(&mut self, plate: Plate, impulse: f64) {
+        self.awake = QUIET_TICKS;
+        if let Some(body) = self.bodies.get_mut(self.body) {
             // Set for the whole body at once: the axle's reaction is not left to the solver.
             let turn = body.angvel() + (impulse / plate.inertia()) as f32;
             let axle = Vector::new(0.0, AXLE_M as f32);
@@ -184,138 +300,19 @@ impl Works {
         }
     }
 
-    /// How far up a drop target stands: 1 is up, 0 is flush with the playfield.
-    pub fn height(&self, drop: usize) -> f64 {
-        let sunk = -f64::from(self.world.bodies[self.world.drops[drop].body].translation().y);
-        (1.0 - sunk / FALL_M).clamp(0.0, 1.0)
-    }
-
-    /// Lets a drop target fall, or raises it.
-    pub fn send(&mut self, drop: usize, up: bool) {
-        let joint = self.world.drops[drop].joint;
-        let world = Arc::make_mut(&mut self.world);
-        world.awake = QUIET_TICKS;
-        let (place, frequency) = if up { (0.0, UP_RAD_S) } else { (-FALL_M, DOWN_RAD_S) };
-        if let Some(joint) = world.joints.get_mut(joint, true) {
-            let (stiffness, damping) = (frequency * frequency, 2.0 * frequency);
-            joint.data.set_motor_position(JointAxis::LinX, place as f32, stiffness as f32, damping as f32);
-        }
-    }
-
-    /// One tick. Calls `half_turn` once for each half turn that a spinner's plate makes.
-    pub fn tick(&mut self, mut half_turn: impl FnMut(usize)) {
-        if self.world.awake == 0 {
-            return;
-        }
-        let world = Arc::make_mut(&mut self.world);
-        world.step(&mut self.pipeline, &mut self.ccd);
-        for (index, spinner) in world.spinners.iter_mut().enumerate() {
-            let before = half_turns(spinner.angle);
-            spinner.follow(&world.bodies);
-            let turned = half_turns(spinner.angle).abs_diff(before);
-            (0..turned).for_each(|_| half_turn(index));
-        }
-        world.gates.iter_mut().for_each(|gate| gate.follow(&world.bodies));
-    }
-
-    /// The state as bytes.
-    pub fn save(&self) -> Vec<u8> {
-        postcard::to_stdvec(&*self.world).unwrap_or_default()
-    }
-
-    /// The world that `save` wrote, if it fits the plan.
-    pub fn restore(plan: &Plan, bytes: &[u8]) -> Option<Works> {
-        let world: World = postcard::from_bytes(bytes).ok()?;
-        let all = |turning: &[Turning], count| {
-            turning.len() == count && turning.iter().all(|one| world.bodies.get(one.body).is_some())
-        };
-        let slides = |one: &Sliding| world.bodies.get(one.body).is_some() && world.joints.get(one.joint).is_some();
-        let fits = all(&world.spinners, plan.spinners.len())
-            && all(&world.gates, plan.gates.len())
-            && world.drops.len() == plan.drops.len()
-            && world.drops.iter().all(slides);
-        fits.then(|| Works::around(Arc::new(world)))
-    }
-
-    /// Where every body is and how it moves.
-    pub fn motion(&self) -> (u16, Vec<(f64, [f32; 6])>) {
-        let turning = self.world.spinners.iter().chain(&self.world.gates).map(|one| (one.angle, one.body));
-        let bodies = turning.chain(self.world.drops.iter().map(|one| (0.0, one.body)));
-        let motion = bodies.map(|(angle, body)| {
-            let body = &self.world.bodies[body];
-            let (place, turned, speed) = (body.translation(), body.rotation(), body.linvel());
-            (angle, [place.x, place.y, turned.im, speed.x, speed.y, body.angvel()])
-        });
-        (self.world.awake, motion.collect())
-    }
-}
-
-/// How many times a plate at `angle` has been through upright, from hanging.
-fn half_turns(angle: f64) -> i64 {
-    (angle / PI + 0.5).floor() as i64
-}
-
-impl Turning {
     /// Takes the angle over from rapier, which keeps it within a turn.
-    fn follow(&mut self, bodies: &RigidBodySet) {
-        let rotation = bodies[self.body].rotation();
+    fn follow(&mut self) {
+        let rotation = self.bodies[self.body].rotation();
         let now = libm::atan2(f64::from(rotation.im), f64::from(rotation.re));
         let turn = 2.0 * PI;
         let change = now - self.angle;
         self.angle += change - turn * (change / turn).round();
     }
-}
 
-impl World {
-    fn count(&self) -> usize {
-        self.spinners.len() + self.gates.len() + self.drops.len()
-    }
-
-    /// Where the next plane lies, m.
-    fn plane(&self) -> f32 {
-        self.count() as f32
-    }
-
-    fn add_body(&mut self, place: Vector, middle: Vector, mass: f64, inertia: f64, damping: f64) -> RigidBodyHandle {
-        let properties = MassProperties::new(middle, mass as f32, inertia as f32);
-        let body = RigidBodyBuilder::dynamic()
-            .translation(place)
-            .additional_mass_properties(properties)
-            .angular_damping(damping as f32)
-            .can_sleep(false);
-        self.bodies.insert(body)
-    }
-
-    fn add_turning(&mut self, mass: f64, hang: f64, plate: Plate, damping: f64) -> Turning {
-        let place = Vector::new(self.plane(), AXLE_M as f32);
-        let own_inertia = plate.inertia() - mass * hang * hang;
-        let body = self.add_body(place, Vector::new(0.0, -hang as f32), mass, own_inertia, damping);
-        let axle = self.bodies.insert(RigidBodyBuilder::fixed().translation(place));
-        let mut joint = RevoluteJointBuilder::new();
-        let (low, high) = plate.range();
-        if low.is_finite() {
-            joint = joint.limits([low as f32, high as f32]);
-        }
-        self.joints.insert(axle, body, joint.build(), true);
-        Turning { body, angle: 0.0 }
-    }
-
-    fn add_sliding(&mut self) -> Sliding {
-        let place = Vector::new(self.plane(), 0.0);
-        let body = self.add_body(place, Vector::ZERO, TARGET_KG, 1e-5, 0.0);
-        let slot = self.bodies.insert(RigidBodyBuilder::fixed().translation(place));
-        let (stiffness, damping) = ((UP_RAD_S * UP_RAD_S) as f32, (2.0 * UP_RAD_S) as f32);
-        let joint = PrismaticJointBuilder::new(Vector::Y)
-            .limits([-FALL_M as f32, 0.0])
-            .motor_position(0.0, stiffness, damping)
-            .build();
-        let joint = self.joints.insert(slot, body, joint, true);
-        Sliding { body, joint }
-    }
-
-    fn step(&mut self, pipeline: &mut PhysicsPipeline, ccd: &mut CCDSolver) {
-        let parameters = IntegrationParameters { dt: TICK_S as f32, ..IntegrationParameters::default() };
-        pipeline.step(
+    fn step(&mut self, rounds: usize) {
+        let own = IntegrationParameters::default();
+        let parameters = IntegrationParameters { dt: TICK_S as f32, num_solver_iterations: rounds, ..own };
+        self.engine.pipeline.step(
             Vector::new(0.0, -9.81),
             &parameters,
             &mut self.islands,
@@ -326,14 +323,59 @@ impl World {
             &mut self.joints,
             &mut self.multibodies,
             &mut self.soft_bodies,
-            ccd,
+            &mut self.engine.ccd,
             &(),
             &(),
         );
-        let moves = |body: &RigidBody| {
-            body.is_dynamic() && (body.linvel().length() > QUIET || body.angvel().abs() > 100.0 * QUIET)
-        };
-        let moving = self.bodies.iter().any(|(_, body)| moves(body));
-        self.awake = if moving { QUIET_TICKS } else { self.awake - 1 };
+        let body = &self.bodies[self.body];
+        let moves = body.linvel().length() > QUIET || body.angvel().abs() > 100.0 * QUIET;
+        self.awake = if moves { QUIET_TICKS } else { self.awake - 1 };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clones_at_every_tick_go_on_as_the_original_does() {
+        let spinner = World::turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), 0.7);
+        let gate = World::turning(FLAP_KG, 0.5 * BLADE_M, Plate::Gate(0), FLAP_DAMPING_PER_S);
+        let (spinners, gates) = (vec![Arc::new(spinner)], vec![Arc::new(gate)]);
+        let mut works = Works { spinners, gates, drops: vec![Arc::new(World::sliding())] };
+        works.push(Plate::Spinner(0), 1e-4);
+        works.push(Plate::Gate(0), 1e-5);
+        works.send(0, false);
+        let mut cloned = works.clone();
+        for tick in 0..3000 {
+            let before = cloned.clone();
+            cloned.tick(|_| {});
+            // It is shared no more, and nothing that moves keeps its engine.
+            drop(before);
+            works.tick(|_| {});
+            assert_eq!(works.motion(), cloned.motion(), "after {tick} ticks");
+        }
+        assert_eq!(works.motion()[2].0, 0, "the target has come to rest");
+        assert!(works.motion()[0].0 > 0, "while the spinner still turns");
+    }
+
+    #[test]
+    fn a_spinner_turns_within_a_hundredth_as_far_as_one_that_is_stepped_much_more_finely() {
+        for impulse in [2e-6, 1e-5, 3e-5, 1e-4] {
+            let new = || {
+                let mut world = World::turning(PLATE_KG, PLATE_HANG_M, Plate::Spinner(0), 0.7);
+                world.push(Plate::Spinner(0), impulse);
+                world
+            };
+            let (mut play, mut fine) = (new(), new());
+            for tick in 0..3000 {
+                play.step(SPINNER_ROUNDS);
+                fine.step(16);
+                play.follow();
+                fine.follow();
+                let error = (play.angle - fine.angle).abs();
+                assert!(error < 0.01 * (fine.angle.abs() + 1.0), "{error} rad after {tick} ticks, {impulse} N m s");
+            }
+        }
     }
 }

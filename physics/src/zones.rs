@@ -26,7 +26,8 @@ pub(crate) fn bowl(saucer: &Saucer, ball: &Ball) -> DVec2 {
 
 /// Closes and opens the switches that the balls have come to since they were at `starts`.
 pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mut Vec<Event>) {
-    let mut inside = vec![0u16; plan.rollovers.len()];
+    // The rollovers that balls are on, once for each ball.
+    let mut inside: Vec<usize> = Vec::new();
     let mut drained: Vec<usize> = Vec::new();
     for (index, &start) in starts.iter().enumerate() {
         let center = state.balls[index].center;
@@ -48,7 +49,7 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
                 hit.is_some_and(|hit| hit.distance <= start.distance(center))
             };
             match zone.what {
-                Place::Rollover(rollover) if within => inside[rollover] += 1,
+                Place::Rollover(rollover) if within => inside.push(rollover),
                 Place::Rollover(rollover) if state.mechanisms.rollovers[rollover] == 0 && crossed() => {
                     events.push(event(zone.part, EventKind::Closed));
                     events.push(event(zone.part, EventKind::Opened));
@@ -66,8 +67,9 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
         }
         lie(plan, state, index, events);
     }
-    for (rollover, &now) in inside.iter().enumerate() {
-        let before = std::mem::replace(&mut state.mechanisms.rollovers[rollover], now);
+    for (rollover, state) in state.mechanisms.rollovers.iter_mut().enumerate() {
+        let now = inside.iter().filter(|&&on| on == rollover).count() as u16;
+        let before = std::mem::replace(state, now);
         match (before > 0, now > 0) {
             (false, true) => events.push(event(plan.rollovers[rollover], EventKind::Closed)),
             (true, false) => events.push(event(plan.rollovers[rollover], EventKind::Opened)),

@@ -63,7 +63,7 @@ impl<'a> Future<'a> {
 
     /// Where the balls are that can still be played.
     pub fn balls(&self) -> Vec<physics::BallPose> {
-        let mut balls = self.machine.pose().balls;
+        let mut balls = self.machine.balls();
         balls.retain(|ball| !ball.held && !self.playfield.in_lane(ball));
         balls
     }

@@ -131,7 +131,7 @@ impl Bot {
         if !self.playing {
             return self.press_start(tick);
         }
-        let balls = simulation.pose().balls;
+        let balls = simulation.machine().balls();
         if balls.iter().any(|ball| playfield.waits(ball)) {
             return self.plunge(tick, playfield);
         }

@@ -82,7 +82,7 @@ impl Simulation {
             buttons,
             before: self.buttons,
             events: self.machine.events(),
-            balls: || self.machine.pose().balls,
+            balls: || self.machine.balls(),
         };
         self.rules.tick(&moment, &mut self.lamps);
         self.lamps.tick(self.tick);

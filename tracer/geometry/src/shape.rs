@@ -57,19 +57,23 @@ impl Shape {
     /// Signed distance of `point` from the surface (negative inside; a thin core has no inside beyond its radius) and
     /// the unit normal there, away from the core.
     pub fn distance(&self, point: DVec2) -> (f64, DVec2) {
-        let from = |closest: DVec2, fallback: DVec2| {
-            let away = point - closest;
-            (away.length() - self.radius, away.try_normalize().unwrap_or(fallback))
-        };
         match &self.core {
-            Core::Point(center) => from(*center, DVec2::X),
-            Core::Segment(segment) => from(segment.closest(point), segment.left_normal().unwrap_or(DVec2::X)),
-            Core::Arc(arc) => from(arc.closest(point), arc.circle().outward(point)),
+            Core::Point(center) => self.from(point, *center, || DVec2::X),
+            Core::Segment(segment) => {
+                self.from(point, segment.closest(point), || segment.left_normal().unwrap_or(DVec2::X))
+            }
+            Core::Arc(arc) => self.from(point, arc.closest(point), || arc.circle().outward(point)),
             Core::Taper(taper) => {
                 let (distance, normal) = taper.distance(point);
                 (distance - self.radius, normal)
             }
         }
+    }
+
+    /// Distance and normal where the core's nearest point is `closest`; on the core itself the normal is `fallback`.
+    fn from(&self, point: DVec2, closest: DVec2, fallback: impl FnOnce() -> DVec2) -> (f64, DVec2) {
+        let away = point - closest;
+        (away.length() - self.radius, away.try_normalize().unwrap_or_else(fallback))
     }
 
     /// Where the ray first enters the shape. A ray that starts inside is already in and enters nothing; a core without
