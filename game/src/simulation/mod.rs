@@ -3,18 +3,20 @@
 //! A tick reads one [`Buttons`] and nothing else. Everything that can change what happens next is in [`Simulation::hash`]
 //! and in [`Simulation::save`].
 
+mod digest;
 mod save;
 mod snapshot;
 
 #[cfg(test)]
 mod tests;
 
+pub use digest::Digest;
 pub use snapshot::{Display, LampLight, Snapshot};
 
 use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
 use crate::rules::{Moment, Program, Rules};
 use crate::{Buttons, Failure, Table};
-use physics::{Contact, Controls, Event, Layout, Machine, Pose};
+use physics::{Contact, Controls, Event, Machine, Pose};
 use save::{Saved, hash_of};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -174,31 +176,27 @@ impl Simulation {
     /// # Errors
     /// If the bytes are not what `save` writes for this table.
     pub fn restore(table: Arc<Table>, bytes: &[u8]) -> Result<Simulation, Failure> {
-        let program = Arc::new(Program::new(&table)?);
-        let layout = Arc::new(table.layout.clone());
-        Simulation::assemble(table, program, layout, bytes)
+        // The seed does not matter: it is in the bytes, in what the rules remember.
+        Simulation::new(table, 0)?.restored(bytes)
     }
 
-    /// As [`Simulation::restore`], on this one's table: much faster, because the compiled rules are shared.
+    /// As [`Simulation::restore`], on this one's table: much faster, because what follows from the table alone is shared:
+    /// the compiled rules, the machine's plan, how much light each lamp gives. All else comes from the bytes.
     ///
     /// # Errors
     /// If the bytes are not what `save` writes for this table.
     pub fn restored(&self, bytes: &[u8]) -> Result<Simulation, Failure> {
-        Simulation::assemble(self.table.clone(), self.rules.program().clone(), self.machine.layout().clone(), bytes)
-    }
-
-    fn assemble(
-        table: Arc<Table>,
-        program: Arc<Program>,
-        layout: Arc<Layout>,
-        bytes: &[u8],
-    ) -> Result<Simulation, Failure> {
-        let saved = save::read(bytes, &table)?;
-        let machine = Machine::restore(layout, &saved.machine).map_err(|error| refused(&table, &error))?;
-        let rules = Rules::restored(program, saved.rules.into_owned());
-        let (lamps, eye, brightness) = (saved.lamps.into_owned(), saved.eye, Arc::new(Brightness::new(&table)));
-        let (tick, buttons) = (saved.tick, saved.buttons);
-        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick, buttons })
+        let saved = save::read(bytes, &self.table)?;
+        Ok(Simulation {
+            table: self.table.clone(),
+            machine: self.machine.restored(&saved.machine).map_err(|error| refused(&self.table, &error))?,
+            rules: Rules::restored(self.rules.program().clone(), saved.rules.into_owned()),
+            lamps: saved.lamps.into_owned(),
+            eye: saved.eye,
+            brightness: self.brightness.clone(),
+            tick: saved.tick,
+            buttons: saved.buttons,
+        })
     }
 }
 
