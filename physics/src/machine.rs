@@ -8,8 +8,8 @@ use crate::state::{KICKER_READY_TICKS, State};
 use crate::sweep::{Scratch, Sweep};
 use crate::works::Works;
 use crate::{
-    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, levels,
-    magnet, rod, save, zones,
+    BALL_RADIUS_M, Command, Contact, Controls, Event, EventKind, Layout, PartId, TICK_S, Trigger, check, fingerprint,
+    levels, magnet, rod, save, zones,
 };
 use geometry::DVec2;
 use std::sync::Arc;
@@ -60,7 +60,7 @@ impl Machine {
         let plan = Plan::new(&layout);
         let state = State::new(&plan);
         let works = Works::new(&plan);
-        let fingerprint = save::fingerprint(&*layout);
+        let fingerprint = fingerprint(&*layout);
         Ok(Machine::assemble(layout, fingerprint, Arc::new(plan), state, works))
     }
 

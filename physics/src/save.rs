@@ -1,22 +1,15 @@
 //! The state as bytes, and its fingerprints.
 
-use crate::Hashes;
 use crate::plan::Plan;
 use crate::state::State;
 use crate::works::Works;
-use serde::Serialize;
+use crate::{Hashes, fingerprint};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// Raised whenever the bytes mean something else.
 const VERSION: u8 = 2;
 /// Version, fingerprint of the layout, fingerprint of what follows.
 const HEAD: usize = 1 + 8 + 8;
-
-/// A hash of plain data, the same on every machine.
-pub(crate) fn fingerprint(value: &impl Serialize) -> u64 {
-    // Nothing in the state can fail to be written to memory; an empty text would only make two states look alike.
-    xxh3_64(&postcard::to_stdvec(value).unwrap_or_default())
-}
 
 pub(crate) fn hashes(state: &State, works: &Works) -> Hashes {
     Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&(&state.mechanisms, works.motion())) }

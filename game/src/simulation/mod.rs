@@ -16,8 +16,8 @@ pub use snapshot::{Display, LampLight, Snapshot};
 use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
 use crate::rules::{Moment, Program, Rules};
 use crate::{Buttons, Failure, Table};
-use physics::{Contact, Controls, Event, Machine, Pose};
-use save::{Saved, hash_of};
+use physics::{Contact, Controls, Event, Fingerprint, Machine, Pose, fingerprint};
+use save::Saved;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -143,18 +143,21 @@ impl Simulation {
     /// Of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
         let machine = self.machine.hashes();
+        let mut rules = Fingerprint::default();
+        rules.add(&(self.tick, self.buttons));
+        self.rules.state().add_to(&mut rules);
         Hashes {
             balls: machine.balls,
             mechanisms: machine.mechanisms,
-            rules: hash_of(&(self.tick, self.buttons, self.rules.state())),
-            lamps: hash_of(&self.lamps),
+            rules: rules.finish(),
+            lamps: fingerprint(&self.lamps),
         }
     }
 
     /// All of [`Simulation::hashes`] in one.
     pub fn hash(&self) -> u64 {
         let hashes = self.hashes();
-        hash_of(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
+        fingerprint(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
     }
 
     /// Everything that can change what happens next, and what its pictures depend on.
