@@ -47,7 +47,9 @@ impl Cone {
         let pressed = contact.impulse_n_s.dot(contact.normal);
         let rubbed = contact.impulse_n_s.dot(contact.normal.perp()).abs();
         self.impacts += 1;
-        self.outside += u64::from(!(rubbed <= friction * pressed * (1.0 + ROUNDING) + ROUNDING_N_S));
+        // What is not a number is not inside.
+        let inside = rubbed <= friction * pressed * (1.0 + ROUNDING) + ROUNDING_N_S;
+        self.outside += u64::from(!inside);
     }
 
     /// Both together.
