@@ -1,6 +1,6 @@
 //! The bot plays better than chance, and the same way every time.
 
-use game::bot::trial::{self, Player, Trial};
+use game::bot::trial::{self, Player, Terms, Trial};
 use game::bot::{Bot, Random, Tour};
 use game::recording::Replay;
 use game::{Recording, Simulation, Table};
@@ -14,11 +14,14 @@ fn spectrum() -> Arc<Table> {
 /// Games of these seeds, at most so many ticks long.
 fn games(seeds: std::ops::Range<u64>, longest: u64, player: impl Fn(u64) -> Player + Sync) -> Vec<Trial> {
     let table = spectrum();
-    seeds.into_par_iter().map(|seed| trial::play(&table, seed, player(seed), longest).unwrap()).collect()
+    seeds
+        .into_par_iter()
+        .map(|seed| trial::play(&table, seed, player(seed), Terms::one_game(longest)).unwrap())
+        .collect()
 }
 
 fn score(trials: &[Trial]) -> i64 {
-    trials.iter().map(|trial| trial.score).sum()
+    trials.iter().map(|trial| trial.score()).sum()
 }
 
 #[test]

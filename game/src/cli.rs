@@ -113,6 +113,9 @@ pub struct VerifyArgs {
     /// Also save the simulation and restore it into a new one after every N ticks
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub restore_every: Option<u64>,
+    /// Also hash every tick and print one number for each recording, and one for all of them by their seeds
+    #[arg(long)]
+    pub digest: bool,
 }
 
 /// `caustic dump`
@@ -217,6 +220,12 @@ pub struct SimulateArgs {
     /// Longest time that one game may take, in minutes of play
     #[arg(long, default_value_t = 15.0, value_name = "M", value_parser = minutes, allow_negative_numbers = true)]
     pub minutes: f64,
+    /// When a game is over begin another at once, on the same machine, until --minutes are played exactly
+    #[arg(long)]
+    pub again: bool,
+    /// Also hash every tick and print one number for all of them: the same as `verify --digest` of the recordings
+    #[arg(long)]
+    pub digest: bool,
     /// A table's name, or the folder of one
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,

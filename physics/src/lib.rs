@@ -18,6 +18,7 @@ mod check;
 mod command;
 mod controls;
 mod event;
+mod fingerprint;
 mod flipper;
 mod grid;
 mod layout;
@@ -43,6 +44,7 @@ mod zones;
 
 pub use controls::{Command, Controls};
 pub use event::{Contact, Event, EventKind};
+pub use fingerprint::{Fingerprint, fingerprint};
 pub use layout::{
     Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Leg, Magnet, Material, Part, PartId,
     Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,

@@ -3,8 +3,7 @@
 use crate::plan::Plan;
 use crate::state::State;
 use crate::works::Works;
-use crate::{Hashes, Layout};
-use serde::Serialize;
+use crate::{Hashes, fingerprint};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// Raised whenever the bytes mean something else.
@@ -12,30 +11,27 @@ const VERSION: u8 = 2;
 /// Version, fingerprint of the layout, fingerprint of what follows.
 const HEAD: usize = 1 + 8 + 8;
 
-fn fingerprint(value: &impl Serialize) -> u64 {
-    // Nothing in the state can fail to be written to memory; an empty text would only make two states look alike.
-    xxh3_64(&postcard::to_stdvec(value).unwrap_or_default())
-}
-
 pub(crate) fn hashes(state: &State, works: &Works) -> Hashes {
     Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&(&state.mechanisms, works.motion())) }
 }
 
-pub(crate) fn write(layout: &Layout, state: &State, works: &Works) -> Vec<u8> {
+/// The bytes of a machine whose layout has the fingerprint `layout`.
+pub(crate) fn write(layout: u64, state: &State, works: &Works) -> Vec<u8> {
     let body = postcard::to_stdvec(&(state, works.save())).unwrap_or_default();
     let mut bytes = vec![VERSION];
-    bytes.extend(fingerprint(layout).to_le_bytes());
+    bytes.extend(layout.to_le_bytes());
     bytes.extend(xxh3_64(&body).to_le_bytes());
     bytes.extend(body);
     bytes
 }
 
-pub(crate) fn read(layout: &Layout, plan: &Plan, bytes: &[u8]) -> Result<(State, Works), String> {
+/// What [`write`] wrote for this plan, whose layout has the fingerprint `layout`.
+pub(crate) fn read(layout: u64, plan: &Plan, bytes: &[u8]) -> Result<(State, Works), String> {
     let (head, body) = bytes.split_at_checked(HEAD).ok_or("the saved machine is cut off")?;
     if head[0] != VERSION {
         return Err(format!("the saved machine has version {}, this one has {VERSION}", head[0]));
     }
-    if head[1..9] != fingerprint(layout).to_le_bytes() {
+    if head[1..9] != layout.to_le_bytes() {
         return Err("the machine was saved on another layout".into());
     }
     if head[9..] != xxh3_64(body).to_le_bytes() {

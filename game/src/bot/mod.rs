@@ -11,6 +11,7 @@ pub mod anomaly;
 mod chance;
 mod hands;
 mod lookahead;
+mod observer;
 mod plan;
 mod playfield;
 mod random;

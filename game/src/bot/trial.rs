@@ -1,21 +1,20 @@
-//! One whole game, played without a screen, with everything that is worth knowing about it.
+//! Whole games, played without a screen, with everything that is worth knowing about them.
 
-use super::anomaly::{Anomaly, Watch};
-use super::playfield::Playfield;
+use super::anomaly::Anomaly;
+use super::observer::Observer;
 use super::{Bot, Random, Tour};
-use crate::recording::{Recorder, best_score};
+use crate::recording::Recorder;
+use crate::simulation::Digest;
 use crate::{Buttons, Failure, Simulation, Table};
-use physics::EventKind;
 use std::io::Cursor;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Ticks between two looks at the display.
-const DISPLAY_TICKS: u64 = 50;
-/// Ticks that are played on after the game is over.
-const AFTERWARDS_TICKS: u64 = 2000;
-/// Ticks that a game may take to begin.
-const PATIENCE_TICKS: u64 = 20_000;
+/// From a game's end to the press of start that begins the next, where games follow each other at once, ticks: the
+/// display has shown the end by then.
+const PAUSE_TICKS: u64 = 500;
+/// How long start is pressed for that, ticks. If the rules do not begin a game then it is pressed again after a pause.
+const PRESS_TICKS: u64 = 100;
 
 /// Who plays.
 #[derive(Clone, Debug)]
@@ -39,16 +38,32 @@ impl Player {
     }
 }
 
-/// What came of a game.
+/// How much is played, and what is made of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms {
+    /// Ticks that may be played.
+    pub longest: u64,
+    /// When a game is over the next begins at once, until `longest` ticks are played exactly.
+    pub again: bool,
+    /// Hashes every tick.
+    pub digest: bool,
+}
+
+impl Terms {
+    /// One game of at most `longest` ticks.
+    pub fn one_game(longest: u64) -> Terms {
+        Terms { longest, again: false, digest: false }
+    }
+}
+
+/// What came of a game, or of several that followed each other on the same machine.
 pub struct Trial {
-    /// The game's seed.
+    /// The machine's seed.
     pub seed: u64,
     /// Ticks that were played.
     pub ticks: u64,
-    /// The game came to its end within its time.
-    pub over: bool,
-    /// The best score of the players.
-    pub score: i64,
+    /// The games, in their order: one, unless the terms say that another follows.
+    pub games: Vec<Played>,
     /// How long each ball was in play, ticks.
     pub balls: Vec<u64>,
     /// How often each part's switch closed, by the part's index.
@@ -57,101 +72,65 @@ pub struct Trial {
     pub anomalies: Vec<Anomaly>,
     /// What the rules complained about.
     pub complaints: Vec<String>,
+    /// Of every tick, if the terms ask for it.
+    pub digest: Option<Digest>,
     /// The recording, finished.
     pub recording: Vec<u8>,
 }
 
-/// Plays one game of at most `longest` ticks.
+/// One of a trial's games.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Played {
+    /// From the game before, or from the switching on, until the next or the end of the trial, ticks.
+    pub ticks: u64,
+    /// The best score of the players.
+    pub score: i64,
+    /// The game came to its end.
+    pub over: bool,
+}
+
+impl Trial {
+    /// The best score of the best game.
+    pub fn score(&self) -> i64 {
+        self.games.iter().map(|game| game.score).max().unwrap_or(0)
+    }
+}
+
+/// Plays on these terms.
 ///
 /// # Errors
 /// If the table's rules do not run.
-pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, longest: u64) -> Result<Trial, Failure> {
+pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> Result<Trial, Failure> {
     let mut simulation = Simulation::new(table.clone(), seed)?;
     let mut recorder = Recorder::new(Cursor::new(Vec::new()), Path::new("memory"), &simulation, seed)?;
     let mut observer = Observer::new(table);
-    while simulation.ticks() < longest && !observer.finished(simulation.ticks()) {
+    let mut digest = terms.digest.then(Digest::default);
+    while simulation.ticks() < terms.longest && (terms.again || !observer.finished(simulation.ticks())) {
+        let again = terms.again && observer.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
         let buttons = player.buttons(&simulation);
+        let buttons = buttons.with(Buttons::START, buttons.contains(Buttons::START) || again);
         simulation.tick(buttons);
         recorder.record(&simulation, buttons)?;
         observer.look(&simulation, buttons);
+        if let Some(digest) = &mut digest {
+            digest.add(simulation.hash());
+        }
     }
+    let seen = observer.finish(&simulation);
     Ok(Trial {
         seed,
         ticks: simulation.ticks(),
-        over: observer.over_at.is_some(),
-        score: best_score(&simulation),
-        balls: observer.balls.into_iter().filter(|ticks| *ticks > 0).collect(),
-        hits: observer.hits,
-        anomalies: observer.watch.anomalies(),
+        games: seen.games,
+        balls: seen.balls,
+        hits: seen.hits,
+        anomalies: seen.anomalies,
         complaints: simulation.complaints(),
+        digest,
         recording: recorder.finish(&simulation)?.into_inner(),
     })
 }
 
-/// Keeps count of a game.
-struct Observer {
-    playfield: Playfield,
-    watch: Watch,
-    hits: Vec<u64>,
-    /// How long each ball was in play; the last one goes on.
-    balls: Vec<u64>,
-    /// Player and ball that the display last showed.
-    turn: (usize, u32),
-    playing: bool,
-    over_at: Option<u64>,
-}
-
-impl Observer {
-    fn new(table: &Table) -> Observer {
-        Observer {
-            playfield: Playfield::new(&table.layout),
-            watch: Watch::new(&table.layout),
-            hits: vec![0; table.layout.parts.len()],
-            balls: vec![0],
-            turn: (0, 0),
-            playing: false,
-            over_at: None,
-        }
-    }
-
-    fn finished(&self, tick: u64) -> bool {
-        let never_began = !self.playing && self.over_at.is_none() && tick > PATIENCE_TICKS;
-        never_began || self.over_at.is_some_and(|over| tick > over + AFTERWARDS_TICKS)
-    }
-
-    fn look(&mut self, simulation: &Simulation, buttons: Buttons) {
-        let tick = simulation.ticks();
-        if tick.is_multiple_of(DISPLAY_TICKS) {
-            self.look_at_display(simulation);
-        }
-        for event in simulation.events().iter().filter(|event| event.kind == EventKind::Closed) {
-            if let Some(hits) = event.part.and_then(|part| self.hits.get_mut(usize::from(part.0))) {
-                *hits += 1;
-            }
-        }
-        let pose = simulation.pose();
-        if self.playing
-            && pose.balls.iter().any(|ball| !self.playfield.in_lane(ball))
-            && let Some(ticks) = self.balls.last_mut()
-        {
-            *ticks += 1;
-        }
-        let (playfield, playing) = (&self.playfield, self.playing);
-        self.watch.look(tick, &pose, |ball| {
-            let trapped = buttons != Buttons::NONE && playfield.in_reach(ball.center).is_some();
-            !playing || playfield.in_lane(ball) || trapped
-        });
-    }
-
-    fn look_at_display(&mut self, simulation: &Simulation) {
-        let display = simulation.display();
-        if self.turn != (display.player, display.ball) {
-            self.turn = (display.player, display.ball);
-            self.balls.push(0);
-        }
-        if self.playing && !display.playing && self.over_at.is_none() {
-            self.over_at = Some(simulation.ticks());
-        }
-        self.playing = display.playing;
-    }
+/// Whether start is down this many ticks after a game's end, to begin the next.
+fn presses_start(since_over: u64) -> bool {
+    since_over % (PAUSE_TICKS + PRESS_TICKS) >= PAUSE_TICKS
 }

@@ -1,6 +1,8 @@
-//! What commands that work through many games or frames share: threads, a progress bar and a folder for the results.
+//! What commands that work through many games or frames share: threads, a progress bar, a folder for the results
+//! and the line that compares them.
 
 use crate::Failure;
+use crate::simulation::Digest;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -22,6 +24,14 @@ pub fn progress_bar(length: u64, unit: &str) -> ProgressBar {
     let template = format!("[{{bar:40}}] {{pos}}/{{len}} {unit}, {{eta}} left");
     let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
     bar.with_style(style.progress_chars("=> "))
+}
+
+/// The line that says what all ticks of these games, each with its seed, come to. The order in which they are given does
+/// not matter.
+pub fn digest_line(mut games: Vec<(u64, Digest)>) -> String {
+    games.sort_by_key(|(seed, digest)| (*seed, digest.to_string()));
+    let all = Digest::of_games(games.iter().map(|(_, digest)| *digest));
+    format!("digest     {all} of {} ticks, games {}", all.ticks(), games.len())
 }
 
 /// Makes the folder `dir`, and those that it is in; nothing if it is there.

@@ -1,9 +1,9 @@
 //! `caustic simulate`: many games without a screen, and a summary of what happened in them.
 
-use super::parallel::{self, pool, progress_bar};
+use super::parallel::{self, digest_line, pool, progress_bar};
 use super::print::print;
 use crate::bot::anomaly::AnomalyKind;
-use crate::bot::trial::{self, Trial};
+use crate::bot::trial::{self, Played, Terms, Trial};
 use crate::bot::{Bot, Random, Tour};
 use crate::cli::{Player, SimulateArgs};
 use crate::{Failure, Table, new_file};
@@ -26,11 +26,12 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     }
     let bar = progress_bar(u64::from(args.games), "games");
     let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)) as u64;
+    let terms = Terms { longest, again: args.again, digest: args.digest };
     let seeds: Vec<u64> = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number)).collect();
     let games = pool(args.threads)?.install(|| {
         let one = |seed: &u64| {
             let began = Instant::now();
-            let trial = trial::play(&table, *seed, player(args.player, *seed), longest)?;
+            let trial = trial::play(&table, *seed, player(args.player, *seed), terms)?;
             let core_time = began.elapsed();
             bar.inc(1);
             Game::keep(trial, core_time, args)
@@ -39,6 +40,10 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     })?;
     bar.finish_and_clear();
     print(&summary(&table, &games))?;
+    if args.digest {
+        let digest = |game: &Game| game.trial.digest.map(|digest| (game.trial.seed, digest));
+        print(&digest_line(games.iter().filter_map(digest).collect()))?;
+    }
     match games.iter().map(|game| game.trial.anomalies.len()).sum() {
         0 => Ok(()),
         1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
@@ -54,7 +59,7 @@ fn player(player: Player, seed: u64) -> trial::Player {
     }
 }
 
-/// A game that was played, and what it took.
+/// A machine on which one game was played, or several in a row, and what it took.
 struct Game {
     /// Without its recording.
     trial: Trial,
@@ -91,15 +96,18 @@ fn summarise_games(text: &mut String, all: &[Game]) {
     let trials: Vec<&Trial> = all.iter().map(|game| &game.trial).collect();
     let core_time: Duration = all.iter().map(|game| game.core_time).sum();
     let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
-    let scores = Sorted::new(trials.iter().map(|trial| trial.score as f64));
+    let played: Vec<&Played> = trials.iter().flat_map(|trial| &trial.games).collect();
+    let scores = Sorted::new(played.iter().map(|game| game.score as f64));
     let balls = Sorted::new(trials.iter().flat_map(|trial| &trial.balls).map(|ticks| seconds(*ticks)));
-    let games = Sorted::new(trials.iter().map(|trial| seconds(trial.ticks)));
+    let games = Sorted::new(played.iter().map(|game| seconds(game.ticks)));
     let bytes: usize = all.iter().map(|game| game.bytes).sum();
-    let over = trials.iter().filter(|trial| trial.over).count();
-    let minutes = (games.sum() / 60.0).max(1e-9);
-    let speed = games.sum() / core_time.as_secs_f64().max(1e-9);
+    let over = played.iter().filter(|game| game.over).count();
+    let total = seconds(trials.iter().map(|trial| trial.ticks).sum());
+    let minutes = (total / 60.0).max(1e-9);
+    let speed = total / core_time.as_secs_f64().max(1e-9);
+    let machines = if played.len() > trials.len() { format!(", machines {}", trials.len()) } else { String::new() };
     let lines = [
-        format!("games      {} ({over} came to their end)", trials.len()),
+        format!("games      {} ({over} came to their end){machines}", played.len()),
         format!("score      median {:.0}, mean {:.0}, best {:.0}", scores.at(0.5), scores.mean(), scores.at(1.0)),
         format!(
             "ball time  median {:.1} s, quartiles {:.1} s and {:.1} s",
@@ -107,7 +115,11 @@ fn summarise_games(text: &mut String, all: &[Game]) {
             balls.at(0.25),
             balls.at(0.75)
         ),
-        format!("game time  median {:.1} s, longest {:.1} s", games.at(0.5), games.at(1.0)),
+        format!(
+            "game time  median {:.1} s, longest {:.1} s, {minutes:.1} minutes in all",
+            games.at(0.5),
+            games.at(1.0)
+        ),
         format!("recording  {:.0} bytes a minute", bytes as f64 / minutes),
         format!("speed      {speed:.0} times real time on one core"),
     ];

@@ -1,10 +1,11 @@
 //! `caustic verify`: plays recordings again without a screen and compares every stored hash.
 
-use super::parallel::{pool, progress_bar};
+use super::parallel::{digest_line, pool, progress_bar};
 use super::print::print;
 use crate::Failure;
 use crate::cli::VerifyArgs;
 use crate::recording::{self, Replay};
+use crate::simulation::Digest;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -18,15 +19,22 @@ const PROGRESS_TICKS: u64 = 1000;
 /// If any of them fails: a sentence for each.
 pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let bar = progress_bar(0, "ticks");
-    let lines: Vec<Result<String, Failure>> = pool(args.threads)?
-        .install(|| args.files.par_iter().map(|file| verify(file, args.restore_every, &bar)).collect());
+    let results: Vec<Result<Verified, Failure>> =
+        pool(args.threads)?.install(|| args.files.par_iter().map(|file| verify(file, args, &bar)).collect());
     bar.finish_and_clear();
     let mut failures = Vec::new();
-    for line in lines {
-        match line {
-            Ok(line) => print(&line)?,
+    let mut digests = Vec::new();
+    for result in results {
+        match result {
+            Ok(verified) => {
+                print(&verified.line)?;
+                digests.extend(verified.digest.map(|digest| (verified.seed, digest)));
+            }
             Err(failure) => failures.push(failure),
         }
+    }
+    if args.digest && failures.is_empty() {
+        print(&digest_line(digests))?;
     }
     match failures.as_slice() {
         [] => Ok(()),
@@ -38,17 +46,30 @@ pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
     }
 }
 
-/// Plays one file again; the line that says that it is what was recorded.
-fn verify(path: &Path, restore_every: Option<u64>, bar: &ProgressBar) -> Result<String, Failure> {
+/// What became of one file.
+struct Verified {
+    /// That it is what was recorded.
+    line: String,
+    seed: u64,
+    /// Of every tick, if it is asked for.
+    digest: Option<Digest>,
+}
+
+/// Plays one file again.
+fn verify(path: &Path, args: &VerifyArgs, bar: &ProgressBar) -> Result<Verified, Failure> {
     let mut replay = Replay::open(path)?;
+    let mut digest = args.digest.then(Digest::default);
     bar.inc_length(replay.recording().ticks());
     while replay.step() {
         if let Some(difference) = replay.difference() {
             return Err(Failure::new(difference.to_string()).in_file(path));
         }
         let tick = replay.tick();
-        if restore_every.is_some_and(|every| tick.is_multiple_of(every)) {
+        if args.restore_every.is_some_and(|every| tick.is_multiple_of(every)) {
             replay.save_and_restore().map_err(|failure| failure.in_file(path))?;
+        }
+        if let Some(digest) = &mut digest {
+            digest.add(replay.simulation().hash());
         }
         if tick.is_multiple_of(PROGRESS_TICKS) {
             bar.inc(PROGRESS_TICKS);
@@ -57,5 +78,9 @@ fn verify(path: &Path, restore_every: Option<u64>, bar: &ProgressBar) -> Result<
     let (ticks, hash) = (replay.tick(), replay.simulation().hash());
     let score = recording::best_score(replay.simulation());
     let word = if replay.recording().end.is_some() { "ok" } else { "unfinished" };
-    Ok(format!("{word} {} ticks={ticks} score={score} hash={hash:016x}", path.display()))
+    let mut line = format!("{word} {} ticks={ticks} score={score} hash={hash:016x}", path.display());
+    if let Some(digest) = digest {
+        line += &format!(" digest={digest}");
+    }
+    Ok(Verified { line, seed: replay.recording().header.seed, digest })
 }

@@ -95,13 +95,13 @@ impl Replay {
         while self.tick() < tick && self.step() {}
     }
 
-    /// Saves the simulation and goes on with a new one that is restored from the bytes.
+    /// Saves the simulation and goes on with a new one that is restored from the bytes and from nothing else but the table.
     ///
     /// # Errors
     /// If the simulation refuses what it saved itself.
     pub fn save_and_restore(&mut self) -> Result<(), Failure> {
         let bytes = self.simulation.save();
-        self.simulation = Simulation::restore(self.simulation.table().clone(), &bytes)?;
+        self.simulation = self.simulation.restored(&bytes)?;
         Ok(())
     }
 }

@@ -10,8 +10,8 @@ use crate::Buttons;
 use physics::{BALL_RADIUS_M, BallPose, Command, Event, EventKind, Kind, Plunger};
 use serde::{Deserialize, Serialize};
 
-/// Silence before the first round, ms.
-const QUIET_MS: u64 = 12_000;
+/// Silence before the first round, ms: with the rounds and a late look another ball comes within 15 s.
+const QUIET_MS: u64 = 11_800;
 /// Silence before the first round while a flipper button is held, ms: a player may think about a trapped ball.
 const HELD_MS: u64 = 30_000;
 /// Between two rounds, ms.

@@ -3,19 +3,21 @@
 //! A tick reads one [`Buttons`] and nothing else. Everything that can change what happens next is in [`Simulation::hash`]
 //! and in [`Simulation::save`].
 
+mod digest;
 mod save;
 mod snapshot;
 
 #[cfg(test)]
 mod tests;
 
+pub use digest::Digest;
 pub use snapshot::{Display, LampLight, Snapshot};
 
 use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
 use crate::rules::{Moment, Program, Rules};
 use crate::{Buttons, Failure, Table};
-use physics::{Contact, Controls, Event, Layout, Machine, Pose};
-use save::{Saved, hash_of};
+use physics::{Contact, Controls, Event, Fingerprint, Machine, Pose, fingerprint};
+use save::Saved;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -141,18 +143,21 @@ impl Simulation {
     /// Of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
         let machine = self.machine.hashes();
+        let mut rules = Fingerprint::default();
+        rules.add(&(self.tick, self.buttons));
+        self.rules.state().add_to(&mut rules);
         Hashes {
             balls: machine.balls,
             mechanisms: machine.mechanisms,
-            rules: hash_of(&(self.tick, self.buttons, self.rules.state())),
-            lamps: hash_of(&self.lamps),
+            rules: rules.finish(),
+            lamps: fingerprint(&self.lamps),
         }
     }
 
     /// All of [`Simulation::hashes`] in one.
     pub fn hash(&self) -> u64 {
         let hashes = self.hashes();
-        hash_of(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
+        fingerprint(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
     }
 
     /// Everything that can change what happens next, and what its pictures depend on.
@@ -174,31 +179,27 @@ impl Simulation {
     /// # Errors
     /// If the bytes are not what `save` writes for this table.
     pub fn restore(table: Arc<Table>, bytes: &[u8]) -> Result<Simulation, Failure> {
-        let program = Arc::new(Program::new(&table)?);
-        let layout = Arc::new(table.layout.clone());
-        Simulation::assemble(table, program, layout, bytes)
+        // The seed does not matter: it is in the bytes, in what the rules remember.
+        Simulation::new(table, 0)?.restored(bytes)
     }
 
-    /// As [`Simulation::restore`], on this one's table: much faster, because the compiled rules are shared.
+    /// As [`Simulation::restore`], on this one's table: much faster, because what follows from the table alone is shared:
+    /// the compiled rules, the machine's plan, how much light each lamp gives. All else comes from the bytes.
     ///
     /// # Errors
     /// If the bytes are not what `save` writes for this table.
     pub fn restored(&self, bytes: &[u8]) -> Result<Simulation, Failure> {
-        Simulation::assemble(self.table.clone(), self.rules.program().clone(), self.machine.layout().clone(), bytes)
-    }
-
-    fn assemble(
-        table: Arc<Table>,
-        program: Arc<Program>,
-        layout: Arc<Layout>,
-        bytes: &[u8],
-    ) -> Result<Simulation, Failure> {
-        let saved = save::read(bytes, &table)?;
-        let machine = Machine::restore(layout, &saved.machine).map_err(|error| refused(&table, &error))?;
-        let rules = Rules::restored(program, saved.rules.into_owned());
-        let (lamps, eye, brightness) = (saved.lamps.into_owned(), saved.eye, Arc::new(Brightness::new(&table)));
-        let (tick, buttons) = (saved.tick, saved.buttons);
-        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick, buttons })
+        let saved = save::read(bytes, &self.table)?;
+        Ok(Simulation {
+            table: self.table.clone(),
+            machine: self.machine.restored(&saved.machine).map_err(|error| refused(&self.table, &error))?,
+            rules: Rules::restored(self.rules.program().clone(), saved.rules.into_owned()),
+            lamps: saved.lamps.into_owned(),
+            eye: saved.eye,
+            brightness: self.brightness.clone(),
+            tick: saved.tick,
+            buttons: saved.buttons,
+        })
     }
 }
 

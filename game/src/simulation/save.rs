@@ -62,11 +62,6 @@ pub fn read(bytes: &[u8], table: &Table) -> Result<Saved<'static>, Failure> {
     Ok(saved)
 }
 
-/// A hash of plain data, the same on every machine.
-pub fn hash_of(value: &impl Serialize) -> u64 {
-    xxh3_64(&encode(value))
-}
-
 fn encode(value: &impl Serialize) -> Vec<u8> {
     // Into memory, of types that postcard knows: it has no way to fail.
     postcard::to_stdvec(value).unwrap_or_default()

@@ -1,5 +1,7 @@
 //! The whole of a simulation: it goes on from its bytes and from its clone as if nothing had been.
 
+mod search;
+
 use super::Simulation;
 use crate::Buttons;
 use crate::rules::tests::bench::table;
@@ -59,6 +61,29 @@ fn a_saved_game_goes_on_as_if_nothing_had_been() {
         play(&mut original, 1);
     }
     assert_eq!(original.save(), restored.save());
+}
+
+#[test]
+fn nothing_of_the_game_that_restores_is_in_the_restored_one() {
+    let mut original = spectrum();
+    (0..9000).for_each(|_| original.tick(blind_hands(original.ticks())));
+    let bytes = original.save();
+    // By three games: one from scratch, one that has never played, and one that is elsewhere in another game.
+    let fresh = spectrum();
+    let mut other = Simulation::new(original.table().clone(), 77).expect("the rules are sound");
+    (0..6500).for_each(|_| other.tick(blind_hands(other.ticks() * 7 / 5)));
+    assert_ne!(other.hashes(), original.hashes());
+    let anew = Simulation::restore(original.table().clone(), &bytes).expect("what was saved");
+    let mut games = [anew, fresh.restored(&bytes).expect("saved"), other.restored(&bytes).expect("saved")];
+    for tick in 0..3000 {
+        for game in &mut games {
+            assert_eq!(game.hashes(), original.hashes(), "{tick} ticks later");
+            assert_eq!(game.snapshot(), original.snapshot(), "{tick} ticks later");
+            game.tick(blind_hands(game.ticks()));
+        }
+        original.tick(blind_hands(original.ticks()));
+    }
+    games.iter().for_each(|game| assert_eq!(game.save(), original.save()));
 }
 
 #[test]

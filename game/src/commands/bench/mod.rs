@@ -3,10 +3,12 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
+mod cone;
 mod growth;
 mod physics;
 mod quality;
 mod room;
+mod shots;
 mod table;
 mod tick;
 

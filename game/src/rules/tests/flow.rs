@@ -66,7 +66,7 @@ fn a_silent_ball_is_searched_for_and_then_given_up() {
     bench.wait(20_000);
     assert_eq!(bench.balls.len(), 1, "a ball at the plunger may wait");
     bench.launch();
-    bench.wait(11_900);
+    bench.wait(11_700);
     assert!(!bench.ordered(Command::BallSearch), "patience");
     bench.wait(4_000);
     let rounds = bench.orders.iter().filter(|order| **order == Command::BallSearch);
@@ -77,6 +77,20 @@ fn a_silent_ball_is_searched_for_and_then_given_up() {
     bench.drain();
     bench.wait(1);
     assert_eq!(bench.display().ball, 2, "the ball that was given up does not count");
+}
+
+#[test]
+fn another_ball_is_asked_for_within_fifteen_seconds_of_the_last_switch() {
+    for late in 0..100 {
+        let mut bench = bench();
+        bench.press(Buttons::START);
+        bench.launch();
+        bench.wait(late);
+        bench.hit("lane");
+        bench.wait(14_998);
+        let rounds = bench.orders.iter().filter(|order| **order == Command::BallSearch).count();
+        assert_eq!((rounds, bench.balls.len()), (3, 2), "{late} ms after a look");
+    }
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn a_script_remembers_and_its_functions_know_its_constants() {
     bench.launch();
     bench.wait(10);
     assert_eq!(bench.rules.take_complaints(), Vec::<String>::new());
-    let Value::Map(memory) = &bench.rules.state().memory else { panic!("a map") };
+    let Value::Map(memory) = bench.rules.state().memory() else { panic!("a map") };
     assert_eq!(memory["count"], Value::Int(7));
     let Value::Map(map) = &memory["map"] else { panic!("a map") };
     assert_eq!(map["b"], Value::Int(3));
@@ -35,6 +35,11 @@ fn a_state_survives_its_bytes() {
     let back: State = postcard::from_bytes(&bytes).expect("what was written");
     assert_eq!(&back, bench.rules.state());
     assert_eq!(postcard::to_stdvec(&back).expect("plain data"), bytes);
+    for state in [&back, bench.rules.state()] {
+        let mut hashed = physics::Fingerprint::default();
+        state.add_to(&mut hashed);
+        assert_eq!(hashed.finish(), physics::fingerprint(bench.rules.state()), "the bytes that are kept are its own");
+    }
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn won(bench: &Bench, colour: &str) -> bool {
 }
 
 fn number(bench: &Bench, name: &str) -> i64 {
-    let Value::Map(memory) = &bench.rules.state().memory else { return 0 };
+    let Value::Map(memory) = bench.rules.state().memory() else { return 0 };
     let Some(Value::Map(me)) = memory.get("me") else { return 0 };
     match me.get(name) {
         Some(Value::Int(number)) => *number,
@@ -300,7 +300,7 @@ fn top_lanes_move_with_the_flippers_and_raise_the_bonus() {
 #[test]
 fn the_skill_shot_is_the_first_lane_if_it_is_the_lit_one() {
     let skill = |bench: &Bench| {
-        let Value::Map(memory) = &bench.rules.state().memory else { return 0 };
+        let Value::Map(memory) = bench.rules.state().memory() else { return 0 };
         let Some(Value::Int(lane)) = memory.get("skill") else { return 0 };
         *lane as usize
     };
