@@ -68,6 +68,24 @@ fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
 }
 
 #[test]
+fn game_follows_game_until_the_time_is_used_up_exactly() {
+    let terms = Terms { longest: 150_001, again: true, digest: true };
+    let trial = trial::play(&spectrum(), 3, Player::Random(Random::new(3)), terms).unwrap();
+    assert_eq!(trial.ticks, 150_001);
+    let (last, over) = trial.games.split_last().unwrap();
+    assert!(!over.is_empty(), "one is over before the time is");
+    assert!(over.iter().all(|game| game.over && game.score > 0), "{over:?}");
+    assert_eq!(trial.games.iter().map(|game| game.ticks).sum::<u64>(), trial.ticks, "{last:?}");
+    assert_eq!(trial.digest.unwrap().ticks(), trial.ticks);
+    let mut replay = Replay::new(Recording::parse(&trial.recording).unwrap()).unwrap();
+    let mut digest = game::simulation::Digest::default();
+    while replay.step() {
+        digest.add(replay.simulation().hash());
+    }
+    assert_eq!((replay.difference(), Some(digest)), (None, trial.digest));
+}
+
+#[test]
 fn the_tour_tilts_the_machine_and_does_not_slam_it() {
     let mut simulation = Simulation::new(spectrum(), 1).unwrap();
     let mut tour = Tour::new(1);

@@ -249,3 +249,20 @@ fn a_full_disk_is_a_sentence_even_for_standard_output() {
     let status = program(&["check", "no-such-table"]).stderr(full()).status().expect("the program runs");
     assert_eq!(status.code(), Some(1), "it ends as it should even if it cannot say why");
 }
+
+#[test]
+fn every_tick_of_games_and_of_their_recordings_comes_to_the_same_line() {
+    let folder = Folder::new("digest");
+    let words =
+        ["simulate", "--games", "2", "--minutes", "0.03", "--again", "--digest", "--save-all", &folder.path("")];
+    let last_line = |words: &[&str]| {
+        let done = caustic(words);
+        assert_eq!(done.status.code(), Some(0), "{}", complaint(&done));
+        String::from_utf8_lossy(&done.stdout).lines().last().unwrap_or_default().to_string()
+    };
+    let played = last_line(&words);
+    assert!(played.starts_with("digest") && played.ends_with("of 3600 ticks, games 2"), "{played}");
+    let [one, two] = ["game-1.caustic", "game-2.caustic"].map(|name| folder.path(name));
+    assert_eq!(last_line(&["verify", &two, &one, "--digest", "--restore-every", "500"]), played);
+    assert_ne!(last_line(&["verify", &one, "--digest"]), played);
+}

@@ -25,7 +25,7 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
         parallel::make_folder(dir)?;
     }
     let bar = progress_bar(u64::from(args.games), "games");
-    let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)) as u64;
+    let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)).round() as u64;
     let terms = Terms { longest, again: args.again, digest: args.digest };
     let seeds: Vec<u64> = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number)).collect();
     let games = pool(args.threads)?.install(|| {
