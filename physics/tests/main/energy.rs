@@ -5,10 +5,10 @@ use geometry::{Circle, DVec2, Shape};
 use physics::*;
 
 /// The most that energy may grow in a tick, in parts of itself.
-const ROUNDING: f64 = 1e-6;
+pub const ROUNDING: f64 = 1e-6;
 
 /// Of all balls, over a ball's mass, J/kg: motion, spin, and height over the playfield's lower edge.
-fn energy(machine: &Machine) -> f64 {
+pub fn energy(machine: &Machine) -> f64 {
     let layout = machine.layout();
     let gravity = 9.81 * libm::sin(layout.slope_rad);
     let inertia = 0.4 * BALL_RADIUS_M * BALL_RADIUS_M;

@@ -1,6 +1,6 @@
-//! Balls in wedges: many hits in one tick, and still no time is lost.
+//! Balls in wedges: many hits in one tick, and still no energy is made and no time is lost.
 
-use crate::energy::throw;
+use crate::energy::{ROUNDING, energy, throw};
 use crate::fixture::*;
 use geometry::Shape;
 use physics::*;
@@ -28,6 +28,34 @@ impl Lost {
         self.now = if lost { self.now + 1 } else { 0 };
         self.most = self.most.max(self.now);
     }
+}
+
+#[test]
+fn balls_that_are_driven_into_a_wedge_gain_nothing_and_lose_no_time() {
+    let mut chance = Chance(23);
+    let mut met = 0;
+    for game in 0..60 {
+        let wedge = chance.between(0.05, 0.4);
+        let sides = [-1.0, 1.0]
+            .map(|side| Shape::capsule(v(0.257 + side * wedge * 0.5, 0.45), v(0.257 + side * 0.01, 0.7), 0.003));
+        let mut layout = bare();
+        layout.parts = vec![frame(WOOD), part("wedge", walls(sides.to_vec(), [RUBBER, WOOD, METAL][game % 3]))];
+        let mut machine = machine(layout);
+        let reach = 0.25 * wedge;
+        throw(&mut machine, 2 + game % 3, [v(0.257 - reach, 0.25), v(0.257 + reach, 0.5)], &mut chance);
+        let mut lost = Lost::default();
+        for tick in 0..2500 {
+            let before = machine.clone();
+            machine.tick(Controls::NONE, &[]);
+            lost.look(&before, &machine);
+            let (was, is) = (energy(&before), energy(&machine));
+            let at = || format!("game {game}, tick {tick}: {:#?}", machine.pose().balls);
+            assert!(lost.most <= 1, "time has stood still for {} ticks, {}", lost.now, at());
+            assert!(is <= was * (1.0 + ROUNDING), "{was} to {is} J/kg, {}", at());
+            met += machine.contacts().iter().filter(|contact| contact.part.is_none()).count();
+        }
+    }
+    assert!(met > 100, "they meet: {met}");
 }
 
 #[test]
