@@ -21,6 +21,7 @@ mod event;
 mod fingerprint;
 mod flipper;
 mod grid;
+mod jam;
 mod layout;
 mod levels;
 mod machine;

@@ -18,6 +18,8 @@ use geometry::{DVec2, Ray};
 pub(crate) const SLOW_M_S: f64 = 5e-3;
 /// A ball that parts faster than this from what it touches is not held by it.
 pub(crate) const PARTING_M_S: f64 = 0.02;
+/// Hits that follow each other sooner than this, many in a row, are a jam.
+const ZENO_S: f64 = 1e-6;
 /// Restitution of two balls.
 const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.02, friction: BALL_FRICTION };
 /// A round of the solver that changes no speed by more than this was the last.
@@ -83,16 +85,21 @@ impl Sweep<'_> {
     fn sweep(&mut self, duration: f64) {
         let mut left = duration;
         let most = 16 + 8 * self.state.balls.len();
-        let mut strikes = 0;
+        let (mut strikes, mut in_a_row) = (0, 0);
         while strikes < most {
             let reach = self.scratch.motions.iter().filter_map(|motion| motion.drive.lasts).fold(left, f64::min);
             let strike = self.first_strike(reach).map(|strike| self.refine(strike, reach));
             let time = strike.map_or(reach, |strike| strike.time);
             self.advance(time);
             left -= time;
+            in_a_row = if time < ZENO_S { in_a_row + 1 } else { 0 };
             if let Some(strike) = strike {
                 strikes += 1;
                 self.respond(&strike, left, duration);
+                if in_a_row > 4 + 2 * self.state.balls.len() {
+                    self.end_jam();
+                    in_a_row = 0;
+                }
             } else if left <= 0.0 {
                 return;
             }
