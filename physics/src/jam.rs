@@ -3,7 +3,6 @@
 //! Hit after hit would find them too, but in a narrow wedge it takes thousands, each no time after the one before, and
 //! time would not go on.
 
-use crate::motion::Motion;
 use crate::sweep::{Sweep, bodies};
 use crate::touch::Other;
 use geometry::DVec2;
@@ -23,8 +22,16 @@ struct Side {
 }
 
 impl Sweep<'_> {
-    /// Ends every approach of what touches, without a bounce, and the drive of the balls for the rest of the step.
-    pub(crate) fn end_jam(&mut self) {
+    /// Ends every approach of what touches, without a bounce; the balls' drive for what is `left` of the step goes into
+    /// that at once.
+    pub(crate) fn end_jam(&mut self, left: f64) {
+        for at in 0..self.scratch.touches.len() {
+            let touch = self.scratch.touches[at];
+            self.drive_at_once(touch.ball, left);
+            if let Other::Ball(other) = touch.other {
+                self.drive_at_once(other, left);
+            }
+        }
         let sides: Vec<Vec<Side>> = (0..self.state.balls.len()).map(|ball| self.sides(ball)).collect();
         let mut all = bodies(self.plan, self.state);
         for _ in 0..ROUNDS {
@@ -42,12 +49,14 @@ impl Sweep<'_> {
                 break;
             }
         }
-        for touch in &self.scratch.touches {
-            stop(&mut self.scratch.motions[touch.ball]);
-            if let Other::Ball(other) = touch.other {
-                stop(&mut self.scratch.motions[other]);
-            }
-        }
+    }
+
+    fn drive_at_once(&mut self, ball: usize, left: f64) {
+        let motion = &mut self.scratch.motions[ball];
+        let drive = std::mem::take(&mut motion.drive);
+        motion.settled = true;
+        self.state.balls[ball].velocity += drive.velocity * left;
+        self.state.balls[ball].spin += drive.spin * left;
     }
 
     fn sides(&self, ball: usize) -> Vec<Side> {
@@ -58,12 +67,6 @@ impl Sweep<'_> {
         };
         own.filter_map(side).collect()
     }
-}
-
-/// Less than a tick is left of the step: what its pull would have done to a jammed ball does not matter.
-fn stop(motion: &mut Motion) {
-    motion.drive = Default::default();
-    motion.settled = true;
 }
 
 /// The velocity nearest to `velocity` that leads into no side: itself, one along a side, or the corner of two.
@@ -78,7 +81,8 @@ fn nearest(velocity: DVec2, sides: &[Side]) -> DVec2 {
         let meet = (b.normal.perp() * -a.least + a.normal.perp() * b.least) / turn;
         meet.is_finite().then_some(meet)
     };
-    let corners = sides.iter().enumerate().flat_map(|(index, a)| sides[..index].iter().filter_map(move |b| corner(a, b)));
+    let corners =
+        sides.iter().enumerate().flat_map(|(index, a)| sides[..index].iter().filter_map(move |b| corner(a, b)));
     let all = sides.iter().map(along).chain(corners).filter(|one| clear(*one));
     all.min_by(|a, b| a.distance_squared(velocity).total_cmp(&b.distance_squared(velocity))).unwrap_or(DVec2::ZERO)
 }

@@ -97,7 +97,7 @@ impl Sweep<'_> {
                 strikes += 1;
                 self.respond(&strike, left, duration);
                 if in_a_row > 4 + 2 * self.state.balls.len() {
-                    self.end_jam();
+                    self.end_jam(left);
                     in_a_row = 0;
                 }
             } else if left <= 0.0 {
