@@ -36,8 +36,8 @@ fn a_flip_off_the_slingshots_post_passes() {
         });
         met.is_some() && arrives(play)
     };
-    let rolls = Play::new().then(&[(200, LEFT)]).ball((71.0, 790.0), (0.0, 0.03)).then(&[(400, LEFT)]);
-    let gaps: Vec<bool> = (200..450)
+    let rolls = Play::new().then(&[(200, LEFT)]).ball((71.0, 790.0), (0.0, 0.0)).then(&[(700, LEFT)]);
+    let gaps: Vec<bool> = (0..150)
         .map(|gap| {
             let mut play = rolls.clone().then(&[(gap, NONE)]);
             play.switches.clear();
