@@ -4,8 +4,11 @@ use super::Bot;
 use super::playfield::Playfield;
 use crate::{Buttons, Simulation};
 
+/// After so many ticks of a game the machine is shaken, whoever plays.
+const LATEST_SHAKE_TICKS: u64 = 75_000;
+
 /// A party of three: adds two players, plunges at many strengths, pushes the cabinet from every side, and shakes it in
-/// the third player's first ball until it tilts. In between the bot plays.
+/// the third player's first ball until it tilts; earlier if the others keep theirs for long. In between the bot plays.
 #[derive(Clone, Debug)]
 pub struct Tour {
     bot: Bot,
@@ -76,7 +79,8 @@ impl Tour {
         let free = simulation.pose().balls.iter().any(|ball| !ball.held && !playfield.in_lane(ball));
         self.in_play_since = free.then(|| self.in_play_since.unwrap_or(tick));
         let Some(since) = self.in_play_since.map(|began| tick - began) else { return Buttons::NONE };
-        let shakes = self.player == 2 && !self.shaken && since > 4000;
+        let late = self.playing_since.is_some_and(|began| tick > began + LATEST_SHAKE_TICKS);
+        let shakes = (self.player == 2 || late) && !self.shaken && since > 4000;
         // In haste, but not so much that it is a slam, which would end the game.
         let pause = if shakes { 260 } else { 7000 };
         if since < 3000 || since % pause >= 60 {
