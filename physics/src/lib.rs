@@ -32,6 +32,7 @@ mod motion;
 mod plan;
 mod plates;
 mod pose;
+mod respond;
 mod rod;
 mod save;
 mod settle;
