@@ -17,7 +17,7 @@ use geometry::{DVec2, Ray};
 pub(crate) const SLOW_M_S: f64 = 5e-3;
 /// A ball that parts faster than this from what it touches is not held by it.
 pub(crate) const PARTING_M_S: f64 = 0.02;
-/// Hits that follow each other sooner than this, many in a row, are a jam.
+/// Hits that follow each other sooner than this are a jam if there are many in a row: more than in any chain of balls.
 const ZENO_S: f64 = 1e-6;
 /// A round of the solver that changes no speed by more than this was the last.
 pub(crate) const SAME_M_S: f64 = 1e-8;

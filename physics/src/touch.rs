@@ -91,17 +91,14 @@ impl Touch {
 
     /// How the ball's rim slides on the other: along `normal.perp()` and along the vertical.
     fn slip(&self, bodies: &Bodies) -> DVec2 {
-        let mut own = bodies.balls[self.ball].rim_slip(self.normal);
-        if self.sudden {
-            own.y += self.rubbed.y;
-        }
+        let own = bodies.balls[self.ball].rim_slip(self.normal);
+        let rise = if self.sudden { self.rubbed.y } else { 0.0 };
         match self.other {
             Other::Ball(index) => {
                 let other = bodies.balls[index].rim_slip(-self.normal);
-                let sinks = if self.sudden { -self.rubbed.y } else { 0.0 };
-                DVec2::new(own.x + other.x, own.y - other.y - sinks)
+                DVec2::new(own.x + other.x, own.y + rise - other.y + rise)
             }
-            _ => DVec2::new(own.x - self.other_velocity(bodies).dot(self.normal.perp()), own.y),
+            _ => DVec2::new(own.x - self.other_velocity(bodies).dot(self.normal.perp()), own.y + rise),
         }
     }
 

@@ -94,7 +94,7 @@ fn balls_that_jam_in_a_chute_free_themselves() {
                 machine.put_ball(place, v(chance.between(-0.5, 0.5), chance.between(0.0, 2.0)), [0.0; 3]);
             }
             let through = |machine: &Machine| machine.pose().balls.iter().all(|ball| ball.center.y > 0.77);
-            let done = (0..15_000).find(|_| {
+            let done = (0..6_000).find(|_| {
                 machine.tick(Controls::default(), &[]);
                 through(&machine)
             });
