@@ -19,9 +19,12 @@ const SLIDE_PART: f64 = 0.3;
 const SLIDE_END: f64 = 0.05;
 /// A ball that would slide for no longer than this rolls.
 const ROLLS_S: f64 = 1e-9;
-/// A machine hums with its coils and motors: what has lain still for so long is shaken loose and does not cling by
-/// friction, so that no arch of balls holds for ever...
+/// A machine hums with its coils and motors: what has lain still for so long is shaken loose. It does not cling by
+/// friction, so that no arch of balls holds for ever, and its rolling resistance is that of a trembling ball, which grows
+/// with the speed (dither: dry friction under fast vibration acts as a viscous one), so that none balances on a post...
 const HUM_TICKS: u32 = 1000;
+/// How fast such a ball trembles.
+const HUM_M_S: f64 = 5e-4;
 /// ... nor for so long after it has begun to move, or it would stop again half a millimetre on.
 const LOOSE_TICKS: u32 = 200;
 /// Below this a ball counts as still.
@@ -214,7 +217,8 @@ impl Ball {
         let speed = self.velocity.length();
         // What drags at the turning of the ball leaves one alone that slides without turning.
         let rolling = (self.spin.truncate().length() * BALL_RADIUS_M / speed).min(1.0);
-        let loss = (ROLLING_RESISTANCE * floor.press + floor.drag * rolling) * duration;
+        let trembling = if self.loose_ticks > 0 { (speed / HUM_M_S).min(1.0) } else { 1.0 };
+        let loss = (ROLLING_RESISTANCE * floor.press * trembling + floor.drag * rolling) * duration;
         let keep = if speed > loss { 1.0 - loss / speed } else { 0.0 };
         self.velocity *= keep;
         self.spin.x *= keep;

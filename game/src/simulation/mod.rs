@@ -23,7 +23,7 @@ use std::sync::Arc;
 
 /// The version of everything that decides what a recording replays to. Raised whenever the same inputs would give
 /// another game.
-pub const SIMULATION_VERSION: u32 = 3;
+pub const SIMULATION_VERSION: u32 = 4;
 
 /// A game in play. A clone goes on exactly as the original does.
 #[derive(Clone)]

@@ -1,7 +1,7 @@
 //! Balls that lie still: for a minute, to the twentieth of a millimetre.
 
 use crate::fixture::*;
-use geometry::{DVec2, Shape};
+use geometry::{Arc, Circle, Core, DVec2, Shape};
 use physics::*;
 
 /// Lets everything come to rest, then watches for a minute: the farthest drift, the root mean square of the speed and the
@@ -51,6 +51,28 @@ fn a_ball_in_a_trough_rests() {
 fn a_ball_on_two_posts_rests() {
     let posts = vec![Shape::disc(v(0.238, 0.5), 0.004), Shape::disc(v(0.262, 0.5), 0.004)];
     assert_rests("posts", with(posts, RUBBER, &[(0.25, 0.47)]), Controls::default());
+}
+
+#[test]
+fn a_ball_in_a_bowl_rests() {
+    let arc = Arc::new(Circle { center: v(0.25, 0.4), radius: 0.1 }, 0.5, 2.2);
+    let bowl = Shape { core: Core::Arc(arc), radius: 0.002 };
+    assert_rests("bowl", with(vec![bowl], RUBBER, &[(0.2505, 0.4845)]), Controls::default());
+}
+
+/// Rolling resistance alone would hold the first for ever: the slope pulls at it with a third of that.
+#[test]
+fn no_ball_balances_on_a_post() {
+    for off_m in [1e-5, 1e-8] {
+        let mut machine = with(vec![Shape::disc(v(0.25, 0.5), 0.0045)], RUBBER, &[(0.25 + off_m, 0.482)]);
+        let fell = |machine: &Machine| machine.pose().balls[0].center.y > 0.52;
+        let done = (0..10_000).find(|_| {
+            machine.tick(Controls::default(), &[]);
+            fell(&machine)
+        });
+        println!("{off_m:e} m off the top of a post: fell after {done:?} ms");
+        assert!(done.is_some_and(|ticks| ticks < 6_000), "{off_m} m off: {:?}", machine.pose().balls);
+    }
 }
 
 #[test]
