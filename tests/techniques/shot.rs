@@ -57,6 +57,24 @@ fn a_shot_up_the_ramp_comes_home_on_the_wires_to_the_right_flipper() {
 }
 
 #[test]
+fn the_slowest_ball_over_the_ramp_comes_home_and_the_fastest_that_is_not_over_comes_back() {
+    let gets_over = |speed: f64| {
+        let mut play = Play::new().ball((270.0, 600.0), (0.0, -speed));
+        let is_back = |play: &Play| play.first().is_none_or(|ball| ball.center.y > 0.62 && !ball.above);
+        let ends = play.until(NONE, 8000, |play| play.has_met("wire") || is_back(play));
+        assert!(ends.is_some(), "at {speed} m/s it lies on the ramp: {:?}", play.first());
+        play.has_met("wire")
+    };
+    let (mut under, mut over) = (0.8, 2.5);
+    assert!(!gets_over(under) && gets_over(over));
+    while over - under > 1e-6 {
+        let middle = 0.5 * (under + over);
+        *(if gets_over(middle) { &mut over } else { &mut under }) = middle;
+    }
+    println!("over from {over} m/s on");
+}
+
+#[test]
 fn a_ball_near_the_base_goes_to_the_flippers_own_side() {
     let rolling = Play::new().ball((71.0, 740.0), (0.0, 0.6));
     let shots = |waits: std::ops::Range<usize>| waits.map(|wait| shot(rolling.clone().then(&[(wait, NONE)])));
