@@ -8,5 +8,6 @@ mod golden;
 mod picture;
 mod plot;
 mod recording;
+mod still;
 mod techniques;
 mod tidy;

@@ -212,6 +212,9 @@ fn part(part: &Part) -> Checked {
         Kind::Gate(g) => {
             segment(&g.segment)?;
             unit("the gate's way", g.way)?;
+            if g.segment.along().dot(g.way).abs() > 1e-6 {
+                return Err("the gate's way must lead straight through it".to_string());
+            }
             material(&g.material)
         }
         Kind::Spinner(s) => {

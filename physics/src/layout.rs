@@ -228,7 +228,7 @@ pub enum Leg {
 pub struct Gate {
     /// The flap seen from above.
     pub segment: Segment,
-    /// The unit vector of the way that the ball may pass.
+    /// The unit vector of the way that the ball may pass, straight through the flap.
     pub way: DVec2,
     /// What it throws back the other way.
     pub material: Material,

@@ -212,6 +212,7 @@ fn captive_ball(circle: Circle, threshold_m_s: f64) -> Result<physics::CaptiveBa
     Ok(physics::CaptiveBall { center: circle.center, threshold_m_s })
 }
 
+/// Straight through the gate, to the side that its drawing names.
 fn way(thing: &Thing) -> Result<DVec2, String> {
     let expected = "a gate needs data-way=\"up\", \"down\", \"left\", \"right\" or degrees: the way that is free";
     let word = thing.data.get("way").ok_or(expected)?;
@@ -226,7 +227,7 @@ fn way(thing: &Thing) -> Result<DVec2, String> {
     if along.dot(way).abs() > 0.99 {
         return Err("its data-way runs along the gate, so no ball can pass it that way".to_string());
     }
-    Ok(way)
+    Ok(along.perp() * 1.0_f64.copysign(along.perp_dot(way)))
 }
 
 fn degrees(thing: &Thing, key: &str) -> Result<f64, String> {

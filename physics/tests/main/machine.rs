@@ -79,7 +79,7 @@ fn of<'a>(layout: &'a mut Layout, name: &str) -> Option<&'a mut Kind> {
 #[test]
 fn numbers_that_cannot_be_are_refused_by_name() {
     type Spoil = fn(&mut Layout);
-    let spoils: [Spoil; 9] = [
+    let spoils: [Spoil; 10] = [
         |layout| layout.size_m.x = f64::NAN,
         |layout| layout.playfield_friction = -0.1,
         |layout| layout.slope_rad = f64::INFINITY,
@@ -106,6 +106,11 @@ fn numbers_that_cannot_be_are_refused_by_name() {
         |layout| {
             if let Some(Kind::Kickback(k)) = of(layout, "kickback") {
                 k.stroke_m = 0.0
+            }
+        },
+        |layout| {
+            if let Some(Kind::Gate(g)) = of(layout, "gate") {
+                g.way = v(-0.8, 0.6)
             }
         },
         |layout| {
