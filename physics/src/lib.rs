@@ -15,6 +15,7 @@ mod ball;
 mod cabinet;
 mod captive;
 mod check;
+mod clear;
 mod command;
 mod controls;
 mod event;

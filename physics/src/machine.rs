@@ -1,6 +1,7 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
+use crate::clear::Clear;
 use crate::flipper::{Blade, FINE_STEPS, Rotor};
 use crate::meet::is_out_of_reach;
 use crate::motion::Motion;
@@ -167,6 +168,10 @@ impl Machine {
         }
         let steps = self.divisions.max(steps);
         let duration = TICK_S / f64::from(steps);
+        if steps > 1 {
+            self.scratch.clear.clear();
+            self.scratch.clear.extend(self.state.balls.iter().map(|ball| Clear::around(&plan, ball)));
+        }
         for step in 0..steps {
             for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| !alone[index]) {
                 blade.turn(&mut self.state.mechanisms.rotors[index], pressed[index], duration);

@@ -63,6 +63,14 @@ pub(crate) fn is_out_of_reach(blade: &Blade, center: DVec2, travel: f64) -> bool
     center.distance_squared(blade.pivot()) > reach * reach
 }
 
+/// Whether two balls that are `away` from each other cannot meet on a way whose square is `way_squared`: roughly, and
+/// without a root.
+pub(crate) fn far_apart(away: DVec2, way_squared: f64) -> bool {
+    const ROOM_M: f64 = 0.01;
+    const FAR_M: f64 = 2.0 * BALL_RADIUS_M + ROOM_M;
+    way_squared < ROOM_M * ROOM_M && away.length_squared() > FAR_M * FAR_M
+}
+
 /// When two balls meet, `away` from each other and moving at `velocity` against each other, and the normal.
 pub(crate) fn meet(away: DVec2, velocity: DVec2) -> Option<(f64, DVec2)> {
     let touching = 2.0 * BALL_RADIUS_M;

@@ -6,7 +6,7 @@
 use crate::BALL_RADIUS_M;
 use crate::ball::Ball;
 use crate::levels::apart;
-use crate::meet::is_out_of_reach;
+use crate::meet::{far_apart, is_out_of_reach};
 use crate::plan::SKIN_M;
 use crate::sweep::{PARTING_M_S, SAME_M_S, SLOW_M_S, Sweep, bodies};
 use crate::touch::{BALL_FRICTION, Other, Touch};
@@ -192,7 +192,8 @@ impl Sweep<'_> {
         let mut found: [(usize, DVec2); 4] = [(usize::MAX, DVec2::ZERO); 4];
         let mut count = 0;
         let (track, up) = (self.state.balls[ball].track, self.state.balls[ball].is_up());
-        self.plan.near(track, center, center, |index| {
+        let clear = self.is_clear(ball, SKIN_M);
+        let visit = |index: usize| {
             let obstacle = &self.plan.obstacles[index];
             let (distance, normal) = obstacle.shape.distance(center);
             let known = found[..count].iter().any(|&(other, _)| other == index);
@@ -202,7 +203,10 @@ impl Sweep<'_> {
                 count += 1;
                 out += way_out(distance, normal);
             }
-        });
+        };
+        if !clear {
+            self.plan.near(track, center, center, visit);
+        }
         for &(index, normal) in &found[..count] {
             let friction = self.plan.obstacles[index].material.friction;
             self.add_touch(ball, center, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
@@ -237,6 +241,9 @@ impl Sweep<'_> {
                 continue;
             }
             let away = center - self.state.balls[other].center;
+            if far_apart(away, 0.0) {
+                continue;
+            }
             out += way_out(0.5 * (away.length() - 2.0 * BALL_RADIUS_M), away.try_normalize().unwrap_or(DVec2::Y));
             if other < ball && !held {
                 continue;

@@ -4,8 +4,10 @@
 //! angular velocity. The earliest hit is found (rays against shapes inflated by the ball's radius, a root of the
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
+use crate::ball::Ball;
+use crate::clear::Clear;
 use crate::levels::apart;
-use crate::meet::{STILL_M_S, TOUCH_M, cast, is_out_of_reach, meet, meet_flipper};
+use crate::meet::{STILL_M_S, TOUCH_M, cast, far_apart, is_out_of_reach, meet, meet_flipper};
 use crate::motion::{Motion, hold_back};
 use crate::plan::{Obstacle, Plan, Role, SKIN_M};
 use crate::state::State;
@@ -29,6 +31,8 @@ const STALE_M: f64 = 2e-4;
 pub(crate) struct Scratch {
     pub motions: Vec<Motion>,
     pub touches: Vec<Touch>,
+    /// The room round each ball where it was at the start of the last tick of many steps: true for ever, of use for a while.
+    pub clear: Vec<Clear>,
 }
 
 /// What a ball is about to hit.
@@ -176,7 +180,9 @@ impl Sweep<'_> {
             let center = self.state.balls[ball].center;
             let velocity = self.mean_velocity(ball, left);
             let own = &self.state.balls[ball];
-            self.strikes_of_obstacles(own.track, center, velocity, left, &mut offer);
+            if !self.is_clear(ball, velocity.length() * left) {
+                self.strikes_of_obstacles(own.track, center, velocity, left, &mut offer);
+            }
             if !own.is_up() {
                 self.strikes_of_machines(center, velocity, left, &mut offer);
             }
@@ -184,6 +190,9 @@ impl Sweep<'_> {
                 if (other > ball || (other != ball && met.is_held())) && !apart(own, met) {
                     let away = center - met.center;
                     let closing = velocity - self.mean_velocity(other, left);
+                    if far_apart(away, closing.length_squared() * left * left) {
+                        continue;
+                    }
                     if let Some((time, normal)) = meet(away, closing) {
                         offer(time, Target::Ball(other), normal);
                     }
@@ -191,6 +200,23 @@ impl Sweep<'_> {
             }
         }
         first
+    }
+
+    /// Whether a ball is known to be farther than `reach` from touching anything that stands still.
+    pub(crate) fn is_clear(&self, ball: usize, reach: f64) -> bool {
+        let own = &self.state.balls[ball];
+        let clear = self.scratch.clear.get(ball).is_some_and(|clear| clear.holds(own.track, own.center, reach));
+        debug_assert!(!clear || self.room(own, reach) > reach, "the slow twin finds something at {}", own.center);
+        clear
+    }
+
+    /// How far the nearest thing that stands still is from touching a ball: the slow twin of [`Clear`], up to `reach`.
+    fn room(&self, ball: &Ball, reach: f64) -> f64 {
+        let mut room = f64::INFINITY;
+        self.plan.near(ball.track, ball.center - reach, ball.center + reach, |index| {
+            room = room.min(self.plan.obstacles[index].shape.distance(ball.center).0);
+        });
+        room
     }
 
     fn strikes_of_obstacles(

@@ -81,8 +81,13 @@ fn crowd(fresh: &Machine) -> Row {
     let mut ticks_ms = Vec::with_capacity(CROWDED);
     for tick in 0..CROWDED {
         while machine.pose().balls.len() < CROWD {
-            let place = DVec2::new(between(chance, 0.08, 0.38), between(chance, 0.3, 0.75));
-            machine.put_ball(place, DVec2::new(between(chance, -2.0, 2.0), -1.0), [0.0; 3]);
+            let place = DVec2::new(between(chance, 0.08, 0.38), between(chance, 0.5, 0.7));
+            let mut fuller = machine.clone();
+            fuller.put_ball(place, DVec2::new(between(chance, -2.0, 2.0), -1.0), [0.0; 3]);
+            // A ball in a wall or in another ball would be none that there can be.
+            if fuller.overlap_m() < 0.0 {
+                machine = fuller;
+            }
         }
         let hands = Controls { left: tick % 170 < 60, right: tick % 230 < 90, ..Controls::NONE };
         ticks_ms.push(time_ms(|| machine.tick(hands, &[])));
