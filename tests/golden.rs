@@ -90,9 +90,9 @@ fn on_the_ramp() -> Frame {
     for demo in 1..=5 {
         let file = root().join(format!("assets/demos/bot-{demo}.caustic"));
         let mut replay = Replay::open(&file).unwrap();
-        let ramp = replay.simulation().table().part("ramp");
+        let ramp = replay.simulation().table().part("ramp").expect("Spectrum has a ramp");
         while replay.step() {
-            if replay.simulation().events().iter().any(|event| event.part == ramp) {
+            if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {
                 let snapshot = replay.simulation().snapshot();
                 let mut picture = picture_of(&replay);
                 return picture.draw(Moment::at(&snapshot), SIZE.0, SIZE.1, &Chrome::default()).unwrap().clone();
