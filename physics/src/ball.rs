@@ -132,11 +132,13 @@ impl Ball {
     }
 
     /// Velocity of the ball's lowest point over the playfield.
+    #[inline(always)]
     pub fn floor_slip(&self) -> DVec2 {
         self.velocity + DVec2::new(-self.spin.y, self.spin.x) * BALL_RADIUS_M
     }
 
     /// Gives the ball's lowest point an impulse over mass, m/s.
+    #[inline(always)]
     pub fn push_floor(&mut self, push: DVec2) {
         self.velocity += push;
         let turn = 1.0 / (INERTIA * BALL_RADIUS_M);
@@ -199,6 +201,7 @@ impl Ball {
     }
 
     /// In what time friction ends the slip, if it does; only told where that is not many times `duration`.
+    #[inline(always)]
     fn slides_for(&self, floor: &Floor, pull: DVec2, duration: f64) -> Option<f64> {
         let slip = self.floor_slip();
         if slip.length() > 20.0 * floor.slip_loss() * duration {
@@ -213,12 +216,20 @@ impl Ball {
     }
 
     /// Rolling resistance, and the drag of the patch on the spin about the vertical.
+    ///
+    /// In line, or [`Ball::drive`] copies a whole ball for the little of it that changes.
+    #[inline(always)]
     pub fn resist(&mut self, floor: &Floor, duration: f64) {
         let speed = self.velocity.length();
-        // What drags at the turning of the ball leaves one alone that slides without turning.
-        let rolling = (self.spin.truncate().length() * BALL_RADIUS_M / speed).min(1.0);
-        let trembling = if self.loose_ticks > 0 { (speed / HUM_M_S).min(1.0) } else { 1.0 };
-        let loss = (ROLLING_RESISTANCE * floor.press * trembling + floor.drag * rolling) * duration;
+        let mut resistance = ROLLING_RESISTANCE * floor.press;
+        if self.loose_ticks > 0 {
+            resistance *= (speed / HUM_M_S).min(1.0);
+        }
+        if floor.drag > 0.0 {
+            // What drags at the turning of the ball leaves one alone that slides without turning.
+            resistance += floor.drag * (self.spin.truncate().length() * BALL_RADIUS_M / speed).min(1.0);
+        }
+        let loss = resistance * duration;
         let keep = if speed > loss { 1.0 - loss / speed } else { 0.0 };
         self.velocity *= keep;
         self.spin.x *= keep;

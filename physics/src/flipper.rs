@@ -62,31 +62,45 @@ pub(crate) struct Blade {
     stroke: f64,
     /// How far from the pivot the outline ends.
     pub reach: f64,
-    /// What the coil's force keeps, for the steps and time constants of play: an exponential at every step would cost
-    /// more than all else that a flipper does.
-    fades: [Fade; 12],
+    /// Those of play, the most wanted first: exponentials at every step would cost more than all else that a flipper does.
+    paces: [Pace; 3],
 }
 
-/// What is left after `duration` of what dies away with a time constant.
+/// How a step is gone through.
 #[derive(Clone, Copy, Debug)]
-struct Fade {
+struct Pace {
+    /// Of the step, s.
     duration: f64,
-    time_constant: f64,
-    left: f64,
+    /// Of the rotor's own steps, s...
+    own_step: f64,
+    /// ... and how many there are.
+    count: u32,
+    /// What the coil's force keeps in the step, in the order of [`Goal`]...
+    keeps: [f64; 3],
+    /// ... and in half a step of the rotor's own.
+    half_keeps: [f64; 3],
 }
 
-impl Fade {
-    fn new(duration: f64, time_constant: f64) -> Fade {
-        Fade { duration, time_constant, left: libm::exp(-duration / time_constant) }
+impl Pace {
+    fn new(duration: f64) -> Pace {
+        let count = (duration / OWN_STEP_S).ceil().max(2.0);
+        let keeps = |time: f64| [COIL_FALL_S, COIL_RISE_S, COIL_HOLD_S].map(|constant| libm::exp(-time / constant));
+        Pace {
+            duration,
+            own_step: duration / count,
+            count: count as u32,
+            keeps: keeps(duration),
+            half_keeps: keeps(0.5 * duration / count),
+        }
     }
+}
 
-    /// Those of play, the most wanted first.
-    fn all() -> [Fade; 12] {
-        let steps = [FINE_STEPS, 1, CREEP_STEPS].map(|steps| TICK_S / f64::from(steps));
-        let durations = [0.5 * OWN_STEP_S, steps[0], steps[1], steps[2]];
-        let constants = [COIL_FALL_S, COIL_HOLD_S, COIL_RISE_S];
-        std::array::from_fn(|index| Fade::new(durations[index / 3], constants[index % 3]))
-    }
+/// Where the coil's force goes: to nothing, to its most, or to what the hold winding alone gives.
+#[derive(Clone, Copy, Debug)]
+enum Goal {
+    Nothing,
+    Most,
+    Hold,
 }
 
 /// A rotor's own steps are no longer than this, and there are two at least in one of the balls.
@@ -121,7 +135,7 @@ impl Blade {
             stroke: sweep.abs(),
             reach: end.max(flipper.base.radius),
             flipper: flipper.clone(),
-            fades: Fade::all(),
+            paces: [FINE_STEPS, 1, CREEP_STEPS].map(|steps| Pace::new(TICK_S / f64::from(steps))),
         }
     }
 
@@ -175,32 +189,31 @@ impl Blade {
         self.along(rotor.angle) > 0.5 * self.stroke
     }
 
-    /// Where the coil's torque goes, N m, and with which time constant, s.
-    fn coil_goal(&self, rotor: &Rotor, pressed: bool) -> (f64, f64) {
+    fn coil_goal(&self, rotor: &Rotor, pressed: bool) -> (Goal, f64) {
         let near_end = self.along(rotor.angle) > self.stroke - END_OF_STROKE_RAD;
         match (pressed, near_end) {
-            (false, _) => (0.0, COIL_FALL_S),
-            (true, false) => (self.flipper.coil_torque_n_m, COIL_RISE_S),
-            (true, true) => (self.flipper.hold_torque_n_m, COIL_HOLD_S),
+            (false, _) => (Goal::Nothing, 0.0),
+            (true, false) => (Goal::Most, self.flipper.coil_torque_n_m),
+            (true, true) => (Goal::Hold, self.flipper.hold_torque_n_m),
         }
     }
 
-    /// Lets the coil's force follow its button for `duration`, and frees the flipper where that lifts it off its stop.
+    /// Lets the coil's force follow its button for a step, and frees the flipper where that lifts it off its stop.
     /// True if the flipper may now move.
-    fn energise(&self, rotor: &mut Rotor, pressed: bool, duration: f64) -> bool {
-        let (goal, time_constant) = self.coil_goal(rotor, pressed);
+    fn energise(&self, rotor: &mut Rotor, pressed: bool, pace: &Pace) -> bool {
+        let (goal, torque) = self.coil_goal(rotor, pressed);
         // A force that is where it goes stays there.
-        if rotor.coil != goal {
-            rotor.coil = goal + (rotor.coil - goal) * self.fade(duration, time_constant);
+        if rotor.coil != torque {
+            rotor.coil = torque + (rotor.coil - torque) * pace.keeps[goal as usize];
         }
         rotor.home &= self.is_kept_home(rotor);
         rotor.seated &= self.is_pressed_on_a_stop(rotor);
         !rotor.seated
     }
 
-    fn fade(&self, duration: f64, time_constant: f64) -> f64 {
-        let known = |fade: &&Fade| fade.duration == duration && fade.time_constant == time_constant;
-        self.fades.iter().find(known).map_or_else(|| Fade::new(duration, time_constant).left, |fade| fade.left)
+    fn pace(&self, duration: f64) -> Pace {
+        let known = self.paces.iter().find(|pace| pace.duration == duration);
+        known.copied().unwrap_or_else(|| Pace::new(duration))
     }
 
     /// In how many steps a tick is to be cut while the flipper moves near a ball.
@@ -212,18 +225,18 @@ impl Blade {
     ///
     /// The stop and the link are stiff, so this goes in finer steps than the balls do.
     pub fn turn(&self, rotor: &mut Rotor, pressed: bool, duration: f64) {
-        let (goal, time_constant) = self.coil_goal(rotor, pressed);
+        let (goal, torque) = self.coil_goal(rotor, pressed);
+        let pace = self.pace(duration);
         let mut free = *rotor;
-        if !self.energise(rotor, pressed, duration) {
+        if !self.energise(rotor, pressed, &pace) {
             return;
         }
         (free.home, free.seated) = (rotor.home, false);
-        let count = (duration / OWN_STEP_S).ceil().max(2.0);
-        let half = self.fade(0.5 * duration / count, time_constant);
-        for _ in 0..count as u32 {
-            free.coil = goal + (free.coil - goal) * half;
-            self.go_on(&mut free, duration / count);
-            free.coil = goal + (free.coil - goal) * half;
+        let half = pace.half_keeps[goal as usize];
+        for _ in 0..pace.count {
+            free.coil = torque + (free.coil - torque) * half;
+            self.go_on(&mut free, pace.own_step);
+            free.coil = torque + (free.coil - torque) * half;
         }
         rotor.film = if free.home { free.film } else { 0.0 };
         let mean = (free.angle - rotor.angle) / duration;
@@ -233,7 +246,7 @@ impl Blade {
 
     /// Whether the flipper moves, or will within `duration`.
     pub fn will_move(&self, rotor: &Rotor, pressed: bool, duration: f64) -> bool {
-        !rotor.seated || self.energise(&mut { *rotor }, pressed, duration)
+        !rotor.seated || self.energise(&mut { *rotor }, pressed, &self.pace(duration))
     }
 
     /// Whether the plunger is pressed home: by its coil, or by the bat that pulls it along.
@@ -269,7 +282,8 @@ impl Blade {
         let after = |middle: &Rotor, time: f64| Rotor {
             angle: rotor.angle + middle.speed * time,
             speed: rotor.speed + self.sense * self.acceleration(middle) * time,
-            film: rotor.film + (middle.speed.abs() - middle.film / SQUEEZE_S) * time,
+            // There is none while the plunger is away from home.
+            film: if rotor.home { rotor.film + (middle.speed.abs() - middle.film / SQUEEZE_S) * time } else { 0.0 },
             ..*rotor
         };
         after(&after(rotor, 0.5 * duration), duration)

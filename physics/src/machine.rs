@@ -1,7 +1,6 @@
 //! The machine in play.
 
 use crate::ball::{Ball, Hold};
-use crate::clear::Clear;
 use crate::flipper::{Blade, FINE_STEPS, Rotor};
 use crate::meet::is_out_of_reach;
 use crate::motion::Motion;
@@ -168,9 +167,10 @@ impl Machine {
         }
         let steps = self.divisions.max(steps);
         let duration = TICK_S / f64::from(steps);
+        self.scratch.clear.clear();
+        self.scratch.angles.clear();
         if steps > 1 {
-            self.scratch.clear.clear();
-            self.scratch.clear.extend(self.state.balls.iter().map(|ball| Clear::around(&plan, ball)));
+            self.sweep(&plan, 0.0, &alone).look_around();
         }
         for step in 0..steps {
             for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| !alone[index]) {
@@ -182,19 +182,20 @@ impl Machine {
 
     fn step(&mut self, plan: &Plan, pull: DVec2, elapsed: f64, duration: f64, alone: &[bool]) {
         self.scratch.motions.clear();
-        for ball in &self.state.balls {
-            let sunk = match ball.hold {
-                Hold::Sinking(saucer) => zones::bowl(&plan.saucers[saucer].1, ball),
-                _ => DVec2::ZERO,
-            };
-            let mut motion = Motion::new(pull + sunk, plan.floor);
-            levels::act(plan, ball, duration, &mut motion);
-            magnet::act(plan, &self.state.mechanisms, ball, duration, &mut motion);
-            self.scratch.motions.push(motion);
+        self.scratch.motions.resize(self.state.balls.len(), Motion::new(pull, plan.floor));
+        for (ball, motion) in self.state.balls.iter().zip(&mut self.scratch.motions) {
+            if let Hold::Sinking(saucer) = ball.hold {
+                motion.pull += zones::bowl(&plan.saucers[saucer].1, ball);
+            }
+            levels::act(plan, ball, duration, motion);
+            magnet::act(plan, &self.state.mechanisms, ball, duration, motion);
         }
+        self.sweep(plan, elapsed, alone).step(duration);
+    }
+
+    fn sweep<'a>(&'a mut self, plan: &'a Plan, elapsed: f64, alone: &'a [bool]) -> Sweep<'a> {
         let (events, contacts) = (&mut self.events, &mut self.contacts);
         Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, elapsed, alone }
-            .step(duration);
     }
 
     /// What happened in the last tick, in order.

@@ -16,12 +16,14 @@ pub(crate) struct Motion {
     pub settled: bool,
     /// Its velocity at the step's start.
     pub start: DVec2,
+    /// What the playfield has given its lowest point in this step, m/s.
+    pub rubbed: DVec2,
 }
 
 impl Motion {
     /// Of a ball that `pull` acts on, m/s^2.
     pub fn new(pull: DVec2, floor: Floor) -> Motion {
-        Motion { drive: Drive::default(), pull, floor, settled: false, start: DVec2::ZERO }
+        Motion { drive: Drive::default(), pull, floor, settled: false, start: DVec2::ZERO, rubbed: DVec2::ZERO }
     }
 }
 

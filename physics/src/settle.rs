@@ -42,9 +42,10 @@ impl Sweep<'_> {
     /// Balls that lie on something: the step's pull, the playfield and every touch act together.
     pub(crate) fn settle(&mut self, duration: f64) {
         self.scratch.touches.clear();
+        let swing = self.swing(0.0);
         for ball in 0..self.state.balls.len() {
             if !self.state.balls[ball].is_held() {
-                self.find_touches(ball, duration);
+                self.find_touches(ball, duration, swing);
             }
         }
         for touch in &self.scratch.touches {
@@ -103,9 +104,8 @@ impl Sweep<'_> {
 
     /// Sequential impulses with accumulation (Catto, Iterative Dynamics with Temporal Coherence, 2005).
     fn press_together(&mut self, duration: f64) {
-        let mut rubbed = vec![DVec2::ZERO; self.state.balls.len()];
         for _ in 0..AHEAD_ROUNDS {
-            self.settle_rounds(duration, &mut rubbed);
+            self.settle_rounds(duration);
             if !self.look_ahead(duration) {
                 break;
             }
@@ -118,17 +118,16 @@ impl Sweep<'_> {
         }
     }
 
-    fn settle_rounds(&mut self, duration: f64, rubbed: &mut [DVec2]) {
+    fn settle_rounds(&mut self, duration: f64) {
         let mut bodies = bodies(self.plan, self.state);
         for _ in 0..SETTLE_ROUNDS {
             let mut change: f64 = 0.0;
-            for (index, motion) in self.scratch.motions.iter().enumerate() {
-                if motion.settled && !bodies.balls[index].is_held() {
-                    let ball = &mut bodies.balls[index];
+            for (ball, motion) in bodies.balls.iter_mut().zip(&mut self.scratch.motions) {
+                if motion.settled && !ball.is_held() {
                     let most = motion.floor.friction * motion.floor.press * duration;
-                    let wanted = (rubbed[index] - ball.floor_slip() * (2.0 / 7.0)).clamp_length_max(most);
-                    ball.push_floor(wanted - rubbed[index]);
-                    rubbed[index] = wanted;
+                    let wanted = (motion.rubbed - ball.floor_slip() * (2.0 / 7.0)).clamp_length_max(most);
+                    ball.push_floor(wanted - motion.rubbed);
+                    motion.rubbed = wanted;
                 }
             }
             for touch in &mut self.scratch.touches {
@@ -185,15 +184,25 @@ impl Sweep<'_> {
         changed
     }
 
-    fn find_touches(&mut self, ball: usize, duration: f64) {
-        let center = self.state.balls[ball].center;
-        let velocity = self.state.balls[ball].velocity;
+    fn find_touches(&mut self, ball: usize, duration: f64, swing: f64) {
+        let clear = self.clear_of(ball, SKIN_M, swing);
         let mut out = DVec2::ZERO;
+        if !clear.still {
+            self.touch_obstacles(ball, &mut out);
+        }
+        if !clear.moving && !self.state.balls[ball].is_up() {
+            self.touch_rods(ball, &mut out);
+            self.touch_flippers(ball, duration, &mut out);
+        }
+        self.touch_balls(ball, &mut out);
+        self.state.balls[ball].center += out;
+    }
+
+    fn touch_obstacles(&mut self, ball: usize, out: &mut DVec2) {
+        let Ball { center, velocity, track, .. } = self.state.balls[ball];
         let mut found: [(usize, DVec2); 4] = [(usize::MAX, DVec2::ZERO); 4];
         let mut count = 0;
-        let (track, up) = (self.state.balls[ball].track, self.state.balls[ball].is_up());
-        let clear = self.is_clear(ball, SKIN_M);
-        let visit = |index: usize| {
+        self.plan.near(track, center, center, |index: usize| {
             let obstacle = &self.plan.obstacles[index];
             let (distance, normal) = obstacle.shape.distance(center);
             let known = found[..count].iter().any(|&(other, _)| other == index);
@@ -201,33 +210,38 @@ impl Sweep<'_> {
             if near && self.is_solid(obstacle, center, velocity, distance) {
                 found[count] = (index, normal);
                 count += 1;
-                out += way_out(distance, normal);
+                *out += way_out(distance, normal);
             }
-        };
-        if !clear {
-            self.plan.near(track, center, center, visit);
-        }
+        });
         for &(index, normal) in &found[..count] {
             let friction = self.plan.obstacles[index].material.friction;
             self.add_touch(ball, center, Other::Fixed(DVec2::ZERO), normal, friction, 0.0);
         }
-        for (rod, slide) in self.plan.slides.iter().enumerate().filter(|_| !up) {
+    }
+
+    fn touch_rods(&mut self, ball: usize, out: &mut DVec2) {
+        let center = self.state.balls[ball].center;
+        for (rod, slide) in self.plan.slides.iter().enumerate() {
             let rod = &self.state.mechanisms.rods[rod];
             let (distance, normal) = slide.face(rod).distance(center);
             if distance <= SKIN_M {
-                out += way_out(distance, normal);
+                *out += way_out(distance, normal);
                 let sudden = if rod.is_shooting() { f64::INFINITY } else { 0.0 };
                 self.add_touch(ball, center, Other::Fixed(slide.velocity(rod)), normal, 0.2, sudden);
             }
         }
-        for (index, blade) in self.plan.blades.iter().enumerate().filter(|_| !up) {
+    }
+
+    fn touch_flippers(&mut self, ball: usize, duration: f64, out: &mut DVec2) {
+        let Ball { center, velocity, .. } = self.state.balls[ball];
+        for (index, blade) in self.plan.blades.iter().enumerate() {
             if is_out_of_reach(blade, center, SKIN_M) {
                 continue;
             }
             let rotor = self.state.mechanisms.rotors[index];
             let (distance, normal) = blade.taper(rotor.angle).distance(center);
             if distance - BALL_RADIUS_M <= SKIN_M {
-                out += way_out(distance - BALL_RADIUS_M, normal);
+                *out += way_out(distance - BALL_RADIUS_M, normal);
                 let sudden = self.turning(index, ball) * duration;
                 // What presses them together turns with the flipper: on the mean it is as in the middle of the step.
                 let (middle, half) = (center + velocity * (0.5 * duration), rotor.angle + rotor.speed * 0.5 * duration);
@@ -235,16 +249,17 @@ impl Sweep<'_> {
                 self.add_touch(ball, middle, Other::Flipper(index), normal, blade.flipper.material.friction, sudden);
             }
         }
+    }
+
+    fn touch_balls(&mut self, ball: usize, out: &mut DVec2) {
+        let center = self.state.balls[ball].center;
         for other in 0..self.state.balls.len() {
-            let held = self.state.balls[other].is_held();
-            if other == ball || apart(&self.state.balls[ball], &self.state.balls[other]) {
-                continue;
-            }
             let away = center - self.state.balls[other].center;
-            if far_apart(away, 0.0) {
+            if other == ball || far_apart(away, 0.0) || apart(&self.state.balls[ball], &self.state.balls[other]) {
                 continue;
             }
-            out += way_out(0.5 * (away.length() - 2.0 * BALL_RADIUS_M), away.try_normalize().unwrap_or(DVec2::Y));
+            let held = self.state.balls[other].is_held();
+            *out += way_out(0.5 * (away.length() - 2.0 * BALL_RADIUS_M), away.try_normalize().unwrap_or(DVec2::Y));
             if other < ball && !held {
                 continue;
             }
@@ -253,7 +268,6 @@ impl Sweep<'_> {
                 self.add_touch(ball, center, what, away.try_normalize().unwrap_or(DVec2::Y), BALL_FRICTION, 0.0);
             }
         }
-        self.state.balls[ball].center += out;
     }
 
     fn add_touch(&mut self, ball: usize, center: DVec2, other: Other, normal: DVec2, friction: f64, sudden: f64) {

@@ -4,7 +4,6 @@
 //! angular velocity. The earliest hit is found (rays against shapes inflated by the ball's radius, a root of the
 //! distance for a turning flipper), everything advances to it, the bodies respond, and so on until the step is used up.
 
-use crate::ball::Ball;
 use crate::clear::Clear;
 use crate::levels::apart;
 use crate::meet::{STILL_M_S, TOUCH_M, cast, far_apart, is_out_of_reach, meet, meet_flipper};
@@ -31,8 +30,12 @@ const STALE_M: f64 = 2e-4;
 pub(crate) struct Scratch {
     pub motions: Vec<Motion>,
     pub touches: Vec<Touch>,
-    /// The room round each ball where it was at the start of the last tick of many steps: true for ever, of use for a while.
+    /// In a tick of many steps the room round each ball at its start...
     pub clear: Vec<Clear>,
+    /// ... and where the flippers were then, rad.
+    pub angles: Vec<f64>,
+    /// The mean velocity of each ball in what is left of a step, while the next strike is looked for.
+    means: Vec<DVec2>,
 }
 
 /// What a ball is about to hit.
@@ -166,31 +169,30 @@ impl Sweep<'_> {
         }
     }
 
-    fn first_strike(&self, left: f64) -> Option<Strike> {
+    fn first_strike(&mut self, left: f64) -> Option<Strike> {
+        let mut means = std::mem::take(&mut self.scratch.means);
+        means.clear();
+        means.extend((0..self.state.balls.len()).map(|ball| self.mean_velocity(ball, left)));
+        let swing = self.swing(left);
         let mut first: Option<Strike> = None;
-        for ball in 0..self.state.balls.len() {
-            if self.state.balls[ball].is_held() {
-                continue;
-            }
+        for (ball, own) in self.state.balls.iter().enumerate().filter(|(_, ball)| !ball.is_held()) {
             let mut offer = |time: f64, target: Target, normal: DVec2| {
                 if time <= left && first.is_none_or(|first| time < first.time) {
                     first = Some(Strike { time, ball, target, normal });
                 }
             };
-            let center = self.state.balls[ball].center;
-            let velocity = self.mean_velocity(ball, left);
-            let own = &self.state.balls[ball];
-            if !self.is_clear(ball, velocity.length() * left) {
+            let (center, velocity) = (own.center, means[ball]);
+            let clear = self.clear_of(ball, velocity.length() * left, swing);
+            if !clear.still {
                 self.strikes_of_obstacles(own.track, center, velocity, left, &mut offer);
             }
-            if !own.is_up() {
+            if !clear.moving && !own.is_up() {
                 self.strikes_of_machines(center, velocity, left, &mut offer);
             }
             for (other, met) in self.state.balls.iter().enumerate() {
-                if (other > ball || (other != ball && met.is_held())) && !apart(own, met) {
-                    let away = center - met.center;
-                    let closing = velocity - self.mean_velocity(other, left);
-                    if far_apart(away, closing.length_squared() * left * left) {
+                if other > ball || (other != ball && met.is_held()) {
+                    let (away, closing) = (center - met.center, velocity - means[other]);
+                    if far_apart(away, closing.length_squared() * left * left) || apart(own, met) {
                         continue;
                     }
                     if let Some((time, normal)) = meet(away, closing) {
@@ -199,24 +201,8 @@ impl Sweep<'_> {
                 }
             }
         }
+        self.scratch.means = means;
         first
-    }
-
-    /// Whether a ball is known to be farther than `reach` from touching anything that stands still.
-    pub(crate) fn is_clear(&self, ball: usize, reach: f64) -> bool {
-        let own = &self.state.balls[ball];
-        let clear = self.scratch.clear.get(ball).is_some_and(|clear| clear.holds(own.track, own.center, reach));
-        debug_assert!(!clear || self.room(own, reach) > reach, "the slow twin finds something at {}", own.center);
-        clear
-    }
-
-    /// How far the nearest thing that stands still is from touching a ball: the slow twin of [`Clear`], up to `reach`.
-    fn room(&self, ball: &Ball, reach: f64) -> f64 {
-        let mut room = f64::INFINITY;
-        self.plan.near(ball.track, ball.center - reach, ball.center + reach, |index| {
-            room = room.min(self.plan.obstacles[index].shape.distance(ball.center).0);
-        });
-        room
     }
 
     fn strikes_of_obstacles(

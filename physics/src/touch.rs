@@ -44,6 +44,11 @@ pub(crate) struct Touch {
     lever: DVec2,
     /// The ball's mass over the flipper's moment of inertia; 0 where it is rigid, and for everything else.
     give: f64,
+    /// Inverse mass along the normal.
+    along: f64,
+    /// The larger of the inverse masses along `normal.perp()` and along the vertical. One for both, or what slides in the
+    /// end would not slide against the friction.
+    across: f64,
     pressed: f64,
     rubbed: DVec2,
     /// It is an impact: for its moment the ball is free to rise, which takes from the slip as well.
@@ -61,6 +66,8 @@ impl Touch {
             let approach = (rotor.velocity_at(lever) - bodies.balls[ball].velocity).dot(normal);
             give = BALL_MASS_KG * blade.inverse_inertia(rotor, arm, approach);
         }
+        let both = if matches!(other, Other::Ball(_)) { 2.0 } else { 1.0 };
+        let turn = DVec2::new(lever.perp().dot(normal), lever.perp().dot(normal.perp()));
         Touch {
             ball,
             other,
@@ -70,6 +77,8 @@ impl Touch {
             goal: 0.0,
             lever,
             give,
+            along: both + give * turn.x * turn.x,
+            across: (ACROSS * both + give * turn.y * turn.y).max(ACROSS * both),
             pressed: 0.0,
             rubbed: DVec2::ZERO,
             sudden: false,
@@ -125,17 +134,9 @@ impl Touch {
         }
     }
 
-    /// Inverse mass along the normal, along `normal.perp()` and along the vertical.
-    fn inverse_masses(&self) -> (f64, DVec2) {
-        let both = if matches!(self.other, Other::Ball(_)) { 2.0 } else { 1.0 };
-        let (along, across) = (self.lever.perp().dot(self.normal), self.lever.perp().dot(self.normal.perp()));
-        (both + self.give * along * along, DVec2::new(ACROSS * both + self.give * across * across, ACROSS * both))
-    }
-
     /// Presses until the two part at `goal`. Returns by how much the impulse changed.
     pub fn separate(&mut self, bodies: &mut Bodies, goal: f64) -> f64 {
-        let (mass, _) = self.inverse_masses();
-        let wanted = self.pressed + (goal + self.approach(bodies)) / mass;
+        let wanted = self.pressed + (goal + self.approach(bodies)) / self.along;
         let change = wanted.max(0.0) - self.pressed;
         self.pressed += change;
         self.press(bodies, change);
@@ -144,9 +145,7 @@ impl Touch {
 
     /// Rubs until the slip ends or the friction cone is reached.
     pub fn grip(&mut self, bodies: &mut Bodies) {
-        let (_, masses) = self.inverse_masses();
-        // One mass for both, or what slides in the end would not slide against the friction.
-        let wanted = self.rubbed - self.slip(bodies) / masses.max_element();
+        let wanted = self.rubbed - self.slip(bodies) / self.across;
         let limited = wanted.clamp_length_max(self.friction * self.pressed);
         let change = limited - self.rubbed;
         self.rubbed = limited;
