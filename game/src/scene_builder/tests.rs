@@ -1,4 +1,4 @@
-//! What moves on the table moves on the stage.
+//! What moves on the table moves in the scene.
 
 use super::*;
 use crate::{Buttons, Simulation};
@@ -19,19 +19,19 @@ fn view(table: &Table) -> View {
 }
 
 /// The number of occluders and the sum of the tops' opacities, and all occluders.
-fn staged(table: &Table, moment: &Snapshot) -> (Vec<Occluder>, f32, usize) {
+fn built(table: &Table, moment: &Snapshot) -> (Vec<Occluder>, f32, usize) {
     let printed = Printed::new(table, &view(table)).expect("its art can be printed");
-    let scene = Stage::new(table).scene(table, moment, view(table), &printed);
+    let scene = SceneBuilder::new(table).scene(table, moment, view(table), &printed);
     (scene.occluders.clone(), scene.tops.iter().map(|top| top.finish.opacity).sum(), scene.glows.len())
 }
 
 #[test]
 fn a_drop_target_that_is_down_casts_no_shadow_and_is_not_seen() {
     let (table, mut moment) = set();
-    let (up, seen_up, _) = staged(&table, &moment);
+    let (up, seen_up, _) = built(&table, &moment);
     let targets = moment.pose.drop_targets.len();
     moment.pose.drop_targets.iter_mut().for_each(|(_, height)| *height = 0.0);
-    let (down, seen_down, _) = staged(&table, &moment);
+    let (down, seen_down, _) = built(&table, &moment);
     assert!(targets > 0);
     assert_eq!(up.len() - down.len(), targets);
     assert!((seen_up - seen_down - targets as f32).abs() < 1e-3);
@@ -44,9 +44,9 @@ fn a_flipper_that_is_up_points_where_the_machine_says() {
     let Kind::Flipper(flipper) = &table.layout.parts[usize::from(id.0)].kind else { panic!("not a flipper") };
     let tip = |angle: f64| mm(flipper.base.center + geometry::trig::direction(angle) * flipper.length_m);
     let inside = |occluders: &[Occluder], point| occluders.iter().any(|o| o.shape.distance(point).0 < 0.0);
-    let rest = staged(&table, &moment).0;
+    let rest = built(&table, &moment).0;
     moment.pose.flippers_rad[0].1 = flipper.up_rad;
-    let up = staged(&table, &moment).0;
+    let up = built(&table, &moment).0;
     assert!(inside(&rest, tip(angle)) && !inside(&up, tip(angle)));
     assert!(inside(&up, tip(flipper.up_rad)) && !inside(&rest, tip(flipper.up_rad)));
 }
@@ -56,15 +56,15 @@ fn light_meets_the_ball_where_the_machine_has_it() {
     let (table, moment) = set();
     let ball = moment.pose.balls.first().expect("a ball lies in the lane");
     let disc = Shape::disc(mm(ball.center), BALL_RADIUS_MM);
-    assert!(staged(&table, &moment).0.iter().any(|occluder| occluder.shape == disc));
+    assert!(built(&table, &moment).0.iter().any(|occluder| occluder.shape == disc));
 }
 
 #[test]
 fn dark_inserts_do_not_glow_and_the_parts_keep_their_order() {
     let (table, mut moment) = set();
-    let before = staged(&table, &moment);
+    let before = built(&table, &moment);
     moment.lamps.iter_mut().for_each(|lamp| lamp.level = 0);
-    let after = staged(&table, &moment);
+    let after = built(&table, &moment);
     assert!(before.2 > 0);
     assert_eq!(after.2, 0);
     assert_eq!(before.0, after.0, "what casts shadows does not depend on the lamps");
@@ -75,7 +75,7 @@ fn a_thing_has_as_many_outlines_in_every_picture() {
     let (table, moment) = set();
     let count = |moment: &Snapshot| {
         let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
-        Stage::new(&table).scene(&table, moment, view(&table), &printed).tops.len()
+        SceneBuilder::new(&table).scene(&table, moment, view(&table), &printed).tops.len()
     };
     let still = count(&moment);
     let mut moved = moment;
@@ -91,7 +91,7 @@ fn a_spinner_that_lies_flat_is_broader_than_one_that_hangs() {
     let (table, mut moment) = set();
     let width = |moment: &Snapshot| {
         let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
-        let scene = Stage::new(&table).scene(&table, moment, view(&table), &printed);
+        let scene = SceneBuilder::new(&table).scene(&table, moment, view(&table), &printed);
         let area = |top: &Top| match &top.outline {
             Outline::Polygon(points) => {
                 let next = points.iter().cycle().skip(1);
@@ -130,7 +130,7 @@ fn what_the_rules_order_is_seen() {
     let at = |occluders: &[Occluder], x, y| occluders.iter().any(|o| o.shape.distance(DVec2::new(x, y)).0 < 0.0);
     let (table, rest) = ordered("", 16);
     let (_, moved) = ordered("kick(\"kick\"); divert(\"flap\", true); magnet(\"pull\", true);", 16);
-    let (before, after) = (staged(&table, &rest).0, staged(&table, &moved).0);
+    let (before, after) = (built(&table, &rest).0, built(&table, &moved).0);
     assert!(
         !at(&before, 40.0, 878.0) && at(&after, 40.0, 878.0),
         "the kickback's rod is out: {:?}",
@@ -138,7 +138,7 @@ fn what_the_rules_order_is_seen() {
     );
     let tip = DVec2::new(330.0, 560.0) + geometry::trig::direction(130.0_f64.to_radians()) * 44.0;
     let (_, turned) = ordered("divert(\"flap\", true);", 100);
-    let turned = staged(&table, &turned).0;
+    let turned = built(&table, &turned).0;
     assert!(at(&before, 330.0, 604.0) && !at(&turned, 330.0, 604.0) && at(&turned, tip.x, tip.y));
     assert_eq!((rest.pose.magnets[0].1, moved.pose.magnets[0].1), (false, true));
 }
@@ -148,7 +148,7 @@ fn a_captive_ball_is_seen_as_a_ball_and_is_none_that_is_in_play() {
     let (table, moment) = ordered("", 16);
     assert!(moment.pose.balls.is_empty());
     let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
-    let scene = Stage::new(&table).scene(&table, &moment, view(&table), &printed);
+    let scene = SceneBuilder::new(&table).scene(&table, &moment, view(&table), &printed);
     let [ball] = &scene.balls[..] else { panic!("{:?}", scene.balls) };
     assert!(ball.center_mm.distance(DVec2::new(150.0, 300.0)) < 0.1 && ball.radius_mm == BALL_RADIUS_MM);
     assert!(scene.occluders.iter().any(|occluder| occluder.group == ball.group));

@@ -48,7 +48,7 @@ pub struct Placed {
 }
 
 impl Motion {
-    /// What moves `solid`; `None` where the stage draws the part in its own way.
+    /// What moves `solid`; `None` where the scene builder draws the part in its own way.
     pub fn of(layout: &Layout, solid: &Solid) -> Option<Motion> {
         let Some(id) = solid.part else { return Some(Motion::Still) };
         let Some(part) = layout.parts.get(usize::from(id.0)) else { return Some(Motion::Still) };

@@ -67,7 +67,7 @@ impl Rod {
         if self.kickback.is_some() { KICKBACK_MM + self.stroke * out } else { ROD_LENGTH_MM }
     }
 
-    /// Puts the rod on stage.
+    /// Adds the rod to the scene.
     pub fn place(&self, pose: &Pose, scene: &mut Scene) {
         let out = self.out(pose);
         let face = self.tip + self.way * (self.stroke * out);

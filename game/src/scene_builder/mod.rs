@@ -1,9 +1,9 @@
 //! From a moment of the game to what light needs to know: lamps, what stands in their way, what can be seen.
 //!
-//! The stage turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table; what does
-//! (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each picture, always
-//! in the same order, so that a renderer can tell what has changed. It refuses to know what a pixel, a window, a rule
-//! or a clock is.
+//! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
+//! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
+//! picture, always in the same order, so that a renderer can tell what has changed. It refuses to know what a pixel, a
+//! window, a rule or a clock is.
 
 mod blend;
 mod light;
@@ -63,8 +63,8 @@ impl Printed {
     }
 }
 
-/// A table, ready to be put on stage.
-pub struct Stage {
+/// What of a table a scene is built from: everything that does not change from picture to picture.
+pub struct SceneBuilder {
     actors: Vec<Actor>,
     filters: Vec<Filter>,
     veils: Vec<Veil>,
@@ -86,9 +86,9 @@ struct Actor {
     frosted: bool,
 }
 
-impl Stage {
+impl SceneBuilder {
     /// Everything of `table` that does not change from picture to picture.
-    pub fn new(table: &Table) -> Stage {
+    pub fn new(table: &Table) -> SceneBuilder {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
         let rods = rod::Rod::all(&table.layout, Group(free_group));
         let mut actors: Vec<Actor> = (0..table.solids.len()).filter_map(|index| Actor::new(table, index)).collect();
@@ -100,7 +100,7 @@ impl Stage {
             filters.push(Filter { group, tint: tint(&actor.solid.finish) });
         }
         let free_group = free_group.saturating_add(filters.len() as u16);
-        Stage { actors, filters, veils: veils(table), rods, free_group, ambient: table.ambient }
+        SceneBuilder { actors, filters, veils: veils(table), rods, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
