@@ -2,7 +2,7 @@
 
 use super::moment::{Moment, SIDE_F32};
 use super::run::color;
-use crate::lanes::{LANES, Lanes};
+use crate::simd::dispatch::{LANES, Lanes};
 
 /// The terms of [`LANES`] columns side by side.
 #[derive(Clone, Copy, Debug, Default)]

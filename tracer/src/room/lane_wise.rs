@@ -3,7 +3,7 @@
 use super::literal;
 use super::moment::{Disc, Moment, corner};
 use super::run::{color, pack};
-use crate::lanes::{LANES, Lanes, clones, min};
+use crate::simd::dispatch::{LANES, Lanes, clones, min};
 
 clones! {
     /// Makes the rows from `first_row` on.

@@ -7,7 +7,7 @@
 use super::columns::Block;
 use super::moment::{COLORS, POWER, SIDE_F32};
 use crate::Rgb;
-use crate::lanes::LANES;
+use crate::simd::dispatch::LANES;
 
 /// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
 const WHITE: f32 = 255.0;

@@ -4,7 +4,7 @@ use super::columns::Block;
 use super::moment::Moment;
 use super::run::{Row, light};
 use super::shadows::{Edges, Shadows};
-use crate::lanes::clones;
+use crate::simd::dispatch::clones;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;
