@@ -2,7 +2,7 @@
 
 use crate::moment::{Moment, SIDE_F32};
 use crate::run::color;
-use tracer::lanes::{LANES, Lanes};
+use tracer::simd::dispatch::{LANES, Lanes};
 
 /// The terms of [`LANES`] columns side by side.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,7 +3,7 @@
 use crate::literal;
 use crate::moment::{Disc, Moment, corner};
 use crate::run::{color, pack};
-use tracer::lanes::{LANES, Lanes, clones, min};
+use tracer::simd::dispatch::{LANES, Lanes, clones, min};
 
 clones! {
     /// Makes the rows from `first_row` on.

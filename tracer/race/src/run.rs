@@ -7,7 +7,7 @@
 use crate::columns::Block;
 use crate::moment::{COLORS, POWER, SIDE_F32};
 use tracer::Rgb;
-use tracer::lanes::LANES;
+use tracer::simd::dispatch::LANES;
 
 /// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
 const WHITE: f32 = 255.0;

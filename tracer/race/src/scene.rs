@@ -2,7 +2,7 @@
 
 use crate::{SIDE, circles};
 use geometry::{DVec2, Shape};
-use tracer::testing::white_view;
+use tracer::scenes::white_view;
 use tracer::{Emitter, Floor, Group, Lamp, Occluder, Scene};
 
 /// Millimetres in one of the room's units.

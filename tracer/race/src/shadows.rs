@@ -6,7 +6,7 @@
 
 use crate::literal::hides;
 use crate::moment::{Moment, SIDE_F32, corner};
-use tracer::lanes::{LANES, Lanes, max, min};
+use tracer::simd::dispatch::{LANES, Lanes, max, min};
 
 /// An end that passes so near to a pixel's middle may be on its other side, for all that rounding knows; in pixels.
 const DOUBT: f32 = 0.01;

@@ -4,7 +4,7 @@ use crate::columns::Block;
 use crate::moment::Moment;
 use crate::run::{Row, light};
 use crate::shadows::{Edges, Shadows};
-use tracer::lanes::clones;
+use tracer::simd::dispatch::clones;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;

@@ -2,7 +2,7 @@
 
 use shadow_race::room;
 use tracer::quality::judge;
-use tracer::testing::white;
+use tracer::scenes::white;
 
 #[test]
 fn the_exact_light_of_the_race_is_exact() {
