@@ -2,8 +2,8 @@
 //!
 //! The data's way, each arrow one function and each noun plain data:
 //!
-//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> stage -> [`tracer::Scene`] -> radiance -> frame ->
-//! HUD -> window or PNG
+//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> scene builder -> [`tracer::Scene`] -> radiance ->
+//! frame -> HUD -> window or PNG
 //!
 //! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
 
@@ -19,8 +19,8 @@ pub mod new_file;
 pub mod picture;
 pub mod recording;
 pub mod rules;
+pub mod scene_builder;
 pub mod simulation;
-pub mod stage;
 pub mod table;
 pub mod window;
 

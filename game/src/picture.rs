@@ -11,8 +11,8 @@ mod scenery;
 pub use file::save_png;
 
 use crate::hud::{Canvas, Chrome, Hud, Rect, Times};
+use crate::scene_builder::{self, SceneBuilder};
 use crate::simulation::Snapshot;
-use crate::stage::{self, Stage};
 use crate::{Failure, Table};
 use camera::Camera;
 use rayon::ThreadPool;
@@ -54,7 +54,7 @@ impl<'a> Moment<'a> {
 pub struct Picture {
     pool: ThreadPool,
     table: Arc<Table>,
-    stage: Stage,
+    scene_builder: SceneBuilder,
     hud: Hud,
     frame: Frame,
     renderer: Renderer,
@@ -76,11 +76,11 @@ impl Picture {
     /// # Errors
     /// If a font in the program is damaged.
     pub fn new(table: Arc<Table>, pool: ThreadPool) -> Result<Picture, Failure> {
-        let (stage, hud, frame) = (Stage::new(&table), Hud::new()?, Frame::default());
+        let (scene_builder, hud, frame) = (SceneBuilder::new(&table), Hud::new()?, Frame::default());
         Ok(Picture {
             pool,
             table,
-            stage,
+            scene_builder,
             hud,
             frame,
             renderer: Renderer::new(),
@@ -102,7 +102,7 @@ impl Picture {
 
     /// Draws another table, or the same one after its files have changed.
     pub fn set_table(&mut self, table: Arc<Table>) {
-        self.stage = Stage::new(&table);
+        self.scene_builder = SceneBuilder::new(&table);
         self.table = table;
         self.scenery = None;
     }
@@ -136,7 +136,7 @@ impl Picture {
     /// If the table's art cannot be printed at this size.
     pub fn draw(&mut self, moment: Moment, width: usize, height: usize, chrome: &Chrome) -> Result<&Frame, Failure> {
         let start = now();
-        let moment = stage::blend(moment.previous, moment.current, moment.alpha);
+        let moment = scene_builder::blend(moment.previous, moment.current, moment.alpha);
         self.fit(width.max(1), height.max(1))?;
         self.aim(&moment);
         self.render(&moment, start);
@@ -196,13 +196,13 @@ impl Picture {
         if light == Light::Half
             && let Some((floor, printed, film)) = scenery.half()
         {
-            let mut scene = self.stage.scene(&self.table, moment, view, printed);
+            let mut scene = self.scene_builder.scene(&self.table, moment, view, printed);
             clock(None);
             let half = &mut self.half;
             self.pool.install(|| half.draw_watched(&mut scene, floor, exposure, film, &mut |step| clock(Some(step))));
             return;
         }
-        let scene = self.stage.scene(&self.table, moment, view, &scenery.printed);
+        let scene = self.scene_builder.scene(&self.table, moment, view, &scenery.printed);
         clock(None);
         let (renderer, film, reference) = (&mut self.renderer, &mut scenery.film, self.reference);
         self.pool.install(|| match reference {

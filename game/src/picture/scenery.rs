@@ -3,7 +3,7 @@
 use super::placement::{Lens, Placement};
 use crate::cli::Size;
 use crate::hud::Rect;
-use crate::stage::Printed;
+use crate::scene_builder::Printed;
 use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;
