@@ -73,25 +73,36 @@ fn raw_string_end(chars: &[char], start: usize) -> usize {
     (position(chars, start + 2 + hashes, closes) + 1 + hashes).min(chars.len())
 }
 
-/// The code with every item under `#[cfg(test)]` blanked, and the names of the modules in files of their own that are
-/// declared so.
+/// The code with every item under `#[cfg(test)]` and the like blanked, and the names of the modules in files of their
+/// own that are declared so.
 pub fn without_tests(code: &str) -> (String, Vec<String>) {
-    const MARK: &str = "#[cfg(test)]";
     let (mut kept, mut modules) = (String::new(), Vec::new());
     let mut rest = code;
-    while let Some(start) = rest.find(MARK) {
-        let item = &rest[start..start + MARK.len() + item_length(&rest[start + MARK.len()..])];
+    while let Some(start) = rest.find("#[cfg(") {
+        let attribute = &rest[start..start + rest[start..].find(']').expect("an attribute ends") + 1];
+        kept.push_str(&rest[..start]);
+        rest = &rest[start + attribute.len()..];
+        if !asks_for_tests(attribute) {
+            kept.push_str(attribute);
+            continue;
+        }
+        let item = &rest[..item_length(rest)];
         if item.ends_with(';') {
             let words = words(item);
             let module = words.iter().position(|word| word.text == "mod");
             modules.extend(module.map(|at| words[at + 1].text.to_string()));
         }
-        kept.push_str(&rest[..start]);
-        kept.extend(item.chars().map(|c| if c == '\n' { '\n' } else { ' ' }));
-        rest = &rest[start + item.len()..];
+        kept.extend(attribute.chars().chain(item.chars()).map(|c| if c == '\n' { '\n' } else { ' ' }));
+        rest = &rest[item.len()..];
     }
     kept.push_str(rest);
     (kept, modules)
+}
+
+/// Whether what stands under a `cfg` is built for tests only.
+fn asks_for_tests(attribute: &str) -> bool {
+    let words: Vec<_> = words(attribute).iter().map(|word| word.text).collect();
+    words.contains(&"test") && !words.contains(&"not") && !words.contains(&"any")
 }
 
 /// The length in bytes of the item that blanked code starts with, further attributes included: up to the first
@@ -149,12 +160,12 @@ fn comments_strings_and_characters_are_not_code() {
     let cases = [
         ("a // b\nc", "a     \nc"),
         ("a /* b /* c */ d */ e", "a                   e"),
-        (r#"f("{ \" }") g"#, "f(         ) g"),
-        ("r#\"{ \" \"# g", "           g"),
+        (r#"f("{ \" }") g"#, "f(        ) g"),
+        ("r#\"{ \" \"# g", "          g"),
         ("br\"{\" g", "b     g"),
         ("for_r\"x\"", "for_r   "),
         ("r#type g", "r#type g"),
-        ("'{' '\\'' '\\u{7d}' <'a> 'b", "                   <'a> 'b"),
+        ("'{' '\\'' '\\u{7d}' <'a> 'b", "                  <'a> 'b"),
     ];
     for (text, code) in cases {
         assert_eq!(blanked(text), code, "{text}");
@@ -163,10 +174,12 @@ fn comments_strings_and_characters_are_not_code() {
 
 #[test]
 fn test_code_is_told_apart() {
-    let code = "use a;\n#[cfg(test)]\nmod tests {\n  fn f() { }\n}\n#[cfg(test)]\npub(crate) mod oracle;\nfn g() {}\n";
+    let code = "use a;\n#[cfg(test)]\nmod tests {\n  fn f() { }\n}\n#[cfg(all(test, x))]\npub(crate) mod oracle;\n\
+                #[cfg(not(test))] fn g() {}\n";
     let (kept, modules) = without_tests(code);
     assert_eq!(modules, ["oracle"]);
     let kept_words: Vec<_> = words(&kept).iter().map(|word| (word.text, word.line)).collect();
-    let g = ["fn", "g", "(", ")", "{", "}"].map(|text| (text, 8));
-    assert_eq!(kept_words, [&[("use", 1), ("a", 1), (";", 1)], &g[..]].concat());
+    assert_eq!(kept_words[..3], [("use", 1), ("a", 1), (";", 1)]);
+    assert_eq!(kept_words[3..5], [("#", 8), ("[", 8)]);
+    assert_eq!(kept_words.last(), Some(&("}", 8)));
 }
