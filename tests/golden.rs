@@ -15,8 +15,8 @@ mod album;
 
 use album::Album;
 use game::Table;
+use game::frame_composer::{Moment, Picture};
 use game::hud::Chrome;
-use game::picture::{Moment, Picture};
 use game::recording::Replay;
 use std::path::Path;
 use tracer::room::{Room, Threads, Way};
