@@ -4,10 +4,10 @@
 //! `+ - * / sqrt` and selections are used, and the compiler contracts nothing, so every path gives the same bits.
 
 /// How many pixels an inner loop takes at a time: one AVX-512 register, two of AVX2, four of SSE2 or NEON.
-pub(crate) const LANES: usize = 16;
+pub const LANES: usize = 16;
 
 /// One number for each of [`LANES`] pixels.
-pub(crate) type Lanes = [f32; LANES];
+pub type Lanes = [f32; LANES];
 
 /// An instruction set that this machine has: a value of this type proves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub struct Path(Set);
 
 /// The instruction sets that there are clones for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Set {
+pub enum Set {
     /// What every machine of the target has.
     Baseline,
     /// 256 bits.
@@ -63,13 +63,14 @@ impl Path {
         }
     }
 
-    /// The set itself, for the clones' dispatch.
-    pub(crate) fn set(self) -> Set {
+    /// The set itself, for the dispatch of [`clones!`](crate::clones).
+    pub fn set(self) -> Set {
         self.0
     }
 }
 
 /// Declares `fn name(path, ...)` that runs `body`, an `#[inline(always)]` function, compiled for `path`.
+#[macro_export]
 macro_rules! clones {
     ($(#[$meta:meta])* $vis:vis fn $name:ident($($arg:ident: $type:ty),* $(,)?) = $body:path;) => {
         $(#[$meta])*
@@ -99,7 +100,7 @@ macro_rules! clones {
         }
     };
 }
-pub(crate) use clones;
+pub use crate::clones;
 
 /// Asks the memory for what will be read soon: nothing depends on it but time.
 #[inline(always)]
@@ -129,13 +130,13 @@ pub(crate) fn rounded(value: f32) -> u16 {
 
 /// The smaller number, in one instruction: `f32::min` also has to think about NaN.
 #[inline(always)]
-pub(crate) fn min(a: f32, b: f32) -> f32 {
+pub fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The larger number, in one instruction.
 #[inline(always)]
-pub(crate) fn max(a: f32, b: f32) -> f32 {
+pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 

@@ -1,10 +1,10 @@
-//! The room's ways one by one, at three sizes: `cargo bench -p tracer --bench room`. The counter is pixels, so its
+//! The room's ways one by one, at three sizes: `cargo bench -p shadow-race --bench methods`. The counter is pixels, so its
 //! gigaitems a second are pixels a nanosecond.
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use shadow_race::{Room, Threads, Way};
 use tracer::Frame;
-use tracer::room::{Room, Threads, Way};
 
 /// Widths and heights.
 const SIZES: [(usize, usize); 3] = [(512, 512), (1920, 1080), (3840, 2160)];

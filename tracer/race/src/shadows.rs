@@ -4,9 +4,9 @@
 //! on the circle until the row is past where a tangent touches, and on the tangent from there on. As the lamps stand in
 //! the corners and the circles nowhere touch a wall, both tangents run away from the lamp across every row.
 
-use super::literal::hides;
-use super::moment::{Moment, SIDE_F32, corner};
-use crate::simd::dispatch::{LANES, Lanes, max, min};
+use crate::literal::hides;
+use crate::moment::{Moment, SIDE_F32, corner};
+use tracer::simd::dispatch::{LANES, Lanes, max, min};
 
 /// An end that passes so near to a pixel's middle may be on its other side, for all that rounding knows; in pixels.
 const DOUBT: f32 = 0.01;
@@ -25,7 +25,7 @@ struct Ends {
 
 /// Every lamp's and circle's shadow, in the lanes of lamp times 3 plus circle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Shadows {
+pub(crate) struct Shadows {
     /// Where the lamp is.
     lamp_x: Lanes,
     lamp_y: Lanes,
@@ -128,7 +128,7 @@ impl Shadows {
 
 /// The shadows' ends on a row, from left to right.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edges {
+pub(crate) struct Edges {
     /// The column, and in the lowest 8 bits the shadow's number times two, plus one if it ends.
     keys: [i32; KEYS],
 }

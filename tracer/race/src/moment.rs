@@ -1,19 +1,19 @@
 //! The room at one moment, seen on a grid of pixels.
 
-use crate::Rgb;
 use geometry::{Circle, DVec2, trig};
+use tracer::Rgb;
 
 /// The room's side.
 pub const SIDE: f64 = 5.0;
 
 /// The same in single precision.
-pub(super) const SIDE_F32: f32 = SIDE as f32;
+pub(crate) const SIDE_F32: f32 = SIDE as f32;
 
 /// The colours of the lamps: upper left, upper right, lower left, lower right.
-pub(super) const COLORS: [Rgb; 4] = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0, 0.5], [1.0, 0.3, 0.5]];
+pub(crate) const COLORS: [Rgb; 4] = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0, 0.5], [1.0, 0.3, 0.5]];
 
 /// A lamp's light at no distance.
-pub(super) const POWER: f32 = 0.9;
+pub(crate) const POWER: f32 = 0.9;
 
 /// The circles at a time: they go round the middle, a third of a turn apart.
 ///
@@ -27,13 +27,13 @@ pub fn circles(seconds: f64) -> [Circle; 3] {
 
 /// The corner that a lamp stands in.
 #[inline(always)]
-pub(super) fn corner(lamp: usize) -> (f32, f32) {
+pub(crate) fn corner(lamp: usize) -> (f32, f32) {
     ((lamp % 2) as f32 * SIDE_F32, (lamp / 2) as f32 * SIDE_F32)
 }
 
 /// A circle in single precision.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Disc {
+pub(crate) struct Disc {
     pub x: f32,
     pub y: f32,
     pub radius: f32,
@@ -50,7 +50,7 @@ impl From<Circle> for Disc {
 
 /// What a picture is made of.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment {
+pub(crate) struct Moment {
     pub discs: [Disc; 3],
     pub width: usize,
     /// The room's length across one pixel.

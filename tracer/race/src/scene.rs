@@ -1,9 +1,9 @@
 //! The classic room as a scene: three circles that turn, and a small lamp in each corner.
 
-use super::white_view;
-use crate::room::{SIDE, circles};
-use crate::{Emitter, Floor, Group, Lamp, Occluder, Scene};
+use crate::{SIDE, circles};
 use geometry::{DVec2, Shape};
+use tracer::scenes::white_view;
+use tracer::{Emitter, Floor, Group, Lamp, Occluder, Scene};
 
 /// Millimetres in one of the room's units.
 const MM_PER_UNIT: f64 = 100.0;

@@ -10,15 +10,17 @@ mod lane_wise;
 mod literal;
 mod moment;
 mod run;
+mod scene;
 mod shadows;
 mod spans;
 
 pub use moment::{SIDE, circles};
+pub use scene::room;
 
-use crate::{Frame, Path};
 use columns::Block;
 use moment::Moment;
 use rayon::prelude::*;
+use tracer::{Frame, Path};
 
 /// Rows that one task makes when all threads work.
 const ROWS: usize = 24;

@@ -1,9 +1,9 @@
 //! The literal loops: what the race is about, as a textbook has it. Every other way is judged by this one.
 
-use super::moment::{COLORS, Disc, Moment, POWER, corner};
+use crate::moment::{COLORS, Disc, Moment, POWER, corner};
 
 /// Makes the rows from `first_row` on.
-pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
+pub(crate) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
     for (row, pixels) in pixels.chunks_mut(moment.width).enumerate() {
         let y = moment.y(first_row + row);
         for (column, pixel) in pixels.iter_mut().enumerate() {
@@ -14,7 +14,7 @@ pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
 
 /// One pixel, at (x, y) in the room. In line, as a textbook has it: others are measured against these loops.
 #[inline(always)]
-pub(super) fn pixel(moment: &Moment, x: f32, y: f32) -> u32 {
+pub(crate) fn pixel(moment: &Moment, x: f32, y: f32) -> u32 {
     let [red, green, blue] = light(moment, x, y).map(byte);
     red << 16 | green << 8 | blue
 }
@@ -44,7 +44,7 @@ fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
 
 /// Whether the straight way (wx, wy) from a point to a lamp meets a circle, or the point is in it.
 #[inline(always)]
-pub(super) fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
+pub(crate) fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
     let (cx, cy) = (disc.x - x, disc.y - y);
     let along = (wx * cx + wy * cy) / (wx * wx + wy * wy);
     let nearest = along.clamp(0.0, 1.0);

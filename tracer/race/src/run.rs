@@ -4,17 +4,17 @@
 //! of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the division, so
 //! that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until they are a pixel.
 
-use super::columns::Block;
-use super::moment::{COLORS, POWER, SIDE_F32};
-use crate::Rgb;
-use crate::simd::dispatch::LANES;
+use crate::columns::Block;
+use crate::moment::{COLORS, POWER, SIDE_F32};
+use tracer::Rgb;
+use tracer::simd::dispatch::LANES;
 
 /// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
 const WHITE: f32 = 255.0;
 
 /// What is the same along a row, for the upper and the lower pair of lamps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// One and the square of the distance to the pair's wall.
     near: [f32; 2],
     /// That times both lamps' colours.
@@ -23,7 +23,7 @@ pub(super) struct Row {
 
 /// A lamp's colour at full power, in levels of a byte.
 #[inline(always)]
-pub(super) fn color(lamp: usize, channel: usize) -> f32 {
+pub(crate) fn color(lamp: usize, channel: usize) -> f32 {
     COLORS[lamp][channel] * (POWER * WHITE)
 }
 
@@ -45,7 +45,7 @@ impl Row {
 ///
 /// Pixels past `end` may be written too, as far as `pixels` goes: rows and runs are lit in order.
 #[inline(always)]
-pub(super) fn light(lit: usize, row: &Row, blocks: &[Block], start: usize, end: usize, pixels: &mut [u32]) {
+pub(crate) fn light(lit: usize, row: &Row, blocks: &[Block], start: usize, end: usize, pixels: &mut [u32]) {
     if start >= end {
         return;
     }
@@ -129,7 +129,7 @@ fn add(a: Rgb, b: Rgb) -> Rgb {
 /// 2^23 leaves no room for a fraction: adding it rounds, and the byte is in the lowest bits. What is left of 2^23 is
 /// shifted out of red and green.
 #[inline(always)]
-pub(super) fn pack(red: f32, green: f32, blue: f32) -> u32 {
+pub(crate) fn pack(red: f32, green: f32, blue: f32) -> u32 {
     let bits = |level: f32| (level + 8_388_608.0).to_bits();
     bits(red) << 16 | bits(green) << 8 | bits(blue) & 0xff
 }
@@ -137,7 +137,7 @@ pub(super) fn pack(red: f32, green: f32, blue: f32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::room::moment::corner;
+    use crate::moment::corner;
 
     /// The brightest places are at the lamps: on a grid of 1 / 200 with the corners in it, four lamps stay below full.
     #[test]

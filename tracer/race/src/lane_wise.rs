@@ -1,13 +1,13 @@
 //! The question of the literal loops, asked for 16 pixels of a row at a time and without a branch.
 
-use super::literal;
-use super::moment::{Disc, Moment, corner};
-use super::run::{color, pack};
-use crate::simd::dispatch::{LANES, Lanes, clones, min};
+use crate::literal;
+use crate::moment::{Disc, Moment, corner};
+use crate::run::{color, pack};
+use tracer::simd::dispatch::{LANES, Lanes, clones, min};
 
 clones! {
     /// Makes the rows from `first_row` on.
-    pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) = band_lanes;
+    pub(crate) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) = band_lanes;
 }
 
 #[inline(always)]

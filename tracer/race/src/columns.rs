@@ -1,13 +1,13 @@
 //! What is the same in every row of a picture: the terms of the light that depend on the column alone.
 
-use super::moment::{Moment, SIDE_F32};
-use super::run::color;
-use crate::simd::dispatch::{LANES, Lanes};
+use crate::moment::{Moment, SIDE_F32};
+use crate::run::color;
+use tracer::simd::dispatch::{LANES, Lanes};
 
 /// The terms of [`LANES`] columns side by side.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(align(64))]
-pub(super) struct Block {
+pub(crate) struct Block {
     /// The square of the distance to the left wall.
     pub left: Lanes,
     /// The same to the right wall.
@@ -37,7 +37,7 @@ impl Block {
 }
 
 /// Computes the terms of every column; the last block may go past the last of them.
-pub(super) fn fill(blocks: &mut Vec<Block>, moment: &Moment) {
+pub(crate) fn fill(blocks: &mut Vec<Block>, moment: &Moment) {
     blocks.clear();
     blocks.extend((0..moment.width).step_by(LANES).map(|column| Block::new(moment, column)));
 }

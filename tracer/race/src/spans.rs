@@ -1,17 +1,17 @@
 //! Spans: a row of pixels is cut where shadows begin and end, and each piece is lit as a whole.
 
-use super::columns::Block;
-use super::moment::Moment;
-use super::run::{Row, light};
-use super::shadows::{Edges, Shadows};
-use crate::simd::dispatch::clones;
+use crate::columns::Block;
+use crate::moment::Moment;
+use crate::run::{Row, light};
+use crate::shadows::{Edges, Shadows};
+use tracer::simd::dispatch::clones;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;
 
 clones! {
     /// Makes the rows from `first_row` on.
-    pub(super) fn band(moment: &Moment, blocks: &[Block], first_row: usize, pixels: &mut [u32]) = band_lanes;
+    pub(crate) fn band(moment: &Moment, blocks: &[Block], first_row: usize, pixels: &mut [u32]) = band_lanes;
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! The race is fair only if everybody draws the same picture.
 
-use tracer::room::{Room, SIDE, Threads, Way, circles};
+use shadow_race::{Room, SIDE, Threads, Way, circles};
 use tracer::{Frame, Path};
 
 /// Moments and sizes: with whole blocks of 16 pixels and without, narrower than one, and a single pixel.
