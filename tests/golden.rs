@@ -15,8 +15,8 @@ mod album;
 
 use album::Album;
 use game::Table;
+use game::frame_composer::{Moment, Picture};
 use game::hud::Chrome;
-use game::picture::{Moment, Picture};
 use game::recording::Replay;
 use shadow_race::{Room, Threads, Way};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Who may name whom, how long a file may be, and that nothing is left for later.
 
 use super::code::words;
-use super::tree::{Source, sources};
+use super::tree::{Source, crates, sources};
 
 /// The lines of code under `folder` that name `word`, as `path:line`.
 fn naming(folder: &str, word: &str) -> Vec<String> {
@@ -27,17 +27,17 @@ fn light_and_ball_never_name_each_other() {
 #[test]
 fn each_library_is_named_in_its_own_room_only() {
     let rooms: [(&str, &[&str]); 7] = [
-        ("winit", &["game/src/window/"]),
-        ("softbuffer", &["game/src/window/"]),
-        ("tiny_skia", &["game/src/hud/", "game/src/table/"]),
+        ("winit", &["game/src/desktop/"]),
+        ("softbuffer", &["game/src/desktop/"]),
+        ("tiny_skia", &["game/src/screen/", "game/src/table/"]),
         ("resvg", &["game/src/table/"]),
         ("plotters", &["game/src/commands/plot/"]),
         ("rhai", &["game/src/rules/"]),
         ("rapier2d", &["physics/src/"]),
     ];
     for (library, allowed) in rooms {
-        for folder in ["game/src", "physics/src", "tracer/src"] {
-            let strangers: Vec<_> = naming(folder, library)
+        for folder in crates() {
+            let strangers: Vec<_> = naming(&format!("{folder}/src"), library)
                 .into_iter()
                 .filter(|place| !allowed.iter().any(|room| place.starts_with(room)))
                 .collect();

@@ -2,11 +2,9 @@
 //!
 //! Blue-black, a few stars, and beside the table the graduated brass scale of an instrument.
 
-use super::canvas::{Canvas, Color, Rect};
-use super::layer::Layer;
-use super::matrix;
+use super::dmd;
 use super::{BRASS, IVORY};
-use crate::picture::placement::Placement;
+use crate::screen::{Canvas, Color, Layer, Placement, Rect};
 
 const ZENITH: Color = 0x0c_1220;
 const HORIZON: Color = 0x05_070c;
@@ -24,7 +22,7 @@ pub fn draw(canvas: &mut Canvas, placement: &Placement) {
     scale(&mut layer, placement);
     layer.fill(table.grown(frame_width(placement)), BRASS, 90);
     layer.fill(table.grown(frame_width(placement) - 1), WELL, 255);
-    matrix::housing(&mut layer, placement.matrix);
+    dmd::housing(&mut layer, placement.matrix);
     layer.lay(canvas);
 }
 

@@ -3,20 +3,22 @@
 //! The same moment, size and table give the same bytes on any number of threads, with a window or without.
 
 mod camera;
+mod dynamic_resolution;
 mod exposure;
-mod file;
-pub mod placement;
-mod scenery;
+mod png_file;
+mod size_dependent_assets;
 
-pub use file::save_png;
+pub use dynamic_resolution::Quality;
+pub use png_file::save_png;
 
-use crate::hud::{Canvas, Chrome, Hud, Rect, Times};
+use crate::hud::{Chrome, Hud, Times};
 use crate::scene_builder::{self, SceneBuilder};
+use crate::screen::{Canvas, Rect};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
 use camera::Camera;
 use rayon::ThreadPool;
-use scenery::Scenery;
+use size_dependent_assets::Scenery;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;

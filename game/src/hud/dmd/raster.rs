@@ -1,15 +1,14 @@
 //! Dots into pixels: amber lamps in rows behind smoked glass.
 
-use super::canvas::{Canvas, Color, Rect, over};
-use super::dots::{Dots, HEIGHT, WIDTH};
-use super::layer::Layer;
+use super::dots::Dots;
+use crate::hud::BRASS;
+use crate::screen::{Canvas, Color, DMD_COLUMNS, DMD_ROWS, Layer, Rect, over};
 use geometry::{DVec2, Shape};
 
 const GLASS: Color = 0x0a_0705;
 const ASLEEP: Color = 0x22_1708;
 const AMBER: Color = 0xff_9d1e;
 const HOT: Color = 0xff_d58c;
-const BRASS: Color = super::BRASS;
 
 /// The glass and its brass bezel, without a dot.
 pub fn housing(layer: &mut Layer, rect: Rect) {
@@ -24,8 +23,8 @@ pub fn housing(layer: &mut Layer, rect: Rect) {
 type Cell = (Option<u8>, u32);
 
 /// Places across and down: the dots and one place of the bezel all round.
-const ACROSS: i32 = WIDTH as i32 + 2;
-const DOWN: i32 = HEIGHT as i32 + 2;
+const ACROSS: i32 = DMD_COLUMNS as i32 + 2;
+const DOWN: i32 = DMD_ROWS as i32 + 2;
 
 /// What stands on the picture: only places that change are drawn again.
 pub struct Matrix {
@@ -50,7 +49,7 @@ impl Matrix {
         for (index, glow) in glows(dots).into_iter().enumerate() {
             let (column, row) = (index as i32 % ACROSS, index as i32 / ACROSS);
             let (x, y) = (column - 1, row - 1);
-            let dot = (0..WIDTH as i32).contains(&x) && (0..HEIGHT as i32).contains(&y);
+            let dot = (0..DMD_COLUMNS as i32).contains(&x) && (0..DMD_ROWS as i32).contains(&y);
             let cell = (dot.then(|| dots.level(x, y)), glow);
             if self.cells[index] != cell {
                 self.cells[index] = cell;
@@ -102,7 +101,7 @@ fn glows(dots: &Dots) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hud::dots::{FULL, Face};
+    use crate::hud::dmd::dots::{FULL, Face};
     use tracer::Frame;
 
     #[test]

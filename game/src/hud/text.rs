@@ -1,7 +1,7 @@
 //! Letters: the project's own fonts, each glyph drawn once and kept.
 
-use super::canvas::{Canvas, Color};
 use crate::Failure;
+use crate::screen::{Canvas, Color};
 use fontdue::{Font, FontSettings, Metrics};
 use std::collections::BTreeMap;
 
@@ -146,7 +146,7 @@ mod tests {
     #[test]
     fn fitted_text_is_never_wider_than_its_room() {
         let lettering = Lettering::new().expect("the fonts are whole");
-        for (keys, action) in super::super::keys::HELP.iter().chain(super::super::keys::REPLAY_HELP) {
+        for (keys, action) in super::super::key_help::HELP.iter().chain(super::super::key_help::REPLAY_HELP) {
             for room in [10.0, 40.0, 90.0, 300.0] {
                 for text in [*keys, *action] {
                     let width = lettering.width(text, lettering.fitted(text, STYLE, room));
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn every_letter_of_the_help_is_in_the_fonts() {
         let mut lettering = Lettering::new().expect("the fonts are whole");
-        let told = super::super::keys::HELP.iter().flat_map(|(keys, action)| [*keys, *action]);
+        let told = super::super::key_help::HELP.iter().flat_map(|(keys, action)| [*keys, *action]);
         for character in told.flat_map(str::chars).filter(|character| !character.is_whitespace()) {
             let mut frame = Frame::new(40, 40);
             let mut canvas = Canvas::new(&mut frame);

@@ -6,32 +6,22 @@
 //! light, and the main thread presents them as they are finished. Nothing else in the project names winit or softbuffer.
 
 mod app;
-mod clock;
-mod game;
 mod icon;
-mod keys;
-mod last_ball;
 mod opening;
 mod painter;
-mod quality;
-mod reload;
 mod screenshot;
-mod session;
 mod surface;
-mod touches;
-mod viewing;
-mod zoom;
+mod table_reload;
 
-use crate::cli::{LightChoice, Size};
-use crate::picture::Picture;
+use crate::cli::LightChoice;
+use crate::frame_composer::Picture;
 use crate::recording::Replay;
+use crate::screen::Size;
+use crate::session::{Game, Session, Viewing};
 use crate::{Failure, Table};
 use app::App;
-use game::Game;
-use session::Session;
 use std::path::PathBuf;
 use std::sync::Arc;
-use viewing::Viewing;
 use winit::event_loop::EventLoop;
 
 /// What a window is opened with.

@@ -1,6 +1,6 @@
 //! The last ball, kept so that it can be watched again: the state in which it began and every button since.
 
-use super::touches::Touches;
+use super::contact_trail::Touches;
 use crate::simulation::Display;
 use crate::{Buttons, Simulation, Snapshot};
 use std::sync::Arc;

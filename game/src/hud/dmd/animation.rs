@@ -3,7 +3,8 @@
 //! It is a function of what the display says and of the tick alone: no clock and no memory, so that a recording shows
 //! the same dots at every frame rate.
 
-use super::dots::{Dots, FULL, Face, HEIGHT, WIDTH};
+use super::dots::{Dots, FULL, Face};
+use crate::screen::{DMD_COLUMNS, DMD_ROWS};
 use crate::simulation::Display;
 
 /// Dots move in steps of this many ticks, so that a frame rate above it redraws nothing.
@@ -15,11 +16,11 @@ const STEPS_BEFORE_SCROLL: u64 = 40;
 /// Steps that each page of the attract show stands.
 const PAGE_STEPS: u64 = 150;
 /// Steps in which one page gives way to the next.
-const TURN_STEPS: u64 = HEIGHT as u64 / 2;
+const TURN_STEPS: u64 = DMD_ROWS as u64 / 2;
 
 const DIM: u8 = 110;
 const SOFT: u8 = 170;
-const MIDDLE: i32 = WIDTH as i32 / 2;
+const MIDDLE: i32 = DMD_COLUMNS as i32 / 2;
 
 /// The display's dots.
 pub fn page(display: &Display, tick: u64) -> Dots {
@@ -60,7 +61,7 @@ fn score(display: &Display, step: u64) -> Dots {
     let mine = grouped(display.scores.get(display.player).copied().unwrap_or_default());
     let face = Face::fitting(&mine);
     dots.write_centred(&mine, face, MIDDLE, 9 - face.height() / 2, FULL);
-    let right = WIDTH as i32 - 2;
+    let right = DMD_COLUMNS as i32 - 2;
     // A calm sign of life: one brighter dot walks along the rule.
     dots.line(2, right, 20, 60);
     let walk = (step as i32) % (right + 20) - 10;
@@ -90,7 +91,7 @@ fn message(lines: &[String], age: u64) -> Dots {
     let faces: Vec<Face> =
         lines.iter().enumerate().map(|(i, line)| if i == 0 { Face::fitting(line) } else { Face::Small }).collect();
     let height: i32 = faces.iter().map(|face| face.height()).sum::<i32>() + 3 * (faces.len() as i32 - 1);
-    let mut y = (HEIGHT as i32 - height).max(0) / 2;
+    let mut y = (DMD_ROWS as i32 - height).max(0) / 2;
     let mut letters = age / STEPS_PER_LETTER + 1;
     for (line, face) in lines.iter().zip(&faces) {
         let shown: String = line.chars().take(letters as usize).collect();
@@ -104,7 +105,7 @@ fn message(lines: &[String], age: u64) -> Dots {
 
 /// Where a line begins: centred, or walking to and fro if it is wider than the display.
 fn start_of(line: &str, face: Face, age: u64) -> i32 {
-    let excess = face.width(line) - (WIDTH as i32 - 4);
+    let excess = face.width(line) - (DMD_COLUMNS as i32 - 4);
     if excess <= 0 {
         return MIDDLE - face.width(line) / 2;
     }
@@ -125,7 +126,7 @@ fn attract(display: &Display, step: u64) -> Dots {
     }
     let rows = ((within + TURN_STEPS - PAGE_STEPS) * 2) as i32;
     let next = attract_page(display, (turn + 1) % pages, step);
-    here.moved_down(-rows).with(&next.moved_down(HEIGHT as i32 - rows))
+    here.moved_down(-rows).with(&next.moved_down(DMD_ROWS as i32 - rows))
 }
 
 fn attract_page(display: &Display, page: u64, step: u64) -> Dots {
@@ -134,7 +135,7 @@ fn attract_page(display: &Display, page: u64, step: u64) -> Dots {
         0 => {
             dots.write_centred("CAUSTIC", Face::Large, MIDDLE, 4, FULL);
             // A caustic: the bright curve that light draws at the bottom of a cup.
-            for x in 0..WIDTH as i32 {
+            for x in 0..DMD_COLUMNS as i32 {
                 let phase = (x + step as i32) as f64 * 0.098;
                 let bend = geometry::trig::sin_cos(phase).0 * geometry::trig::sin_cos(phase * 0.37).1;
                 dots.light(x, 26 + (bend * 3.4).round() as i32, 90 + (bend.abs() * 165.0) as u8);
@@ -189,7 +190,7 @@ mod tests {
         let starts: Vec<i32> = (0..1000).map(|age| start_of(line, Face::Small, age)).collect();
         assert_eq!(starts.iter().max(), Some(&2));
         let end = starts.iter().min().map(|start| start + Face::Small.width(line));
-        assert!(end.is_some_and(|end| (WIDTH as i32 - 4..=WIDTH as i32).contains(&end)), "{end:?}");
+        assert!(end.is_some_and(|end| (DMD_COLUMNS as i32 - 4..=DMD_COLUMNS as i32).contains(&end)), "{end:?}");
         assert!(starts.windows(2).all(|pair| (pair[0] - pair[1]).abs() <= 1), "it walks, it does not jump");
     }
 

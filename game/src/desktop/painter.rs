@@ -3,8 +3,8 @@
 //! It works on one picture at a time from snapshots that nobody changes. The main thread hands it the newest moment when
 //! it is idle and is woken when the picture is done; what happens in between is simply never drawn.
 
+use crate::frame_composer::{Light, Moment, Picture};
 use crate::hud::{Chrome, Times};
-use crate::picture::{Light, Moment, Picture};
 use crate::{Failure, Snapshot, Table};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};

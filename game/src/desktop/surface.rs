@@ -1,7 +1,7 @@
 //! The pixels of the window.
 
 use crate::Failure;
-use crate::cli::Size;
+use crate::screen::Size;
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use tracer::Frame;

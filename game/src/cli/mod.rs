@@ -4,7 +4,8 @@ mod measure;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
-use crate::picture::Light;
+use crate::frame_composer::Light;
+use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -262,15 +263,6 @@ pub struct CheckArgs {
     pub table: String,
 }
 
-/// A size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Pixels across.
-    pub width: usize,
-    /// Pixels down.
-    pub height: usize,
-}
-
 impl Cli {
     /// What the command line of this process asks for. Ends the process with a sentence and exit code 2 if it is wrong,
     /// and with the answer if it only asks for help.
@@ -289,7 +281,7 @@ impl Cli {
                 Err(format!("--from {from} is after --to {to}; nothing is between them"))
             }
             Some(Command::Dump(DumpArgs { size, zoom, .. }) | Command::Frame(FrameArgs { size, zoom, .. })) => {
-                size.check_zoomed(*zoom)
+                check_zoomed(*size, *zoom)
             }
             _ => Ok(()),
         }
@@ -303,44 +295,14 @@ impl LightChoice {
     }
 }
 
-impl Size {
-    /// The smallest side of a picture or a window.
-    pub const MIN: usize = 64;
-    /// The largest side of a picture or a window.
-    pub const MAX: usize = 16384;
-    /// The most pixels of a picture or a window: 8192 x 8192, which take 2 GB to draw.
-    pub const MAX_PIXELS: usize = 1 << 26;
-
-    /// Whether a picture or a window may have this size.
-    pub fn is_drawable(self) -> bool {
-        let sides = [self.width, self.height].iter().all(|side| *side <= Size::MAX);
-        sides && self.width * self.height <= Size::MAX_PIXELS
+/// What is wrong with a table drawn `zoom` times as large as a picture of this size.
+fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
+    let side = |side: usize| (side as f64 * zoom) as usize;
+    let Size { width, height } = size;
+    if zoom == 1.0 || (Size { width: side(width), height: side(height) }).is_drawable() {
+        return Ok(());
     }
-
-    /// What is wrong with a table drawn `zoom` times as large as a picture of this size.
-    fn check_zoomed(self, zoom: f64) -> Result<(), String> {
-        let side = |side: usize| (side as f64 * zoom) as usize;
-        let Size { width, height } = self;
-        if zoom == 1.0 || (Size { width: side(width), height: side(height) }).is_drawable() {
-            return Ok(());
-        }
-        Err(format!("--zoom {zoom} of {width}x{height} pixels is more than can be drawn; give less of one of them"))
-    }
-
-    fn parse(text: &str) -> Result<Size, String> {
-        let numbers = text.split_once(['x', 'X']).map(|(w, h)| (w.trim().parse(), h.trim().parse()));
-        match numbers {
-            Some((Ok(width), Ok(height)))
-                if [width, height].iter().all(|side| (Size::MIN..=Size::MAX).contains(side)) =>
-            {
-                let size = Size { width, height };
-                let millions = Size::MAX_PIXELS / 1_000_000;
-                size.is_drawable().then_some(size).ok_or_else(|| format!("it has more than {millions} million pixels"))
-            }
-            Some((Ok(_), Ok(_))) => Err(format!("each side must be from {} to {} pixels", Size::MIN, Size::MAX)),
-            _ => Err("write it as WIDTHxHEIGHT, for example 540x1080".to_string()),
-        }
-    }
+    Err(format!("--zoom {zoom} of {width}x{height} pixels is more than can be drawn; give less of one of them"))
 }
 
 fn threads(text: &str) -> Result<usize, String> {

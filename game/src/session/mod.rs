@@ -1,7 +1,16 @@
 //! What the window shows: a game in play or a recording, and what lies over it.
 
-use super::game::Game;
-use super::viewing::Viewing;
+mod contact_trail;
+mod last_ball;
+mod live_game;
+mod replay_session;
+mod tick_clock;
+pub mod zoom;
+
+pub use live_game::Game;
+pub use replay_session::Viewing;
+pub use tick_clock::{Clock, Speed};
+
 use crate::Snapshot;
 use crate::hud::{Badge, Card, Chrome, Debug, KEYS, REPLAY_KEYS, Times};
 use std::sync::Arc;

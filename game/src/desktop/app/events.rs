@@ -1,7 +1,7 @@
 //! What the window tells: each event, and what of the application it is for.
 
 use super::App;
-use crate::window::Wake;
+use crate::desktop::Wake;
 use winit::application::ApplicationHandler;
 use winit::event::{ElementState, KeyEvent, WindowEvent};
 use winit::event_loop::ActiveEventLoop;

@@ -3,11 +3,16 @@
 //! A tall picture has the display above the table, a broad one beside it: whichever leaves the larger table. Every
 //! size has a place for the table, however small or odd; the display gives way first.
 
-use crate::hud::Rect;
+use super::Rect;
 use geometry::DVec2;
 
-/// Dots across and down of the dot-matrix display.
-const DOTS: (i32, i32) = (crate::hud::DOTS_ACROSS as i32, crate::hud::DOTS_DOWN as i32);
+/// Dots across the dot-matrix display (DMD).
+pub const DMD_COLUMNS: usize = 128;
+/// Dots down the dot-matrix display.
+pub const DMD_ROWS: usize = 32;
+
+/// Dots across and down.
+const DOTS: (i32, i32) = (DMD_COLUMNS as i32, DMD_ROWS as i32);
 
 /// Where everything is, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! A game that is being played: the simulation, who plays it, and what is written down of it.
 
+use super::contact_trail::Touches;
 use super::last_ball::{LastBall, Rerun};
-use super::touches::Touches;
 use crate::bot::Bot;
 use crate::hud::{Badge, Touch};
 use crate::recording::{Recorder, library};

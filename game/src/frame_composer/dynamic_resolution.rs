@@ -3,7 +3,7 @@
 //! Half of it as soon as the full one is too slow for a while; back when there has been ample room for the full one for a
 //! while, and the longer the more often that has been a mistake. It reads no clock: it is told what each picture took.
 
-use crate::picture::Light;
+use super::Light;
 
 /// The part of a picture's time that may be used to draw it: the rest is for the game and for showing it.
 const ROOM: f64 = 0.9;

@@ -1,7 +1,7 @@
 //! Saves the picture that is in the window.
 
 use crate::Failure;
-use crate::picture::save_png;
+use crate::frame_composer::save_png;
 use std::path::PathBuf;
 use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;

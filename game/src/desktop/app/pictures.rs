@@ -2,10 +2,10 @@
 
 use super::{App, milliseconds, now, wake};
 use crate::cli::LightChoice;
+use crate::desktop::painter::{Order, Painter};
+use crate::desktop::surface;
 use crate::hud::Times;
-use crate::window::painter::{Order, Painter};
-use crate::window::session::{Session, chrome, snapshots};
-use crate::window::surface;
+use crate::session::{Session, chrome, snapshots};
 
 impl App {
     /// Takes what other threads have done.

@@ -1,9 +1,7 @@
 //! What a picture needs that depends on its size: where everything is, the printed art, and the playfield's film.
 
-use super::placement::{Lens, Placement};
-use crate::cli::Size;
-use crate::hud::Rect;
 use crate::scene_builder::Printed;
+use crate::screen::{Lens, Placement, Rect, Size};
 use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;

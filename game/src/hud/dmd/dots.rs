@@ -1,17 +1,14 @@
 //! A dot-matrix display's dots: how bright each one is, and letters made of dots.
 
+use crate::screen::{DMD_COLUMNS, DMD_ROWS};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-/// Dots across.
-pub const WIDTH: usize = 128;
-/// Dots down.
-pub const HEIGHT: usize = 32;
 /// The brightest a dot can be.
 pub const FULL: u8 = 255;
 
 /// The letters: on each line a character and its seven rows, `#` for a dot.
-const LETTERS: &str = include_str!("../../../assets/fonts/dots.txt");
+const LETTERS: &str = include_str!("../../../../assets/fonts/dots.txt");
 const LETTER_ROWS: usize = 7;
 
 /// The brightness of each dot.
@@ -33,7 +30,7 @@ pub enum Face {
 
 impl Default for Dots {
     fn default() -> Dots {
-        Dots { levels: vec![0; WIDTH * HEIGHT] }
+        Dots { levels: vec![0; DMD_COLUMNS * DMD_ROWS] }
     }
 }
 
@@ -83,8 +80,8 @@ impl Dots {
     #[must_use]
     pub fn moved_down(&self, rows: i32) -> Dots {
         let mut moved = Dots::default();
-        for y in 0..HEIGHT as i32 {
-            for x in 0..WIDTH as i32 {
+        for y in 0..DMD_ROWS as i32 {
+            for x in 0..DMD_COLUMNS as i32 {
                 moved.light(x, y + rows, self.level(x, y));
             }
         }
@@ -100,8 +97,8 @@ impl Dots {
 }
 
 fn index(x: i32, y: i32) -> Option<usize> {
-    let inside = (0..WIDTH as i32).contains(&x) && (0..HEIGHT as i32).contains(&y);
-    inside.then(|| y as usize * WIDTH + x as usize)
+    let inside = (0..DMD_COLUMNS as i32).contains(&x) && (0..DMD_ROWS as i32).contains(&y);
+    inside.then(|| y as usize * DMD_COLUMNS + x as usize)
 }
 
 /// A letter's dots, row by row.
@@ -112,7 +109,7 @@ impl Face {
     pub fn fitting(text: &str) -> Face {
         [Face::Large, Face::LargeTight]
             .into_iter()
-            .find(|face| face.width(text) <= WIDTH as i32 - 2)
+            .find(|face| face.width(text) <= DMD_COLUMNS as i32 - 2)
             .unwrap_or(Face::Small)
     }
 
@@ -202,7 +199,7 @@ mod tests {
     fn a_score_of_ten_digits_fits_in_large_letters() {
         let score = "9,999,999,999";
         assert_ne!(Face::fitting(score), Face::Small);
-        assert!(Face::fitting(score).width(score) <= WIDTH as i32);
+        assert!(Face::fitting(score).width(score) <= DMD_COLUMNS as i32);
     }
 
     #[test]
@@ -214,7 +211,7 @@ mod tests {
     #[test]
     fn writing_outside_the_display_is_lost_not_wrapped() {
         let mut dots = Dots::default();
-        dots.write("W", Face::Large, WIDTH as i32, 0, FULL);
+        dots.write("W", Face::Large, DMD_COLUMNS as i32, 0, FULL);
         dots.write("W", Face::Large, -40, -3, FULL);
         assert_eq!(dots, Dots::default());
     }

@@ -5,12 +5,10 @@ mod shapes;
 
 use shapes::{first_hit, moving, standing};
 
-use super::canvas::{Canvas, Rect};
-use super::layer::{Kept, Layer};
-use super::lettering::{Align, Family, Lettering, Style};
+use super::text::{Align, Family, Lettering, Style};
 use super::{AMBER, IVORY, NIGHT};
 use crate::Table;
-use crate::picture::placement::{Lens, Placement};
+use crate::screen::{Canvas, Kept, Layer, Lens, Placement, Rect};
 use crate::simulation::Snapshot;
 use geometry::{Bounds, Circle, Core, DVec2, Ray, Shape, Taper, trig};
 use physics::{BALL_RADIUS_M, BallPose, Contact, Flipper, Kind};

@@ -1,9 +1,8 @@
 //! What lies over the table for a while: the pause, the keys, a notice, the line of a replay.
 
-use super::canvas::{Canvas, Rect};
-use super::layer::{Kept, Layer};
-use super::lettering::{Align, Family, Lettering, Style};
+use super::text::{Align, Family, Lettering, Style};
 use super::{AMBER, BRASS, IVORY, MIST, NIGHT};
+use crate::screen::{Canvas, Kept, Layer, Rect};
 use geometry::{DVec2, Shape};
 
 /// A dark pane with a title, a table of keys, and a line at its foot.

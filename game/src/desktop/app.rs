@@ -1,16 +1,14 @@
 //! The main thread: what the window's events do, and when a picture is made and shown.
 
-use super::clock::{Clock, Speed};
-use super::keys::{Act, Held, Meaning, meaning};
 use super::painter::Painter;
-use super::quality::Quality;
-use super::reload::Reload;
 use super::screenshot::Screenshot;
-use super::session::{Cover, Session, complaint, title};
 use super::surface::Surface;
-use super::{Look, Wake, opening, zoom};
+use super::table_reload::Reload;
+use super::{Look, Wake, opening};
+use crate::frame_composer::{Picture, Quality};
 use crate::hud::Times;
-use crate::picture::Picture;
+use crate::input::{Act, Held, Meaning, meaning};
+use crate::session::{Clock, Cover, Session, Speed, complaint, title, zoom};
 use crate::{Buttons, Failure, Table};
 use std::sync::Arc;
 use std::time::{Duration, Instant};

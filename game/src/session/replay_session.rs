@@ -1,7 +1,7 @@
 //! A recording that is being watched.
 
-use super::clock::Speed;
-use super::touches::Touches;
+use super::contact_trail::Touches;
+use super::tick_clock::Speed;
 use crate::hud::{Seek, Touch};
 use crate::recording::Replay;
 use crate::{Failure, Snapshot, Table};

@@ -1,6 +1,6 @@
 //! The window's icon: a chrome ball in a spectrum's arc.
 
-use crate::hud::{Layer, Rect};
+use crate::screen::{Layer, Rect};
 use geometry::{Arc, Circle, Core, DVec2, Shape};
 use winit::window::Icon;
 
