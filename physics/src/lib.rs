@@ -20,8 +20,8 @@ mod part;
 mod solver;
 
 pub use layout::{
-    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Leg, Magnet, Material, Part, PartId,
-    Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
+    Bumper, CaptiveBall, Drain, DropTarget, Flipper, FlipperControl, Gate, Kickback, Kind, Layout, Leg, Magnet,
+    Material, Part, PartId, Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Wall,
 };
 pub use machine::fingerprint::{Fingerprint, fingerprint};
 pub use machine::{Error, Hashes, Machine};

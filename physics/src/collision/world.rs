@@ -202,7 +202,7 @@ impl Plan {
                 self.drops.push(Switch { part, threshold: t.threshold_m_s });
             }
             Kind::Rollover(r) => {
-                self.zone(part, r.zone, Place::Rollover(self.rollovers.len()));
+                self.zone(part, r.shape, Place::Rollover(self.rollovers.len()));
                 self.rollovers.push(part);
             }
             Kind::Gate(g) => {
@@ -224,7 +224,7 @@ impl Plan {
                 self.obstacles.extend(track.underside(ramp));
                 self.tracks.push(track);
             }
-            Kind::Drain(d) => self.zone(part, d.zone, Place::Drain),
+            Kind::Drain(d) => self.zone(part, d.shape, Place::Drain),
             Kind::Plunger(p) => {
                 self.slides.push(Slide::of_plunger(part, p));
                 self.plungers.push((part, p.clone()));

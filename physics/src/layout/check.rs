@@ -131,7 +131,7 @@ fn ramp(ramp: &Ramp) -> Checked {
     if ramp.half_width_m <= BALL_RADIUS_M {
         return Err("its sides must be farther apart than a ball is wide".into());
     }
-    for leg in &ramp.way {
+    for leg in &ramp.path {
         match leg {
             Leg::Line(line) => segment(line)?,
             Leg::Turn { arc: turn, .. } => {
@@ -143,16 +143,16 @@ fn ramp(ramp: &Ramp) -> Checked {
             }
         }
     }
-    if ramp.way.is_empty() {
+    if ramp.path.is_empty() {
         return Err("its way has no length".into());
     }
-    if ramp.way.windows(2).any(|pair| pair[0].at(pair[0].length()).distance(pair[1].at(0.0)) > GAP_M) {
+    if ramp.path.windows(2).any(|pair| pair[0].at(pair[0].length()).distance(pair[1].at(0.0)) > GAP_M) {
         return Err("each leg of its way must begin where the last one ends".into());
     }
-    if ramp.heights_m.len() != ramp.way.len() + 1 {
+    if ramp.heights_m.len() != ramp.path.len() + 1 {
         return Err(format!(
             "its way has {} corners and ends, so it needs as many heights, not {}",
-            ramp.way.len() + 1,
+            ramp.path.len() + 1,
             ramp.heights_m.len()
         ));
     }
@@ -209,12 +209,12 @@ fn part(part: &Part) -> Checked {
             not_negative("the threshold", t.threshold_m_s)?;
             material(&t.material)
         }
-        Kind::Rollover(r) => shape(&r.zone),
+        Kind::Rollover(r) => shape(&r.shape),
         Kind::Ramp(r) => ramp(r),
         Kind::Gate(g) => {
             segment(&g.segment)?;
-            unit("the gate's way", g.way)?;
-            if g.segment.along().dot(g.way).abs() > 1e-6 {
+            unit("the gate's way", g.direction)?;
+            if g.segment.along().dot(g.direction).abs() > 1e-6 {
                 return Err("the gate's way must lead straight through it".to_string());
             }
             material(&g.material)
@@ -228,11 +228,11 @@ fn part(part: &Part) -> Checked {
             not_negative("the capture speed", s.capture_m_s)?;
             point("the ejection", s.eject_m_s)
         }
-        Kind::Drain(d) => shape(&d.zone),
+        Kind::Drain(d) => shape(&d.shape),
         Kind::Plunger(p) => {
             point("the feed", p.feed)?;
             point("the tip", p.tip)?;
-            unit("the plunger's way", p.way)?;
+            unit("the plunger's way", p.direction)?;
             positive("half the tip's width", p.half_width_m)?;
             positive("the stroke", p.stroke_m)?;
             positive("the time of a pull", p.pull_s)?;
@@ -240,7 +240,7 @@ fn part(part: &Part) -> Checked {
         }
         Kind::Kickback(k) => {
             point("the tip", k.tip)?;
-            unit("the kickback's way", k.way)?;
+            unit("the kickback's way", k.direction)?;
             positive("half the face's width", k.half_width_m)?;
             positive("the stroke", k.stroke_m)?;
             positive("the speed", k.speed_m_s)

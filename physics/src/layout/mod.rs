@@ -97,7 +97,7 @@ pub struct Wall {
 
 /// What turns a flipper up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Trigger {
+pub enum FlipperControl {
     /// The left button, while flippers are live.
     Left,
     /// The right button, while flippers are live.
@@ -124,7 +124,7 @@ pub struct Flipper {
     /// The way it points at the end of its stroke.
     pub up_rad: f64,
     /// What turns it up.
-    pub trigger: Trigger,
+    pub control: FlipperControl,
     /// Its rubber.
     pub material: Material,
     /// Torque of the full coil, N m.
@@ -191,7 +191,7 @@ pub struct DropTarget {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rollover {
     /// The switch is closed while a ball's centre is in this shape.
-    pub zone: Shape,
+    pub shape: Shape,
 }
 
 /// A way above the playfield, with sides. A ball that rolls in at an end that lies on the playfield is on it, and meets
@@ -201,7 +201,7 @@ pub struct Rollover {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ramp {
     /// The middle of its floor, from one end to the other: each leg begins where the last one ends.
-    pub way: Vec<Leg>,
+    pub path: Vec<Leg>,
     /// Height of the floor above the playfield at the start of each leg and at the end of the last, m: one more than
     /// legs. In between it bends smoothly.
     pub heights_m: Vec<f64>,
@@ -231,7 +231,7 @@ pub struct Gate {
     /// The flap seen from above.
     pub segment: Segment,
     /// The unit vector of the way that the ball may pass, straight through the flap.
-    pub way: DVec2,
+    pub direction: DVec2,
     /// What it throws back the other way.
     pub material: Material,
 }
@@ -260,7 +260,7 @@ pub struct Saucer {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drain {
     /// A ball is gone when its centre is in this shape.
-    pub zone: Shape,
+    pub shape: Shape,
 }
 
 /// The spring rod that shoots the ball.
@@ -273,7 +273,7 @@ pub struct Plunger {
     /// Half the width of the tip's face, m.
     pub half_width_m: f64,
     /// The unit vector of the shot.
-    pub way: DVec2,
+    pub direction: DVec2,
     /// How far the rod can be pulled, m.
     pub stroke_m: f64,
     /// Time to pull it all the way, s.
@@ -290,7 +290,7 @@ pub struct Kickback {
     /// Half the width of the face, m.
     pub half_width_m: f64,
     /// The unit vector of the shot.
-    pub way: DVec2,
+    pub direction: DVec2,
     /// How far the rod comes out, m.
     pub stroke_m: f64,
     /// Speed of the rod when it is out, and of the ball that it has pushed, m/s.

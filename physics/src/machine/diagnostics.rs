@@ -3,7 +3,7 @@
 use crate::BALL_RADIUS_M;
 use crate::ball::Ball;
 use crate::collision::world::Role;
-use crate::layout::{PartId, Trigger};
+use crate::layout::{FlipperControl, PartId};
 use crate::machine::Machine;
 use crate::mechanisms::elevation::apart;
 use crate::mechanisms::magnet;
@@ -33,7 +33,7 @@ impl Machine {
             balls: self.balls(),
             captives: self.state.balls.iter().filter_map(captive).collect(),
             flippers_rad: angles.collect(),
-            torques_n_m: torques.collect(),
+            flipper_torques_n_m: torques.collect(),
             drop_targets: drops.collect(),
             spinners_rad: plates(plan.spinners.iter().map(|&(part, _)| part).collect(), Plate::Spinner),
             gates_rad: plates(plan.gates.iter().map(|&(part, _)| part).collect(), Plate::Gate),
@@ -68,19 +68,19 @@ impl Machine {
         self.plan.plungers.iter().any(|(_, plunger)| {
             let from_tip = ball.center - plunger.tip;
             let lane = plunger.half_width_m + BALL_RADIUS_M;
-            from_tip.dot(plunger.way.perp()).abs() < lane && from_tip.dot(plunger.way) < 8.0 * BALL_RADIUS_M
+            from_tip.dot(plunger.direction.perp()).abs() < lane && from_tip.dot(plunger.direction) < 8.0 * BALL_RADIUS_M
         })
     }
 
     fn lies_on_flipper(&self, ball: &Ball) -> bool {
         self.plan.blades.iter().zip(&self.state.mechanisms.rotors).any(|(blade, rotor)| {
             let gap = blade.taper(rotor.angle).distance(ball.center).0 - BALL_RADIUS_M;
-            gap < 1e-3 && blade.is_raised(rotor) && blade.flipper.trigger != Trigger::Rules
+            gap < 1e-3 && blade.is_raised(rotor) && blade.flipper.control != FlipperControl::Rules
         })
     }
 
     /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.
-    pub fn overlap_m(&self) -> f64 {
+    pub fn penetration_m(&self) -> f64 {
         let mut deepest = f64::NEG_INFINITY;
         let own = &self.state.mechanisms;
         for (index, ball) in self.state.balls.iter().enumerate() {

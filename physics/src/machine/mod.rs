@@ -9,7 +9,7 @@ use crate::ball::motion::Motion;
 use crate::ball::{Ball, Hold};
 use crate::collision::time_of_impact::is_out_of_reach;
 use crate::collision::world::Plan;
-use crate::layout::{Layout, PartId, Trigger, check};
+use crate::layout::{FlipperControl, Layout, PartId, check};
 use crate::machine::fingerprint::fingerprint;
 use crate::mechanisms::controls::{Command, Controls};
 use crate::mechanisms::flipper::{Blade, FINE_STEPS, Rotor};
@@ -37,7 +37,7 @@ pub struct Machine {
     pub(crate) events: Vec<Event>,
     contacts: Vec<Contact>,
     /// Least number of steps in a tick: 1 in play.
-    divisions: u32,
+    substeps: u32,
 }
 
 /// Why a layout or saved bytes cannot be played.
@@ -83,15 +83,15 @@ impl Machine {
             starts: Vec::new(),
             events: Vec::new(),
             contacts: Vec::new(),
-            divisions: 1,
+            substeps: 1,
         }
     }
 
-    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least `divisions` steps in a
+    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least `substeps` steps in a
     /// tick (1 in play; near a moving flipper there are more in any case). Its clones are as slow; what is restored from
     /// its bytes is not.
-    pub fn divided(self, divisions: u32) -> Machine {
-        Machine { divisions: divisions.max(1), ..self }
+    pub fn substepped(self, substeps: u32) -> Machine {
+        Machine { substeps: substeps.max(1), ..self }
     }
 
     /// What stands on the playfield.
@@ -143,10 +143,10 @@ impl Machine {
     /// For each rotor whether its coil is on.
     fn pressed(&self, controls: &Controls) -> Vec<bool> {
         let own = &self.state.mechanisms;
-        let pressed = |(blade, &diverted): (&Blade, &bool)| match blade.flipper.trigger {
-            Trigger::Left => own.flippers_live && controls.left,
-            Trigger::Right => own.flippers_live && controls.right,
-            Trigger::Rules => diverted,
+        let pressed = |(blade, &diverted): (&Blade, &bool)| match blade.flipper.control {
+            FlipperControl::Left => own.flippers_live && controls.left,
+            FlipperControl::Right => own.flippers_live && controls.right,
+            FlipperControl::Rules => diverted,
         };
         self.plan.blades.iter().zip(&own.diverted).map(pressed).collect()
     }
@@ -172,7 +172,7 @@ impl Machine {
                 blade.settle(rotor);
             }
         }
-        let steps = self.divisions.max(steps);
+        let steps = self.substeps.max(steps);
         let duration = TICK_S / f64::from(steps);
         self.scratch.clear.clear();
         self.scratch.angles.clear();

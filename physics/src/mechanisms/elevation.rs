@@ -25,7 +25,7 @@ pub(crate) fn act(plan: &Plan, ball: &Ball, duration: f64, motion: &mut Motion) 
     match ball.track {
         Some(track) => {
             let spot = plan.tracks[usize::from(track)].spot(ball.center + ball.velocity * (0.5 * duration));
-            motion.pull -= spot.way * (plan.floor.press * spot.slope);
+            motion.pull -= spot.direction * (plan.floor.press * spot.slope);
         }
         None if ball.height > 0.0 => motion.floor = Floor { press: 0.0, ..motion.floor },
         None => {}

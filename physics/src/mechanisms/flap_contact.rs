@@ -35,7 +35,7 @@ pub(crate) fn pass(plan: &Plan, works: &mut Works, ball: &mut Ball, start: DVec2
     });
     for plate in met.into_iter().flatten() {
         let (axle, way) = match plate {
-            Plate::Gate(index) => (plan.gates[index].1.segment, plan.gates[index].1.way),
+            Plate::Gate(index) => (plan.gates[index].1.segment, plan.gates[index].1.direction),
             Plate::Spinner(index) => {
                 let segment = plan.spinners[index].1.segment;
                 (segment, segment.left_normal().unwrap_or(DVec2::Y))

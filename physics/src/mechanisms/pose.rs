@@ -13,7 +13,7 @@ pub struct Pose {
     /// The way that each flipper and each diverter points, rad.
     pub flippers_rad: Vec<(PartId, f64)>,
     /// Torque of each flipper's coil less that of its spring, N m: positive lifts it.
-    pub torques_n_m: Vec<(PartId, f64)>,
+    pub flipper_torques_n_m: Vec<(PartId, f64)>,
     /// How far up each drop target stands: 1 is up, 0 is flush with the playfield.
     pub drop_targets: Vec<(PartId, f64)>,
     /// The angle of each spinner's plate from hanging, rad.

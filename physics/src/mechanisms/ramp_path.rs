@@ -47,7 +47,7 @@ pub(crate) struct Spot {
     /// How the floor rises along the way, m/m.
     pub slope: f64,
     /// The unit vector of the way there.
-    pub way: DVec2,
+    pub direction: DVec2,
     /// From the middle of the floor, m.
     pub aside: f64,
 }
@@ -64,14 +64,14 @@ pub(crate) struct Mouth {
 impl Track {
     pub fn new(part: u16, ramp: &Ramp) -> Track {
         let mut marks = vec![0.0];
-        ramp.way.iter().for_each(|leg| marks.push(marks[marks.len() - 1] + leg.length()));
+        ramp.path.iter().for_each(|leg| marks.push(marks[marks.len() - 1] + leg.length()));
         Track {
             part,
-            legs: ramp.way.clone(),
+            legs: ramp.path.clone(),
             marks,
             heights: ramp.heights_m.clone(),
             half_width: ramp.half_width_m,
-            mouths: mouths(&ramp.way, &ramp.heights_m),
+            mouths: mouths(&ramp.path, &ramp.heights_m),
             sides: 0..0,
             joined: [None; 2],
         }
@@ -96,7 +96,7 @@ impl Track {
         Spot {
             height: low + rise * part * part * (3.0 - 2.0 * part),
             slope: rise * 6.0 * part * (1.0 - part) / length,
-            way: self.legs[index].way_at(along),
+            direction: self.legs[index].direction_at(along),
             aside,
         }
     }
@@ -151,7 +151,7 @@ impl Track {
                 0 => (back, STRAIGHT_M.min(back), 0.0),
                 _ => (length - back, length - STRAIGHT_M.min(back), length),
             };
-            let side = |along: f64, half: f64| leg.at(along) + leg.way_at(along).perp() * half;
+            let side = |along: f64, half: f64| leg.at(along) + leg.direction_at(along).perp() * half;
             let (wider, narrower) = (self.half_width + SIDE_M, half + SIDE_M);
             let shapes = [-1.0, 1.0].map(|sign| {
                 let a = side(wide, sign * wider);
@@ -175,7 +175,7 @@ impl Track {
                 (false, false) => (None, None),
             };
             let across = wall.map(|along| {
-                let (middle, half) = (leg.at(along), leg.way_at(along).perp() * (self.half_width + SIDE_M));
+                let (middle, half) = (leg.at(along), leg.direction_at(along).perp() * (self.half_width + SIDE_M));
                 Shape::capsule(middle - half, middle + half, SIDE_M)
             });
             let sides: Vec<Shape> = part.iter().flat_map(|leg| self.beside(leg)).collect();
@@ -186,7 +186,7 @@ impl Track {
 
     fn beside(&self, leg: &Leg) -> [Shape; 2] {
         let offset = self.half_width + SIDE_M;
-        [-offset, offset].map(|offset| Shape { core: leg.beside(offset), radius: SIDE_M })
+        [-offset, offset].map(|offset| Shape { core: leg.offset(offset), radius: SIDE_M })
     }
 
     fn obstacle(&self, ramp: &Ramp, shape: Shape) -> Obstacle {
@@ -216,8 +216,8 @@ fn mouths(legs: &[Leg], heights: &[f64]) -> [Mouth; 2] {
     let (first, last) = (&legs[0], &legs[legs.len() - 1]);
     let end = last.length();
     [
-        Mouth { middle: first.at(0.0), out: -first.way_at(0.0), height: heights[0] },
-        Mouth { middle: last.at(end), out: last.way_at(end), height: heights[heights.len() - 1] },
+        Mouth { middle: first.at(0.0), out: -first.direction_at(0.0), height: heights[0] },
+        Mouth { middle: last.at(end), out: last.direction_at(end), height: heights[heights.len() - 1] },
     ]
 }
 
@@ -251,7 +251,7 @@ impl Leg {
     }
 
     /// The unit vector of the way `along` m from its start.
-    pub fn way_at(&self, along: f64) -> DVec2 {
+    pub fn direction_at(&self, along: f64) -> DVec2 {
         match self {
             Leg::Line(line) => line.along().normalize(),
             Leg::Turn { arc, backwards } => {
@@ -276,10 +276,10 @@ impl Leg {
     }
 
     /// The line that runs `offset` m beside it: over 0 on the side of `perp` of its way.
-    pub fn beside(&self, offset: f64) -> Core {
+    pub fn offset(&self, offset: f64) -> Core {
         match self {
             Leg::Line(Segment { a, b }) => {
-                let side = self.way_at(0.0).perp() * offset;
+                let side = self.direction_at(0.0).perp() * offset;
                 Core::Segment(Segment { a: *a + side, b: *b + side })
             }
             Leg::Turn { arc, backwards } => {

@@ -28,7 +28,7 @@ pub(crate) struct Slide {
     tip: DVec2,
     half_width: f64,
     /// The unit vector of the shot.
-    pub way: DVec2,
+    pub direction: DVec2,
     /// How far the rod can be pulled back, or comes out.
     pub stroke: f64,
     pub drive: Drive,
@@ -60,13 +60,20 @@ pub(crate) struct Rod {
 impl Slide {
     pub fn of_plunger(part: u16, plunger: &Plunger) -> Slide {
         let drive = Drive::Spring { pull_s: plunger.pull_s, full_speed: plunger.full_speed_m_s };
-        let Plunger { tip, half_width_m, way, stroke_m, .. } = *plunger;
-        Slide { part, tip, half_width: half_width_m, way, stroke: stroke_m, drive }
+        let Plunger { tip, half_width_m, direction, stroke_m, .. } = *plunger;
+        Slide { part, tip, half_width: half_width_m, direction, stroke: stroke_m, drive }
     }
 
     pub fn of_kickback(part: u16, kickback: &Kickback) -> Slide {
-        let Kickback { tip, half_width_m, way, stroke_m, speed_m_s } = *kickback;
-        Slide { part, tip, half_width: half_width_m, way, stroke: stroke_m, drive: Drive::Coil { speed: speed_m_s } }
+        let Kickback { tip, half_width_m, direction, stroke_m, speed_m_s } = *kickback;
+        Slide {
+            part,
+            tip,
+            half_width: half_width_m,
+            direction,
+            stroke: stroke_m,
+            drive: Drive::Coil { speed: speed_m_s },
+        }
     }
 
     pub fn is_plunger(&self) -> bool {
@@ -74,13 +81,13 @@ impl Slide {
     }
 
     pub fn velocity(&self, rod: &Rod) -> DVec2 {
-        self.way * rod.speed
+        self.direction * rod.speed
     }
 
     /// The places of the ball's centre where it touches the face.
     pub fn face(&self, rod: &Rod) -> Shape {
-        let middle = self.tip - self.way * rod.pulled;
-        let half = self.way.perp() * self.half_width;
+        let middle = self.tip - self.direction * rod.pulled;
+        let half = self.direction.perp() * self.half_width;
         Shape::capsule(middle - half, middle + half, BALL_RADIUS_M)
     }
 
@@ -172,7 +179,7 @@ pub(crate) fn report(slides: &[Slide], balls: &[Ball], rods: &mut [Rod], events:
 impl Slide {
     fn launches(&self, rod: &Rod, balls: &[Ball]) -> Option<EventKind> {
         let face = self.face(rod);
-        let flies = |ball: &Ball| ball.velocity.dot(self.way) > 0.5 * rod.speed;
+        let flies = |ball: &Ball| ball.velocity.dot(self.direction) > 0.5 * rod.speed;
         let shot = |ball: &Ball| flies(ball) && face.distance(ball.center).0 < NEAR_M;
         let given = rod.is_shooting() && rod.pulled <= 0.0;
         (given && balls.iter().any(shot)).then_some(EventKind::Launched)

@@ -84,7 +84,7 @@ pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mu
 
 /// A ball's centre goes under a gate's flap the way that is free.
 fn passes(gate: &Gate, start: DVec2, center: DVec2) -> bool {
-    let beyond = |point: DVec2| (point - gate.segment.a).dot(gate.way);
+    let beyond = |point: DVec2| (point - gate.segment.a).dot(gate.direction);
     let (before, after) = (beyond(start), beyond(center));
     // `parameter` is clamped to the flap's ends, so beside the flap it is exactly one of them.
     let parameter = gate.segment.parameter(center);

@@ -121,8 +121,8 @@ impl Sweep<'_> {
             Role::Drop(index) => self.state.mechanisms.drops[index].solid,
             Role::Gate(index) => {
                 let gate = &self.plan.gates[index].1;
-                let beyond = (center - gate.segment.a).dot(gate.way) > 0.0;
-                beyond && distance > -SKIN_M && velocity.dot(gate.way) <= 0.0
+                let beyond = (center - gate.segment.a).dot(gate.direction) > 0.0;
+                beyond && distance > -SKIN_M && velocity.dot(gate.direction) <= 0.0
             }
             _ => true,
         }
