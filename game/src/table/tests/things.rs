@@ -207,7 +207,7 @@ fn coils_and_captive_balls_become_what_they_are() {
         .filter_map(|solid| solid.part)
         .map(|id| table.layout.parts[usize::from(id.0)].name.as_str())
         .collect();
-    assert_eq!(seen, ["flap", "left"], "the stage draws rods and balls, and magnets lie below the floor");
+    assert_eq!(seen, ["flap", "left"], "the scene builder draws rods and balls, and magnets lie below the floor");
 }
 
 #[test]
