@@ -189,9 +189,9 @@ fn overhangs(table: &Table) -> Vec<Overhang> {
 /// A floor is its way, as broad as it is; sides and wires are what they are.
 fn hung((solid, ramp): (&Solid, physics::Ramp)) -> Vec<Overhang> {
     let passes = 1.0 - solid.finish.opacity;
-    let floor = |leg: &Leg| Shape { core: leg.beside(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
+    let floor = |leg: &Leg| Shape { core: leg.offset(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
     let shapes: Vec<Shape> = match solid.plastic_mm {
-        Some(_) => ramp.way.iter().map(floor).collect(),
+        Some(_) => ramp.path.iter().map(floor).collect(),
         None => solid.shapes_mm.clone(),
     };
     shapes.into_iter().map(|shape| Overhang { shape, passes }).collect()
