@@ -187,7 +187,7 @@ impl Subject<'_> {
 
     /// The flippers, each with what its coil and its spring turn it with, N m.
     fn torques(&self) -> impl Iterator<Item = (&Flipper, f64)> {
-        self.moment.pose.torques_n_m.iter().filter_map(|&(part, torque)| {
+        self.moment.pose.flipper_torques_n_m.iter().filter_map(|&(part, torque)| {
             match self.table.layout.parts.get(usize::from(part.0)).map(|part| &part.kind) {
                 Some(Kind::Flipper(flipper)) => Some((flipper, torque)),
                 _ => None,

@@ -3,9 +3,9 @@
 use crate::literal;
 use crate::moment::{Disc, Moment, corner};
 use crate::run::{color, pack};
-use tracer::simd::dispatch::{LANES, Lanes, clones, min};
+use tracer::simd::dispatch::{LANES, Lanes, min, multiversion};
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(crate) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) = band_lanes;
 }

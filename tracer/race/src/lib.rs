@@ -20,7 +20,7 @@ pub use scene::room;
 use columns::Block;
 use moment::Moment;
 use rayon::prelude::*;
-use tracer::{Frame, Path};
+use tracer::{Frame, SimdLevel};
 
 /// Rows that one task makes when all threads work.
 const ROWS: usize = 24;
@@ -65,19 +65,19 @@ pub enum Threads {
 /// What makes pictures of the room: keep one, and it allocates only when a picture is wider than all before.
 #[derive(Clone, Debug)]
 pub struct Room {
-    path: Path,
+    path: SimdLevel,
     blocks: Vec<Block>,
 }
 
 impl Default for Room {
     fn default() -> Room {
-        Room::on(Path::best())
+        Room::on(SimdLevel::best())
     }
 }
 
 impl Room {
     /// One that uses this instruction set; the bits do not depend on it.
-    pub fn on(path: Path) -> Room {
+    pub fn on(path: SimdLevel) -> Room {
         Room { path, blocks: Vec::new() }
     }
 

@@ -4,12 +4,12 @@ use crate::columns::Block;
 use crate::moment::Moment;
 use crate::run::{Row, light};
 use crate::shadows::{Edges, Shadows};
-use tracer::simd::dispatch::clones;
+use tracer::simd::dispatch::multiversion;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(crate) fn band(moment: &Moment, blocks: &[Block], first_row: usize, pixels: &mut [u32]) = band_lanes;
 }

@@ -4,10 +4,10 @@
 //! every shape that may meet the triangle of the point and the chord, and no shape is thought of as anything but what
 //! [`Shape::cast`] says it is.
 
-use crate::reference::culling_triangle::Wedge;
+use crate::reference::culling_triangle::CullingTriangle;
 use crate::scene::validation;
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
 use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene};
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
@@ -29,7 +29,7 @@ pub struct Sampling {
 }
 
 /// Where the points of a tile are.
-pub(crate) struct Place {
+pub(crate) struct TilePixels {
     /// The tile's middle, mm.
     pub middle_mm: DVec2,
     /// Its upper left pixel.
@@ -53,7 +53,7 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
             } else {
                 rays.arriving_through(scene, lamp, exclude)
             };
-            let open = rays.open_share(&scene.balls, lamp, exclude);
+            let open = rays.unoccluded_fraction(&scene.balls, lamp, exclude);
             let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * strength * seen[channel];
@@ -69,22 +69,28 @@ impl Sampling {
         &self,
         occluders: &[Occluder],
         lamp: &Lamp,
-        points: &Points,
-        at: Place,
+        points: &PackedSamples,
+        at: TilePixels,
         without: &[Group],
         fraction: &mut Plane,
     ) {
         let mut near = Vec::new();
         self.each_point(lamp, points, &at, |rays, block, lane| {
             fraction[block][lane] = rays.map_or(0.0, |rays| {
-                let Arriving { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
+                let ChordIrradiance { seen, all } = rays.arriving(occluders, lamp, without, &mut near);
                 (seen / all) as f32
             });
         });
     }
 
     /// Calls `work` with the rays of each point and its place; there are none from what nobody sees.
-    fn each_point(&self, lamp: &Lamp, points: &Points, at: &Place, mut work: impl FnMut(Option<Rays>, usize, usize)) {
+    fn each_point(
+        &self,
+        lamp: &Lamp,
+        points: &PackedSamples,
+        at: &TilePixels,
+        mut work: impl FnMut(Option<Rays>, usize, usize),
+    ) {
         let of_lamp = Name::new(self.seed, 0).at(lamp.center_mm);
         for point in 0..points.count {
             let (block, lane) = (point / LANES, point % LANES);
@@ -99,7 +105,7 @@ impl Sampling {
 }
 
 /// The mean over a lamp of `1 / (d^2 + height^2)`, 1/mm^2.
-struct Arriving {
+struct ChordIrradiance {
     /// Where hidden places count 0.
     seen: f64,
     /// Where every place counts.
@@ -120,9 +126,9 @@ impl Rays {
         lamp: &Lamp,
         without: &[Group],
         near: &mut Vec<&'a Shape>,
-    ) -> Arriving {
+    ) -> ChordIrradiance {
         let chord = self.chord(lamp);
-        let wedge = Wedge::new(self.point, chord.a, chord.b);
+        let triangle = CullingTriangle::new(self.point, chord.a, chord.b);
         let counts = |occluder: &&Occluder| !without.contains(&occluder.group) && Some(occluder.group) != lamp.inside;
         near.clear();
         near.extend(
@@ -130,14 +136,14 @@ impl Rays {
                 .iter()
                 .filter(counts)
                 .map(|occluder| &occluder.shape)
-                .filter(|shape| validation::wrong_with_shape(shape).is_none() && wedge.may_meet(shape)),
+                .filter(|shape| validation::wrong_with_shape(shape).is_none() && triangle.may_meet(shape)),
         );
         let inside = near.iter().any(|shape| shape.distance(self.point).0 < 0.0);
         let height_square = lamp.height_mm() * lamp.height_mm();
         // A disc's light is that of its middle, whichever part of it is seen.
         let from_middle = 1.0 / (self.point.distance_squared(lamp.center_mm) + height_square);
         if lamp.tube().is_none() && (inside || near.is_empty()) {
-            return Arriving { seen: if inside { 0.0 } else { from_middle }, all: from_middle };
+            return ChordIrradiance { seen: if inside { 0.0 } else { from_middle }, all: from_middle };
         }
         let count = self.sampling.samples.max(1);
         let (mut seen, mut all) = (0.0, 0.0);
@@ -165,7 +171,7 @@ impl Rays {
                 }
             }
         }
-        Arriving { seen: seen / f64::from(count), all: all / f64::from(count) }
+        ChordIrradiance { seen: seen / f64::from(count), all: all / f64::from(count) }
     }
 
     /// The mean over a lamp of `1 / (d^2 + height^2)`, 1/mm^2, where each ray is tinted by every filter that it meets.
@@ -218,8 +224,8 @@ impl Rays {
             return there.extend_from_slice(near);
         }
         let end = |sample: u32| chord.a + chord.along() * (f64::from(sample) / f64::from(self.sampling.samples.max(1)));
-        let wedge = Wedge::new(self.point, end(samples.start), end(samples.end));
-        there.extend(near.iter().copied().filter(|shape| wedge.may_meet(shape)));
+        let triangle = CullingTriangle::new(self.point, end(samples.start), end(samples.end));
+        there.extend(near.iter().copied().filter(|shape| triangle.may_meet(shape)));
     }
 
     /// What is sampled: a segment is its own chord, a disc's is the diameter that faces the point.

@@ -32,12 +32,12 @@ pub(super) fn standing(part: &Kind) -> Vec<(Shape, u32)> {
         Kind::Bumper(bumper) => vec![(Shape::disc(bumper.circle.center, bumper.circle.radius), SOLID)],
         Kind::Slingshot(sling) => vec![(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), SOLID)],
         Kind::Target(target) => vec![(target.shape, SOLID)],
-        Kind::Rollover(rollover) => vec![(rollover.zone, SENSOR)],
+        Kind::Rollover(rollover) => vec![(rollover.shape, SENSOR)],
         Kind::Gate(gate) => vec![(thin(gate.segment), SENSOR)],
         Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
         Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
-        Kind::Drain(drain) => vec![(drain.zone, SENSOR)],
-        Kind::Ramp(ramp) => ramp.way.iter().flat_map(|leg| sides(leg, ramp.half_width_m)).collect(),
+        Kind::Drain(drain) => vec![(drain.shape, SENSOR)],
+        Kind::Ramp(ramp) => ramp.path.iter().flat_map(|leg| sides(leg, ramp.half_width_m)).collect(),
         Kind::Magnet(magnet) => vec![(Shape::disc(magnet.circle.center, magnet.circle.radius), SENSOR)],
         Kind::Flipper(_) | Kind::Plunger(_) | Kind::Kickback(_) | Kind::DropTarget(_) | Kind::CaptiveBall(_) => {
             Vec::new()
@@ -47,7 +47,7 @@ pub(super) fn standing(part: &Kind) -> Vec<(Shape, u32)> {
 
 /// The two sides of a piece of a way above the playfield.
 fn sides(leg: &Leg, half_width_m: f64) -> [(Shape, u32); 2] {
-    [-half_width_m, half_width_m].map(|offset| (Shape { core: leg.beside(offset), radius: 0.0005 }, ABOVE))
+    [-half_width_m, half_width_m].map(|offset| (Shape { core: leg.offset(offset), radius: 0.0005 }, ABOVE))
 }
 
 /// The shapes of a part that moves, m, where they are in a pose.
@@ -67,14 +67,14 @@ pub(super) fn moving(index: usize, part: &Part, pose: &Pose) -> Vec<(Shape, u32)
             vec![(target.shape, if up { SOLID } else { SENSOR })]
         }
         Kind::Plunger(plunger) => {
-            let tip = plunger.tip - plunger.way * (plunger.stroke_m * pose.plunger);
-            let half = plunger.way.perp() * plunger.half_width_m;
+            let tip = plunger.tip - plunger.direction * (plunger.stroke_m * pose.plunger);
+            let half = plunger.direction.perp() * plunger.half_width_m;
             vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
         }
         Kind::Kickback(kickback) => {
             let out = value(&pose.kickers).unwrap_or_default();
-            let tip = kickback.tip + kickback.way * (kickback.stroke_m * out);
-            let half = kickback.way.perp() * kickback.half_width_m;
+            let tip = kickback.tip + kickback.direction * (kickback.stroke_m * out);
+            let half = kickback.direction.perp() * kickback.half_width_m;
             vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
         }
         Kind::CaptiveBall(_) => {
