@@ -85,7 +85,8 @@ impl Workspace {
         verdict
     }
 
-    fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: Rows) {
+    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::arriving`] and [`Workspace::shine`].
+    pub(crate) fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: Rows) {
         let blocks = self.floor_blocks(rows);
         let points = if self.whole { stage.whole_tile } else { &self.floor };
         let (arriving, shine) = (&mut self.arriving, &mut self.shine);
@@ -146,7 +147,7 @@ impl Workspace {
     }
 
     /// Adds some rows of a top's picture to [`Workspace::picture`].
-    fn light_top(&mut self, stage: &Stage, beam: Falloff, layer: usize, rows: Rows, verdict: Verdict) {
+    pub(crate) fn light_top(&mut self, stage: &Stage, beam: Falloff, layer: usize, rows: Rows, verdict: Verdict) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
         let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
         let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };

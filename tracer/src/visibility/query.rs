@@ -2,7 +2,6 @@
 
 use crate::Group;
 use crate::realtime::tile_renderer::{Lit, Stage};
-use crate::reference::monte_carlo;
 use crate::simd::dispatch::{LANES, ones};
 use crate::tile::packed_samples::{Plane, Points};
 use crate::tile::rect::Place;
@@ -36,11 +35,6 @@ impl Gaze<'_, '_> {
 
     fn past_occluders(&mut self, points: &Points, blocks: u16, without: &[Group]) -> Verdict {
         let (lamp, middle) = (&self.lit.lamp, self.place.middle_mm);
-        if let Some(sampling) = &self.stage.sampling {
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, lamp, points, self.sampled(), without, self.fraction);
-            return Verdict::Mixed;
-        }
         let (source, axis) = Source::new(lamp, middle);
         let verdict = self.between.gather(self.near, self.stage.silhouettes, middle, axis, without);
         if verdict == Verdict::Mixed {
@@ -53,11 +47,6 @@ impl Gaze<'_, '_> {
 
     /// Takes what floating balls hide from what is seen past all else.
     fn past_balls(&mut self, points: &Points, blocks: u16, own: Option<Group>, mut verdict: Verdict) -> Verdict {
-        if let Some(sampling) = &self.stage.sampling {
-            let balls = &self.stage.scene.balls;
-            sampling.veil(balls, &self.lit.lamp, points, self.sampled(), own, self.fraction);
-            return verdict;
-        }
         let &Place { middle_mm, half_mm, .. } = self.place;
         let reaches = |ball: &&Floating| Some(ball.group) != own && ball.penumbra.may_reach(middle_mm, half_mm);
         for ball in self.lit.floating.iter().filter(reaches) {
@@ -68,11 +57,5 @@ impl Gaze<'_, '_> {
             ball.veil(self.stage.path, self.place, points, blocks, self.fraction);
         }
         verdict
-    }
-
-    fn sampled(&self) -> monte_carlo::Place {
-        let Place { x, y, middle_mm, .. } = *self.place;
-        let view = &self.stage.scene.view;
-        monte_carlo::Place { middle_mm, corner: (x, y), size: (view.width, view.height) }
     }
 }
