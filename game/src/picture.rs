@@ -20,7 +20,7 @@ use scenery::Scenery;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;
-use tracer::{Frame, HalfRenderer, Renderer, Step};
+use tracer::{Frame, HalfRenderer, RenderStage, Renderer};
 
 /// At which resolution the lamps' light is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -180,15 +180,15 @@ impl Picture {
         let (view, light) = (scenery.view, if self.reference.is_some() { Light::Full } else { self.light });
         let times = &mut self.times;
         let mut last = start;
-        let mut clock = |step: Option<Step>| {
+        let mut clock = |step: Option<RenderStage>| {
             let now = now();
             let time_ms = match step {
                 None => &mut times.stage_ms,
-                Some(Step::Prepared) => &mut times.prepare_ms,
-                Some(Step::Shaded) => &mut times.shadows_ms,
-                Some(Step::Mirrored) => &mut times.balls_ms,
-                Some(Step::Glared) => &mut times.glare_ms,
-                Some(Step::Developed) => &mut times.develop_ms,
+                Some(RenderStage::Prepared) => &mut times.prepare_ms,
+                Some(RenderStage::Shaded) => &mut times.shadows_ms,
+                Some(RenderStage::Mirrored) => &mut times.balls_ms,
+                Some(RenderStage::Glared) => &mut times.glare_ms,
+                Some(RenderStage::Developed) => &mut times.develop_ms,
             };
             *time_ms = ms(last, now);
             last = now;

@@ -1,7 +1,7 @@
 //! The race is fair only if everybody draws the same picture.
 
 use tracer::room::{Room, SIDE, Threads, Way, circles};
-use tracer::{Frame, Path};
+use tracer::{Frame, SimdLevel};
 
 /// Moments and sizes: with whole blocks of 16 pixels and without, narrower than one, and a single pixel.
 const PICTURES: [(f64, usize, usize); 8] = [
@@ -43,7 +43,7 @@ fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
     for way in Way::ALL {
         for picture in PICTURES {
             let expected = frame(&mut Room::default(), way, Threads::One, picture);
-            for path in Path::available() {
+            for path in SimdLevel::available() {
                 for count in [1, 2, 3, 5] {
                     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("a pool");
                     let got = pool.install(|| frame(&mut Room::on(path), way, Threads::All, picture));

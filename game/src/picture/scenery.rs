@@ -7,7 +7,7 @@ use crate::stage::Printed;
 use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;
-use tracer::{Film, Floor, View};
+use tracer::{DisplayBuffer, Floor, View};
 
 /// What depends on the size of the picture and on the zoom.
 pub struct Scenery {
@@ -19,7 +19,7 @@ pub struct Scenery {
     /// The floor's art at half the resolution, once it has been asked for.
     half: Option<Box<Floor>>,
     /// The playfield.
-    pub film: Film,
+    pub film: DisplayBuffer,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
     pub shift: (i32, i32),
 }
@@ -34,7 +34,7 @@ impl Scenery {
         let canvas = canvas(&placement.table, zoom);
         let view = View::fit(canvas.width, canvas.height, table.size_mm);
         let printed = Printed::new(table, &view)?;
-        Ok(Scenery { placement, zoom, view, printed, half: None, film: Film::default(), shift: (0, 0) })
+        Ok(Scenery { placement, zoom, view, printed, half: None, film: DisplayBuffer::default(), shift: (0, 0) })
     }
 
     /// Whether it is for a picture of this size.
@@ -54,7 +54,7 @@ impl Scenery {
     }
 
     /// The art at half the resolution, if it has been printed, and the film.
-    pub fn half(&mut self) -> Option<(&Floor, &Printed, &mut Film)> {
+    pub fn half(&mut self) -> Option<(&Floor, &Printed, &mut DisplayBuffer)> {
         Some((self.half.as_deref()?, &self.printed, &mut self.film))
     }
 

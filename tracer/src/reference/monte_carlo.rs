@@ -34,7 +34,7 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
             let name = Name::new(sampling.seed, index as u64).at(point_mm);
             let rays = Rays { sampling, name, point: point_mm };
             let seen = rays.arriving(scene, lamp, exclude, &mut near).seen;
-            let open = rays.open_share(&scene.balls, lamp, exclude);
+            let open = rays.unoccluded_fraction(&scene.balls, lamp, exclude);
             let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * strength * seen[channel];

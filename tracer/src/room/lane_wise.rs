@@ -3,9 +3,9 @@
 use super::literal;
 use super::moment::{Disc, Moment, corner};
 use super::run::{color, pack};
-use crate::simd::dispatch::{LANES, Lanes, clones, min};
+use crate::simd::dispatch::{LANES, Lanes, min, multiversion};
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(super) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) = band_lanes;
 }

@@ -15,7 +15,7 @@ mod spans;
 
 pub use moment::{SIDE, circles};
 
-use crate::{Frame, Path};
+use crate::{Frame, SimdLevel};
 use columns::Block;
 use moment::Moment;
 use rayon::prelude::*;
@@ -63,19 +63,19 @@ pub enum Threads {
 /// What makes pictures of the room: keep one, and it allocates only when a picture is wider than all before.
 #[derive(Clone, Debug)]
 pub struct Room {
-    path: Path,
+    path: SimdLevel,
     blocks: Vec<Block>,
 }
 
 impl Default for Room {
     fn default() -> Room {
-        Room::on(Path::best())
+        Room::on(SimdLevel::best())
     }
 }
 
 impl Room {
     /// One that uses this instruction set; the bits do not depend on it.
-    pub fn on(path: Path) -> Room {
+    pub fn on(path: SimdLevel) -> Room {
         Room { path, blocks: Vec::new() }
     }
 

@@ -4,12 +4,12 @@ use super::columns::Block;
 use super::moment::Moment;
 use super::run::{Row, light};
 use super::shadows::{Edges, Shadows};
-use crate::simd::dispatch::clones;
+use crate::simd::dispatch::multiversion;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(super) fn band(moment: &Moment, blocks: &[Block], first_row: usize, pixels: &mut [u32]) = band_lanes;
 }

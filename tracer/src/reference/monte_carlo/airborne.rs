@@ -10,8 +10,8 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl Rays {
     /// How much of a lamp floating balls leave, but for those of a group: rays in space to places all over the lamp.
-    pub fn open_share(&self, balls: &[Ball], lamp: &Lamp, without: Option<Group>) -> f64 {
-        sphere_shadow::hiding(balls, lamp, without).map(|ball| self.past(ball, lamp)).product()
+    pub fn unoccluded_fraction(&self, balls: &[Ball], lamp: &Lamp, without: Option<Group>) -> f64 {
+        sphere_shadow::occluding_balls(balls, lamp, without).map(|ball| self.past(ball, lamp)).product()
     }
 
     fn past(&self, ball: &Ball, lamp: &Lamp) -> f64 {

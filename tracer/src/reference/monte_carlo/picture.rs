@@ -10,13 +10,13 @@ use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Name, Near, Rays};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::DARKNESS;
+use crate::shading::surface::BLACK;
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::{Plane, Points, TILE};
-use crate::tile::rect::Place;
-use crate::visibility::blockers::Verdict;
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::rect::TileRect;
+use crate::visibility::blockers::VisibilityClass;
 use crate::visibility::shadow_bounds::ALL_ROWS;
-use crate::{Film, Group, Radiance, Renderer, Rgb, Scene};
+use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
 use geometry::DVec2;
 
 impl Renderer {
@@ -31,7 +31,7 @@ impl Renderer {
     }
 
     /// [`Renderer::render_monte_carlo`], tone-mapped.
-    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut Film) {
+    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut DisplayBuffer) {
         let mut radiance = Radiance::default();
         self.render_monte_carlo(scene, sampling, &mut radiance);
         film.resize(radiance.width(), radiance.height());
@@ -61,9 +61,9 @@ impl Seen {
 
 impl Workspace {
     /// Makes the tile under all lamps, in [`Workspace::out`].
-    fn render_sampled(&mut self, stage: &Stage, place: &Place, sampling: Sampling) {
+    fn render_sampled(&mut self, stage: &Stage, place: &TileRect, sampling: Sampling) {
         let layers = self.render_unlit(stage, place);
-        for lit in stage.lamps.iter().filter(|lit| place.is_reached(&lit.lamp)) {
+        for lit in stage.lamps.iter().filter(|lit| place.is_reached_by(&lit.lamp)) {
             self.light_sampled(stage, lit, place, layers, sampling);
             add(&self.sum, lit.lamp.color, &mut self.out);
         }
@@ -71,8 +71,8 @@ impl Workspace {
     }
 
     /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::sum`].
-    fn light_sampled(&mut self, stage: &Stage, lit: &Lit, place: &Place, layers: usize, sampling: Sampling) {
-        self.sum = DARKNESS;
+    fn light_sampled(&mut self, stage: &Stage, lit: &Lit, place: &TileRect, layers: usize, sampling: Sampling) {
+        self.sum = BLACK;
         let beam = Falloff::new(&lit.lamp, place.middle_mm);
         let view = Look { sampling, stage, lit, place };
         if self.whole || self.floor.count > 0 {
@@ -80,9 +80,9 @@ impl Workspace {
             for (fraction, channels) in view.seen(points, None).planes() {
                 self.light_floor(stage, beam, ALL_ROWS);
                 self.fraction = *fraction;
-                self.veil(stage.path, Verdict::Mixed, ALL_ROWS);
-                self.picture = DARKNESS;
-                self.paint(stage.path, ALL_ROWS);
+                self.veil(stage.simd, VisibilityClass::Partial, ALL_ROWS);
+                self.picture = BLACK;
+                self.paint(stage.simd, ALL_ROWS);
                 add(&self.picture, channels, &mut self.sum);
             }
         }
@@ -90,8 +90,8 @@ impl Workspace {
             let own = stage.scene.tops[self.tops[layer].form].group;
             for (fraction, channels) in view.seen(&self.tops[layer].points, Some(own)).planes() {
                 self.fraction = *fraction;
-                self.picture = DARKNESS;
-                self.light_top(stage, beam, layer, ALL_ROWS, Verdict::Mixed);
+                self.picture = BLACK;
+                self.light_top(stage, beam, layer, ALL_ROWS, VisibilityClass::Partial);
                 add(&self.picture, channels, &mut self.sum);
             }
         }
@@ -103,13 +103,13 @@ struct Look<'a> {
     sampling: Sampling,
     stage: &'a Stage<'a>,
     lit: &'a Lit,
-    place: &'a Place,
+    place: &'a TileRect,
 }
 
 impl Look<'_> {
     /// The fraction of the lamp that some points see, which are of the group `own`. Points beyond the picture's edge see
     /// nothing: nobody looks at them.
-    fn seen(&self, points: &Points, own: Option<Group>) -> Seen {
+    fn seen(&self, points: &PackedSamples, own: Option<Group>) -> Seen {
         let (scene, lamp) = (self.stage.scene, &self.lit.lamp);
         let of_lamp = Name::new(self.sampling.seed, 0).at(lamp.center_mm);
         let mut near = Near::default();
@@ -126,7 +126,7 @@ impl Look<'_> {
             let name = of_lamp.next((y as u64) << 32 | x as u64);
             let rays = Rays { sampling: self.sampling, name, point: self.place.middle_mm + offset };
             let arriving = rays.arriving(scene, lamp, own, &mut near);
-            let open = rays.open_share(&scene.balls, lamp, own) as f32;
+            let open = rays.unoccluded_fraction(&scene.balls, lamp, own) as f32;
             tinted |= !near.panes.is_empty();
             for (plane, light) in seen.iter_mut().zip(arriving.seen) {
                 plane[block][lane] = (light / arriving.all) as f32 * open;

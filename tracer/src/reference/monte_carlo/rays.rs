@@ -1,6 +1,6 @@
 //! The shadow rays from one point to one lamp.
 
-use crate::reference::culling_triangle::Wedge;
+use crate::reference::culling_triangle::CullingTriangle;
 use crate::reference::monte_carlo::Sampling;
 use crate::scene::validation;
 use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene};
@@ -29,7 +29,7 @@ pub(super) struct Near<'a> {
 
 impl<'a> Near<'a> {
     /// Gathers what may meet the triangle of the point and the chord.
-    fn gather(&mut self, scene: &'a Scene, lamp: &Lamp, without: Option<Group>, triangle: &Wedge) {
+    fn gather(&mut self, scene: &'a Scene, lamp: &Lamp, without: Option<Group>, triangle: &CullingTriangle) {
         self.walls.clear();
         self.panes.clear();
         for occluder in &scene.occluders {
@@ -57,7 +57,7 @@ impl Rays {
     /// What arrives past everything that is not of the group `without`; `near` is room to work in.
     pub fn arriving<'a>(&self, scene: &'a Scene, lamp: &Lamp, without: Option<Group>, near: &mut Near<'a>) -> Arriving {
         let chord = self.chord(lamp);
-        near.gather(scene, lamp, without, &Wedge::new(self.point, chord.a, chord.b));
+        near.gather(scene, lamp, without, &CullingTriangle::new(self.point, chord.a, chord.b));
         let Near { walls, panes } = near;
         let inside = walls.iter().any(|shape| shape.distance(self.point).0 < 0.0);
         let height_square = lamp.height_mm() * lamp.height_mm();
@@ -123,8 +123,8 @@ impl Rays {
             return there.extend_from_slice(near);
         }
         let end = |sample: u32| chord.a + chord.along() * (f64::from(sample) / f64::from(self.sampling.samples.max(1)));
-        let wedge = Wedge::new(self.point, end(samples.start), end(samples.end));
-        there.extend(near.iter().copied().filter(|shape| wedge.may_meet(shape)));
+        let triangle = CullingTriangle::new(self.point, end(samples.start), end(samples.end));
+        there.extend(near.iter().copied().filter(|shape| triangle.may_meet(shape)));
     }
 
     /// What is sampled: a segment is its own chord, a disc's is the diameter that faces the point.
