@@ -31,7 +31,7 @@ fn named_path(quoted: &str) -> Option<&str> {
 fn without_old_names(text: &str) -> String {
     let (before, map) = text.split_once("## From old names to new").unwrap_or((text, ""));
     let new_names = map.lines().map(|line| line.trim_end_matches(['|', ' ']).rsplit('|').next().unwrap_or(""));
-    before.to_string() + &new_names.collect::<Vec<_>>().join("\n")
+    [before, &new_names.collect::<Vec<_>>().join("\n")].concat()
 }
 
 /// Where the paths that a document writes in Markdown links lead, from the root.
