@@ -92,7 +92,8 @@ impl Workspace {
         verdict
     }
 
-    fn light_floor(&mut self, stage: &Stage, falloff: Falloff, rows: RowMask) {
+    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::irradiance`] and [`Workspace::specular`].
+    pub(crate) fn light_floor(&mut self, stage: &Stage, falloff: Falloff, rows: RowMask) {
         let blocks = self.floor_blocks(rows);
         let points = if self.whole { stage.full_tile } else { &self.floor };
         let (irradiance, specular) = (&mut self.irradiance, &mut self.specular);
@@ -162,7 +163,14 @@ impl Workspace {
     }
 
     /// Adds some rows of a top's picture to [`Workspace::picture`].
-    fn light_top(&mut self, stage: &Stage, falloff: Falloff, layer: usize, rows: RowMask, verdict: VisibilityClass) {
+    pub(crate) fn light_top(
+        &mut self,
+        stage: &Stage,
+        falloff: Falloff,
+        layer: usize,
+        rows: RowMask,
+        verdict: VisibilityClass,
+    ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
         let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
         let fraction = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &self.fraction };

@@ -2,7 +2,6 @@
 
 use crate::Group;
 use crate::realtime::tile_renderer::{Lit, Stage};
-use crate::reference::monte_carlo;
 use crate::simd::dispatch::{LANES, set_bits};
 use crate::tile::packed_samples::{PackedSamples, Plane};
 use crate::tile::rect::TileRect;
@@ -25,7 +24,7 @@ pub(crate) struct VisibilityQuery<'a, 'b> {
 
 impl VisibilityQuery<'_, '_> {
     /// Finds how much of the lamp each point of some blocks sees, past everything but some occluders' groups, and past
-    /// floating balls that are not of the points' own group.
+    /// airborne balls that are not of the points' own group.
     pub fn evaluate(
         &mut self,
         points: &PackedSamples,
@@ -42,11 +41,6 @@ impl VisibilityQuery<'_, '_> {
 
     fn behind_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
         let (lamp, middle) = (&self.lit.lamp, self.rect.middle_mm);
-        if let Some(sampling) = &self.stage.sampling {
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, lamp, points, self.sampled(), without, self.fraction);
-            return VisibilityClass::Partial;
-        }
         let (emitter, axis) = ProjectedEmitter::new(lamp, middle);
         let verdict = self.blockers.gather(self.occluders, self.stage.disc_chains, middle, axis, without);
         if verdict == VisibilityClass::Partial {
@@ -57,7 +51,7 @@ impl VisibilityQuery<'_, '_> {
         verdict
     }
 
-    /// Takes what floating balls hide from what is seen past all else.
+    /// Takes what airborne balls hide from what is seen past all else.
     fn behind_balls(
         &mut self,
         points: &PackedSamples,
@@ -65,11 +59,6 @@ impl VisibilityQuery<'_, '_> {
         own: Option<Group>,
         mut verdict: VisibilityClass,
     ) -> VisibilityClass {
-        if let Some(sampling) = &self.stage.sampling {
-            let balls = &self.stage.scene.balls;
-            sampling.attenuate(balls, &self.lit.lamp, points, self.sampled(), own, self.fraction);
-            return verdict;
-        }
         let &TileRect { middle_mm, half_mm, .. } = self.rect;
         let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
         for ball in self.lit.airborne.iter().filter(reaches) {
@@ -80,11 +69,5 @@ impl VisibilityQuery<'_, '_> {
             ball.attenuate(self.stage.simd, self.rect, points, blocks, self.fraction);
         }
         verdict
-    }
-
-    fn sampled(&self) -> monte_carlo::TilePixels {
-        let TileRect { x, y, middle_mm, .. } = *self.rect;
-        let view = &self.stage.scene.view;
-        monte_carlo::TilePixels { middle_mm, corner: (x, y), size: (view.width, view.height) }
     }
 }
