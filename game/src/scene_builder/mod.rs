@@ -21,7 +21,7 @@ use crate::table::{Lamp, LampKind, Solid, Table, art};
 use geometry::{DVec2, Shape};
 use motion::Motion;
 use physics::{Kind, Leg};
-use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Rgb, Scene, Top, Veil, View};
+use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Overhang, Rgb, Scene, Top, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -67,7 +67,7 @@ impl Printed {
 pub struct SceneBuilder {
     actors: Vec<Actor>,
     filters: Vec<Filter>,
-    veils: Vec<Veil>,
+    overhangs: Vec<Overhang>,
     rods: Vec<rod::Rod>,
     /// The first group that no solid uses.
     free_group: u16,
@@ -100,7 +100,7 @@ impl SceneBuilder {
             filters.push(Filter { group, tint: tint(&actor.solid.finish) });
         }
         let free_group = free_group.saturating_add(filters.len() as u16);
-        SceneBuilder { actors, filters, veils: veils(table), rods, free_group, ambient: table.ambient }
+        SceneBuilder { actors, filters, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -110,7 +110,7 @@ impl SceneBuilder {
             lamps: lamps(&table.lamps, &moment.lamps),
             occluders: Vec::with_capacity(2 * self.actors.len()),
             filters: self.filters.clone(),
-            veils: self.veils.clone(),
+            overhangs: self.overhangs.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
             balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
@@ -178,7 +178,7 @@ impl Actor {
 }
 
 /// What hangs above the balls: the floors, sides and wires of the ways above the playfield.
-fn veils(table: &Table) -> Vec<Veil> {
+fn overhangs(table: &Table) -> Vec<Overhang> {
     let way = |solid: &Solid| {
         let part = solid.part.and_then(|id| table.layout.parts.get(usize::from(id.0)))?;
         if let Kind::Ramp(ramp) = &part.kind { Some(ramp.clone()) } else { None }
@@ -187,14 +187,14 @@ fn veils(table: &Table) -> Vec<Veil> {
 }
 
 /// A floor is its way, as broad as it is; sides and wires are what they are.
-fn hung((solid, ramp): (&Solid, physics::Ramp)) -> Vec<Veil> {
+fn hung((solid, ramp): (&Solid, physics::Ramp)) -> Vec<Overhang> {
     let passes = 1.0 - solid.finish.opacity;
-    let floor = |leg: &Leg| Shape { core: leg.beside(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
+    let floor = |leg: &Leg| Shape { core: leg.offset(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
     let shapes: Vec<Shape> = match solid.plastic_mm {
-        Some(_) => ramp.way.iter().map(floor).collect(),
+        Some(_) => ramp.path.iter().map(floor).collect(),
         None => solid.shapes_mm.clone(),
     };
-    shapes.into_iter().map(|shape| Veil { shape, passes }).collect()
+    shapes.into_iter().map(|shape| Overhang { shape, passes }).collect()
 }
 
 /// How much larger a thing looks that is `height_mm` nearer to the eye than the floor.

@@ -58,7 +58,7 @@ impl Motion {
                 Motion::Turns { flipper: id, pivot_mm: mm(flipper.base.center), drawn_rad: flipper.rest_rad }
             }
             Kind::DropTarget(_) => Motion::Sinks(id),
-            Kind::Gate(gate) => Motion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.way },
+            Kind::Gate(gate) => Motion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.direction },
             Kind::Spinner(spinner) => Motion::Spins { spinner: id, axle: in_mm(spinner.segment) },
             Kind::Bumper(bumper) => Motion::Pulled { bumper: id, center_mm: mm(bumper.circle.center) },
             Kind::Slingshot(sling) => Motion::Bends { slingshot: id, out: into_play(layout, sling.segment) },

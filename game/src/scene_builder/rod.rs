@@ -44,8 +44,8 @@ impl Rod {
         let mut rods = Vec::new();
         for (index, part) in layout.parts.iter().enumerate() {
             let (tip, way, half_width_m, stroke_m, kickback) = match &part.kind {
-                Kind::Plunger(p) => (p.tip, p.way, p.half_width_m, p.stroke_m, None),
-                Kind::Kickback(k) => (k.tip, k.way, k.half_width_m, k.stroke_m, Some(PartId(index as u16))),
+                Kind::Plunger(p) => (p.tip, p.direction, p.half_width_m, p.stroke_m, None),
+                Kind::Kickback(k) => (k.tip, k.direction, k.half_width_m, k.stroke_m, Some(PartId(index as u16))),
                 _ => continue,
             };
             let (half_width, stroke) = (half_width_m * MM_PER_M, stroke_m * MM_PER_M);

@@ -25,7 +25,7 @@ pub use tracer_scene::tracer_scene;
 use column_terms::ColumnTerms;
 use rayon::prelude::*;
 use scene::Scene;
-use tracer::{Frame, Path};
+use tracer::{Frame, SimdLevel};
 
 /// Rows that one task renders when all threads work.
 const ROWS: usize = 24;
@@ -70,20 +70,20 @@ pub enum Threads {
 /// Renders the scene. Keep one: it allocates only when a frame is wider than all before.
 #[derive(Clone, Debug)]
 pub struct RaceRenderer {
-    path: Path,
+    level: SimdLevel,
     columns: Vec<ColumnTerms>,
 }
 
 impl Default for RaceRenderer {
     fn default() -> RaceRenderer {
-        RaceRenderer::on(Path::best())
+        RaceRenderer::on(SimdLevel::best())
     }
 }
 
 impl RaceRenderer {
     /// A renderer that uses this instruction set; the bits do not depend on it.
-    pub fn on(path: Path) -> RaceRenderer {
-        RaceRenderer { path, columns: Vec::new() }
+    pub fn on(level: SimdLevel) -> RaceRenderer {
+        RaceRenderer { level, columns: Vec::new() }
     }
 
     /// Renders the scene after `seconds`, as wide and as high as `frame` is.
@@ -97,11 +97,11 @@ impl RaceRenderer {
         if method == Method::Spans {
             column_terms::fill(&mut self.columns, &scene);
         }
-        let (path, columns) = (self.path, &self.columns);
+        let (level, columns) = (self.level, &self.columns);
         let band = |first_row: usize, pixels: &mut [u32]| match method {
             Method::Literal => literal::render_band(&scene, first_row, pixels),
-            Method::Simd => simd::render_band(path, &scene, first_row, pixels),
-            Method::Spans => spans::render_band(path, &scene, columns, first_row, pixels),
+            Method::Simd => simd::render_band(level, &scene, first_row, pixels),
+            Method::Spans => spans::render_band(level, &scene, columns, first_row, pixels),
             Method::Memset => pixels.fill(0),
         };
         match threads {

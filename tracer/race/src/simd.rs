@@ -3,9 +3,9 @@
 use crate::literal;
 use crate::scene::{Disc, Scene, corner};
 use crate::span_shading::{color, pack};
-use tracer::simd::dispatch::{LANES, Lanes, clones, min};
+use tracer::simd::dispatch::{LANES, Lanes, min, multiversion};
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(crate) fn render_band(scene: &Scene, first_row: usize, pixels: &mut [u32]) = render_band_lanes;
 }

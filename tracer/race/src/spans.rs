@@ -4,12 +4,12 @@ use crate::column_terms::ColumnTerms;
 use crate::scene::Scene;
 use crate::shadow_edges::{ShadowEdges, SortedEdges};
 use crate::span_shading::{RowTerms, shade_span};
-use tracer::simd::dispatch::clones;
+use tracer::simd::dispatch::multiversion;
 
 /// The bits of all four lamps.
 const ALL: usize = 0b1111;
 
-clones! {
+multiversion! {
     /// Makes the rows from `first_row` on.
     pub(crate) fn render_band(scene: &Scene, blocks: &[ColumnTerms], first_row: usize, pixels: &mut [u32]) = render_band_lanes;
 }

@@ -1,7 +1,7 @@
 //! The race is fair only if every method draws the same picture.
 
 use shadow_race::{Method, RaceRenderer, SIDE, Threads, circles};
-use tracer::{Frame, Path};
+use tracer::{Frame, SimdLevel};
 
 /// Moments and sizes: with whole blocks of 16 pixels and without, narrower than one, and a single pixel.
 const PICTURES: [(f64, usize, usize); 8] = [
@@ -48,16 +48,16 @@ fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
     for method in Method::ALL {
         for picture in PICTURES {
             let expected = frame(&mut RaceRenderer::default(), method, Threads::One, picture);
-            for path in Path::available() {
+            for level in SimdLevel::available() {
                 for count in [1, 2, 3, 5] {
                     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("a pool");
-                    let got = pool.install(|| frame(&mut RaceRenderer::on(path), method, Threads::All, picture));
-                    assert!(got == expected, "{} at {picture:?} on {}, {count} threads", method.name(), path.name());
+                    let got = pool.install(|| frame(&mut RaceRenderer::on(level), method, Threads::All, picture));
+                    assert!(got == expected, "{} at {picture:?} on {}, {count} threads", method.name(), level.name());
                 }
                 assert!(
-                    frame(&mut RaceRenderer::on(path), method, Threads::One, picture) == expected,
+                    frame(&mut RaceRenderer::on(level), method, Threads::One, picture) == expected,
                     "{}",
-                    path.name()
+                    level.name()
                 );
             }
         }

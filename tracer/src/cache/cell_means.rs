@@ -1,19 +1,19 @@
-//! The means of a tile's cells: what the glare, and a ball's mirror, need of a picture.
+//! The means of a tile's cells: what the bloom, and a ball's mirror, need of a picture.
 //!
-//! They are kept beside every picture of a tile and sum up as the pictures do, so the glare of a frame is known before
+//! They are kept beside every picture of a tile and sum up as the pictures do, so the bloom of a frame is known before
 //! the frame is put together.
 
 use crate::cache::packed_planes::{Half, Pair, STEPS};
 use crate::cache::weighted_sum::FAINTEST;
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Lanes, Path, clones, max, min, rounded};
+use crate::shading::surface::RgbTile;
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
 use crate::tile::packed_samples::TILE;
-use crate::visibility::shadow_bounds::Rows;
+use crate::visibility::shadow_bounds::RowMask;
 
 /// Cells of [`CELL`] x [`CELL`] pixels in a tile.
 pub(crate) const CELLS: usize = (TILE / CELL) * (TILE / CELL);
 
-/// Pixels along the side of a cell: what the glare's finest level is made of.
+/// Pixels along the side of a cell: what the bloom's finest level is made of.
 pub(crate) const CELL: usize = 4;
 
 /// Cells in a row of a tile.
@@ -44,26 +44,33 @@ impl Gist {
 
     /// Keeps the means of those cells of a floor that have any of some rows: of what arrives at it, and of what
     /// shines there, of which a step is worth the `scales`.
-    pub fn keep_floor(&mut self, path: Path, albedo: &Light, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: Rows) {
+    pub fn keep_floor(
+        &mut self,
+        simd: SimdLevel,
+        albedo: &RgbTile,
+        planes: [(&Pair, Half); 2],
+        scales: [f32; 2],
+        rows: RowMask,
+    ) {
         let mut means = [[0.0; CELLS]; 3];
-        floor_means(path, albedo, planes, scales, rows, &mut means);
+        floor_means(simd, albedo, planes, scales, rows, &mut means);
         // No cell is brighter than white where all arrives.
         self.keep_rows(&means, scales[0] + scales[1], rows);
     }
 
     /// Keeps the means of those cells of a picture in colours that have any of some rows.
-    pub fn keep_colors(&mut self, path: Path, planes: &[Pair; 3], half: Half, scale: f32, rows: Rows) {
+    pub fn keep_colors(&mut self, simd: SimdLevel, planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask) {
         let mut means = [[0.0; CELLS]; 3];
-        color_means(path, planes, half, scale, rows, &mut means);
+        color_means(simd, planes, half, scale, rows, &mut means);
         self.keep_rows(&means, scale, rows);
     }
 
-    fn keep_rows(&mut self, means: &Means, scale: f32, rows: Rows) {
+    fn keep_rows(&mut self, means: &Means, scale: f32, rows: RowMask) {
         self.scale = scale;
         let steps = if scale > 0.0 { 1.0 / scale } else { 0.0 };
         for (cells, means) in self.cells.iter_mut().zip(means) {
             for at in cells_of(rows).flat_map(|row| row * ROW..(row + 1) * ROW) {
-                cells[at] = rounded(min(means[at] * steps, STEPS));
+                cells[at] = round_to_u16(min(means[at] * steps, STEPS));
             }
         }
     }
@@ -81,7 +88,11 @@ impl Gist {
 const BATCH: usize = 8;
 
 /// Adds gists, each so many times, onto `sums`.
-pub(crate) fn add_gists<'a>(path: Path, mut gists: impl Iterator<Item = (&'a Gist, [u32; 3])>, sums: &mut WholeMeans) {
+pub(crate) fn add_gists<'a>(
+    simd: SimdLevel,
+    mut gists: impl Iterator<Item = (&'a Gist, [u32; 3])>,
+    sums: &mut WholeMeans,
+) {
     while let Some(first) = gists.next() {
         let mut batch = [first; BATCH];
         let mut count = 1;
@@ -89,11 +100,11 @@ pub(crate) fn add_gists<'a>(path: Path, mut gists: impl Iterator<Item = (&'a Gis
             batch[count] = next;
             count += 1;
         }
-        sum_gists(path, &batch[..count], sums);
+        sum_gists(simd, &batch[..count], sums);
     }
 }
 
-clones! {
+multiversion! {
     fn sum_gists(gists: &[(&Gist, [u32; 3])], sums: &mut WholeMeans) = sum_gists_lanes;
 }
 
@@ -115,13 +126,13 @@ fn add_channel(cells: &[u16; CELLS], gain: u32, sums: &mut [i32; CELLS]) {
     }
 }
 
-clones! {
+multiversion! {
     /// The means of the cells of a picture.
-    pub(crate) fn means_of(light: &Light, means: &mut Means) = means_lanes;
+    pub(crate) fn means_of(light: &RgbTile, means: &mut Means) = means_lanes;
 }
 
 #[inline(always)]
-fn means_lanes(light: &Light, means: &mut Means) {
+fn means_lanes(light: &RgbTile, means: &mut Means) {
     for cells in 0..ROW {
         let rows = cells * CELL..(cells + 1) * CELL;
         let mut sums = [[0.0; LANES]; 3];
@@ -136,20 +147,20 @@ fn means_lanes(light: &Light, means: &mut Means) {
     }
 }
 
-clones! {
+multiversion! {
     /// The means of those cells of a floor that have any of some rows: its reflectance times what arrives, and what
     /// shines on it.
     fn floor_means(
-        albedo: &Light, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: Rows, means: &mut Means,
+        albedo: &RgbTile, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: RowMask, means: &mut Means,
     ) = floor_means_lanes;
 }
 
 #[inline(always)]
 fn floor_means_lanes(
-    albedo: &Light,
+    albedo: &RgbTile,
     [matt, gloss]: [(&Pair, Half); 2],
     scales: [f32; 2],
-    rows: Rows,
+    rows: RowMask,
     means: &mut Means,
 ) {
     for cells in cells_of(rows) {
@@ -167,13 +178,13 @@ fn floor_means_lanes(
     }
 }
 
-clones! {
+multiversion! {
     /// The means of those cells of colours that have any of some rows.
-    fn color_means(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, means: &mut Means) = color_means_lanes;
+    fn color_means(planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask, means: &mut Means) = color_means_lanes;
 }
 
 #[inline(always)]
-fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, means: &mut Means) {
+fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask, means: &mut Means) {
     for cells in cells_of(rows) {
         let mut sums = [[0.0; LANES]; 3];
         for (sums, plane) in sums.iter_mut().zip(planes) {
@@ -190,7 +201,7 @@ fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, mea
 
 /// The rows of cells that have any of some rows of pixels.
 #[inline(always)]
-fn cells_of(rows: Rows) -> impl Iterator<Item = usize> {
+fn cells_of(rows: RowMask) -> impl Iterator<Item = usize> {
     (0..ROW).filter(move |cells| rows >> (cells * CELL) & ((1 << CELL) - 1) != 0)
 }
 

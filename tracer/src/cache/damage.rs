@@ -6,7 +6,7 @@
 
 use crate::cache::tile_cache::TileMemory;
 use crate::tile::packed_samples::TILE;
-use crate::tile::rect::Place;
+use crate::tile::rect::TileRect;
 use crate::{Ball, Filter, Glow, Lamp, Mask, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
@@ -194,8 +194,8 @@ pub(crate) struct Nearby {
 impl Nearby {
     /// Whether the tile at `place` may look different; `memory`, what it saw in the last picture, forgets what is not so
     /// any more.
-    pub fn reach(&self, place: &Place, memory: &mut TileMemory) -> bool {
-        let &Place { x, y, middle_mm, radius_mm, ref bounds, .. } = place;
+    pub fn reach(&self, place: &TileRect, memory: &mut TileMemory) -> bool {
+        let &TileRect { x, y, middle_mm, radius_mm, ref bounds, .. } = place;
         let room = radius_mm + MARGIN_MM;
         if self.repainted || self.moved_tops.iter().any(|moved| moved.overlaps(bounds)) {
             memory.forget();

@@ -3,9 +3,9 @@
 //! Two products of 16-bit numbers and their sum are one instruction for every 32 bits of a register. Whole numbers also
 //! add up to the same in any order: what was kept first does not show. This module refuses to know what the numbers are.
 
-use crate::simd::dispatch::{LANES, Lanes, clones, max, min, ones, rounded};
+use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion, round_to_u16, set_bits};
 use crate::tile::packed_samples::{AREA, Plane};
-use crate::visibility::shadow_bounds::Rows;
+use crate::visibility::shadow_bounds::RowMask;
 use std::num::NonZeroU16;
 
 /// The largest number of a plane.
@@ -62,21 +62,21 @@ impl Pair {
     }
 }
 
-clones! {
+multiversion! {
     /// Keeps some rows of a plane, times what is seen of it, in steps of `scale`.
     pub(crate) fn encode_rows(
-        plane: &Plane, seen: &Plane, rows: Rows, scale: f32, half: Half, pair: &mut Pair,
+        plane: &Plane, seen: &Plane, rows: RowMask, scale: f32, half: Half, pair: &mut Pair,
     ) = encode_lanes;
 }
 
 #[inline(always)]
-fn encode_lanes(plane: &Plane, seen: &Plane, rows: Rows, scale: f32, half: Half, pair: &mut Pair) {
+fn encode_lanes(plane: &Plane, seen: &Plane, rows: RowMask, scale: f32, half: Half, pair: &mut Pair) {
     let steps = if scale > 0.0 { 1.0 / scale } else { 0.0 };
     let (shift, other) = (half.shift(), 0xffff_0000u32.rotate_left(half.shift()));
-    for row in ones(rows) {
+    for row in set_bits(rows) {
         let (line, seen, words) = (&plane[row], &seen[row], &mut pair.0[row * LANES..][..LANES]);
         for i in 0..LANES {
-            let number = rounded(min(max(line[i], 0.0) * seen[i] * steps, STEPS));
+            let number = round_to_u16(min(max(line[i], 0.0) * seen[i] * steps, STEPS));
             words[i] = words[i] & other | u32::from(number) << shift;
         }
     }
@@ -177,9 +177,9 @@ pub(crate) type Baseline = Plain;
 #[cfg(all(test, target_arch = "x86_64"))]
 mod tests {
     use super::*;
-    use crate::Path;
+    use crate::SimdLevel;
     use crate::scenes::Random;
-    use crate::simd::dispatch::Set;
+    use crate::simd::dispatch::InstructionSet;
 
     /// Every set multiplies and adds as it is written, up to the largest numbers.
     #[test]
@@ -208,13 +208,13 @@ mod tests {
             };
             let plain = sums(&|sums| Plain::madd(sums, &words, gains));
             assert_eq!(plain, sums(&|sums| Narrow::madd(sums, &words, gains)));
-            for path in Path::available() {
-                match path.set() {
-                    Set::Baseline => {}
-                    // SAFETY: a `Path` of this set exists only where the machine was found to have it.
-                    Set::Avx2 => assert_eq!(plain, sums(&|sums| unsafe { middle(sums, &words, gains) })),
+            for simd in SimdLevel::available() {
+                match simd.set() {
+                    InstructionSet::Baseline => {}
+                    // SAFETY: a `SimdLevel` of this set exists only where the machine was found to have it.
+                    InstructionSet::Avx2 => assert_eq!(plain, sums(&|sums| unsafe { middle(sums, &words, gains) })),
                     // SAFETY: as above.
-                    Set::Avx512 => assert_eq!(plain, sums(&|sums| unsafe { wide(sums, &words, gains) })),
+                    InstructionSet::Avx512 => assert_eq!(plain, sums(&|sums| unsafe { wide(sums, &words, gains) })),
                 }
             }
         }

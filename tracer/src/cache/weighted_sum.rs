@@ -11,24 +11,24 @@ use crate::Rgb;
 use crate::cache::packed_planes::{Baseline, MOST_GAIN, Madd, ROWS, STEPS, Sums, Terms};
 #[cfg(target_arch = "x86_64")]
 use crate::cache::packed_planes::{Middle, Wide};
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Path, Set, clones, max};
+use crate::shading::surface::RgbTile;
+use crate::simd::dispatch::{InstructionSet, LANES, SimdLevel, max, multiversion};
 use crate::tile::packed_samples::{AREA, Plane, TILE};
 
 /// What a tile's floor reflects: red, green, blue, in 65,535ths.
-pub(crate) type Paint = [[u16; AREA]; 3];
+pub(crate) type AlbedoTile = [[u16; AREA]; 3];
 
 /// Less light than this is none.
 pub(crate) const FAINTEST: f32 = 1e-20;
 
 /// The step that planes, finite, 0 or more, are to be kept in; 0 if all is dark.
-pub(crate) fn scale_of(path: Path, planes: &[Plane]) -> f32 {
+pub(crate) fn scale_of(simd: SimdLevel, planes: &[Plane]) -> f32 {
     let mut largest = 0.0;
-    find_largest(path, planes, &mut largest);
+    find_largest(simd, planes, &mut largest);
     if largest < FAINTEST { 0.0 } else { largest * (1.0 / STEPS) }
 }
 
-clones! {
+multiversion! {
     fn find_largest(planes: &[Plane], largest: &mut f32) = largest_lanes;
 }
 
@@ -109,30 +109,30 @@ impl Sum<'_> {
 }
 
 /// Puts a tile together on floor of this paint, in `out`; `onto` what is there already, or in its place.
-pub(crate) fn put_together(path: Path, sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+pub(crate) fn put_together(simd: SimdLevel, sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn avx2(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    fn avx2(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
         sum_lanes::<Middle>(sum, paint, onto, out);
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-    fn avx512(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    fn avx512(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
         sum_lanes::<Wide>(sum, paint, onto, out);
     }
-    match path.set() {
-        Set::Baseline => sum_lanes::<Baseline>(sum, paint, onto, out),
-        // SAFETY: a `Path` of this set exists only where the machine was found to have it.
+    match simd.set() {
+        InstructionSet::Baseline => sum_lanes::<Baseline>(sum, paint, onto, out),
+        // SAFETY: a `SimdLevel` of this set exists only where the machine was found to have it.
         #[cfg(target_arch = "x86_64")]
-        Set::Avx2 => unsafe { avx2(sum, paint, onto, out) },
+        InstructionSet::Avx2 => unsafe { avx2(sum, paint, onto, out) },
         // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        Set::Avx512 => unsafe { avx512(sum, paint, onto, out) },
+        InstructionSet::Avx512 => unsafe { avx512(sum, paint, onto, out) },
     }
 }
 
 #[inline(always)]
-fn sum_lanes<M: Madd>(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+fn sum_lanes<M: Madd>(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
     let on_floor = !sum.arriving.pairs.is_empty() || sum.everywhere != [0.0; 3];
     for row in (0..TILE).step_by(ROWS) {
         let mut sums: Sums = [[[0; LANES]; ROWS]; 3];

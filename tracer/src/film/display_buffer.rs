@@ -1,23 +1,23 @@
 //! A finished picture that knows what it shows, so that only what has changed is drawn again.
 
 use crate::Frame;
-use crate::film::bloom::Pyramid;
+use crate::film::bloom::BloomPyramid;
 use crate::tile::packed_samples::TILE;
 
 /// Pixels, and what they were made of.
 ///
 /// Keep one and draw on it again and again: it allocates only when the size changes.
 #[derive(Clone, Debug, Default)]
-pub struct Film {
+pub struct DisplayBuffer {
     pub(crate) frame: Frame,
-    pub(crate) glare: Pyramid,
+    pub(crate) bloom: BloomPyramid,
     /// The part that is wanted, if it is not all: the first column and row, and those after the last.
     pub(crate) window: Option<[usize; 4]>,
     /// Which renderer drew it, which of its pictures it is, and how it was exposed.
     pub(crate) drawn: Option<((u64, u64), f32)>,
 }
 
-impl Film {
+impl DisplayBuffer {
     /// The picture.
     pub fn frame(&self) -> &Frame {
         &self.frame
@@ -40,7 +40,7 @@ impl Film {
             (self.frame.width, self.frame.height) = (width, height);
             self.frame.pixels.clear();
             self.frame.pixels.resize(width * height, 0);
-            self.glare.resize(width, height);
+            self.bloom.resize(width, height);
             self.drawn = None;
         }
     }

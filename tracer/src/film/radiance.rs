@@ -2,7 +2,7 @@
 
 use crate::simd::dispatch::LANES;
 
-/// A picture in linear light, unbounded above: three planes of `f32`, and its glare.
+/// A picture in linear light, unbounded above: three planes of `f32`, and its bloom.
 ///
 /// Keep one and render into it again and again: it allocates only when the size changes.
 #[derive(Clone, Debug, Default)]
@@ -12,7 +12,7 @@ pub struct Radiance {
     stride: usize,
     /// Red, green, blue; `stride * height` each.
     pub(crate) planes: [Vec<f32>; 3],
-    pub(crate) glare: crate::film::bloom::Pyramid,
+    pub(crate) bloom: crate::film::bloom::BloomPyramid,
     /// Which renderer drew it, and which of its pictures it is.
     pub(crate) drawn: Option<(u64, u64)>,
 }
@@ -21,7 +21,7 @@ pub struct Radiance {
 impl PartialEq for Radiance {
     fn eq(&self, other: &Radiance) -> bool {
         let size = |radiance: &Radiance| (radiance.width, radiance.height);
-        size(self) == size(other) && self.planes == other.planes && self.glare == other.glare
+        size(self) == size(other) && self.planes == other.planes && self.bloom == other.bloom
     }
 }
 
@@ -45,7 +45,7 @@ impl Radiance {
             plane.clear();
             plane.resize(self.stride * height, 0.0);
         }
-        self.glare.resize(width, height);
+        self.bloom.resize(width, height);
     }
 
     /// Pixels across.
@@ -64,7 +64,7 @@ impl Radiance {
     }
 
     /// The tile whose upper left pixel is (`x`, `y`); what is below the picture is left as it is.
-    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::shading::surface::Light) {
+    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::shading::surface::RgbTile) {
         for (channel, tile) in light.iter_mut().enumerate() {
             self.read_plane(channel, x, y, tile);
         }

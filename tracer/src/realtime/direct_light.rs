@@ -4,15 +4,15 @@
 use crate::cache::weighted_sum::scale_of;
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::{DARKNESS, Light, light_floor, light_top, paint_floor, veil};
+use crate::shading::surface::{BLACK, RgbTile, apply_visibility, light_floor, light_top, paint_floor};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, Lanes, Path, ones};
-use crate::tile::packed_samples::{Points, TILE};
-use crate::tile::rect::Place;
-use crate::visibility::blockers::Verdict;
-use crate::visibility::query::Gaze;
-use crate::visibility::shadow_bounds::{ALL_ROWS, Rows};
-use crate::visibility::shaft::Cone;
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, set_bits};
+use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::tile::rect::TileRect;
+use crate::visibility::blockers::VisibilityClass;
+use crate::visibility::query::VisibilityQuery;
+use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
+use crate::visibility::shaft::Shaft;
 use crate::visibility::transmission;
 use crate::{Group, Rgb};
 
@@ -22,7 +22,7 @@ pub(crate) enum Lighted {
     /// Nothing.
     Dark,
     /// Bare floor, and nothing of its light is tinted; how much of the lamp it sees.
-    Floor(Verdict),
+    Floor(VisibilityClass),
     /// Anything.
     Colors,
 }
@@ -31,20 +31,27 @@ impl Workspace {
     /// Puts some rows of the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is
     /// all floor, into [`Workspace::arriving`] and [`Workspace::shine`], before what is in the way, which is in
     /// [`Workspace::fraction`].
-    pub(crate) fn light(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize, rows: Rows) -> Lighted {
+    pub(crate) fn light(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        place: &TileRect,
+        layers: usize,
+        rows: RowMask,
+    ) -> Lighted {
         self.look_at(stage, at, place);
         let near = &self.near[at];
         let met = transmission::met(&stage.scene.filters, |group| near.casts(group));
         if met.as_slice().is_empty() {
             if layers == 0 {
                 let verdict = self.light_floor_past(stage, at, place, &[], rows);
-                return if verdict == Verdict::Dark { Lighted::Dark } else { Lighted::Floor(verdict) };
+                return if verdict == VisibilityClass::Umbra { Lighted::Dark } else { Lighted::Floor(verdict) };
             }
             let lit = self.light_past(stage, at, place, layers, &[], rows);
             return if lit { Lighted::Colors } else { Lighted::Dark };
         }
         let mut lit = false;
-        self.sum = DARKNESS;
+        self.sum = BLACK;
         transmission::each_set(met.as_slice(), |away, part| {
             if part != [0.0; 3] && self.light_past(stage, at, place, layers, away, rows) {
                 lit = true;
@@ -59,59 +66,67 @@ impl Workspace {
 
     /// What a step is worth where the tile is kept in the light of one lamp: that of all the light that it would show were
     /// nothing in the way.
-    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, place: &Place, layers: usize) -> f32 {
+    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, place: &TileRect, layers: usize) -> f32 {
         std::mem::swap(&mut self.picture, &mut self.sum);
         let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
-        self.picture = DARKNESS;
+        self.picture = BLACK;
         if self.whole || self.floor.count > 0 {
             self.light_floor(stage, beam, ALL_ROWS);
-            self.paint(stage.path, ALL_ROWS);
+            self.paint(stage.simd, ALL_ROWS);
         }
         for layer in 0..layers {
-            self.light_top(stage, beam, layer, ALL_ROWS, Verdict::Lit);
+            self.light_top(stage, beam, layer, ALL_ROWS, VisibilityClass::Lit);
         }
-        let scale = scale_of(stage.path, &self.picture);
+        let scale = scale_of(stage.simd, &self.picture);
         std::mem::swap(&mut self.picture, &mut self.sum);
         scale
     }
 
     /// Finds how much of a lamp the floor sees, past everything but some groups, and puts its light into
     /// [`Workspace::arriving`] and [`Workspace::shine`].
-    fn light_floor_past(&mut self, stage: &Stage, at: usize, place: &Place, away: &[Group], rows: Rows) -> Verdict {
+    fn light_floor_past(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        place: &TileRect,
+        away: &[Group],
+        rows: RowMask,
+    ) -> VisibilityClass {
         let verdict = self.sees(stage, at, place, None, away, rows);
-        if verdict != Verdict::Dark {
+        if verdict != VisibilityClass::Umbra {
             self.light_floor(stage, Falloff::new(&stage.lamps[at].lamp, place.middle_mm), rows);
         }
         verdict
     }
 
-    fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: Rows) {
+    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::arriving`] and [`Workspace::shine`].
+    pub(crate) fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: RowMask) {
         let blocks = self.floor_blocks(rows);
         let points = if self.whole { stage.whole_tile } else { &self.floor };
         let (arriving, shine) = (&mut self.arriving, &mut self.shine);
-        light_floor(stage.path, points, blocks, &self.ground, beam, stage.scene.floor.gloss, arriving, shine);
+        light_floor(stage.simd, points, blocks, &self.ground, beam, stage.scene.floor.gloss, arriving, shine);
     }
 
     /// The blocks of the floor's points that are in some rows.
-    fn floor_blocks(&self, rows: Rows) -> u16 {
+    fn floor_blocks(&self, rows: RowMask) -> u16 {
         if self.whole { rows } else { self.floor.blocks_in(rows) }
     }
 
     /// Takes from [`Workspace::arriving`] and [`Workspace::shine`] what is in the way.
-    pub(crate) fn veil(&mut self, path: Path, verdict: Verdict, rows: Rows) {
-        if verdict == Verdict::Mixed {
-            veil(path, self.floor_blocks(rows), &self.fraction, &mut self.arriving, &mut self.shine);
+    pub(crate) fn veil(&mut self, simd: SimdLevel, verdict: VisibilityClass, rows: RowMask) {
+        if verdict == VisibilityClass::Partial {
+            apply_visibility(simd, self.floor_blocks(rows), &self.fraction, &mut self.arriving, &mut self.shine);
         }
     }
 
     /// Puts the floor's picture, of what arrives and of what shines, into some rows of [`Workspace::picture`], which
     /// was dark.
-    pub(crate) fn paint(&mut self, path: Path, rows: Rows) {
+    pub(crate) fn paint(&mut self, simd: SimdLevel, rows: RowMask) {
         let (blocks, albedo) = (self.floor_blocks(rows), &self.ground.albedo);
         if self.whole {
-            paint_floor(path, blocks, albedo, &self.arriving, &self.shine, &mut self.picture);
+            paint_floor(simd, blocks, albedo, &self.arriving, &self.shine, &mut self.picture);
         } else {
-            paint_floor(path, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
+            paint_floor(simd, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
             scatter(&self.floor, blocks, &self.packed, &mut self.picture);
         }
     }
@@ -121,23 +136,23 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &Place,
+        place: &TileRect,
         layers: usize,
         away: &[Group],
-        rows: Rows,
+        rows: RowMask,
     ) -> bool {
-        self.picture = DARKNESS;
+        self.picture = BLACK;
         let bare = self.whole || self.floor.count > 0;
-        let floor = if bare { self.light_floor_past(stage, at, place, away, rows) } else { Verdict::Dark };
-        let mut lit = floor != Verdict::Dark;
+        let floor = if bare { self.light_floor_past(stage, at, place, away, rows) } else { VisibilityClass::Umbra };
+        let mut lit = floor != VisibilityClass::Umbra;
         if lit {
-            self.veil(stage.path, floor, rows);
-            self.paint(stage.path, rows);
+            self.veil(stage.simd, floor, rows);
+            self.paint(stage.simd, rows);
         }
         let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
         for layer in 0..layers {
             let verdict = self.sees(stage, at, place, Some(layer), away, rows);
-            if verdict != Verdict::Dark {
+            if verdict != VisibilityClass::Umbra {
                 lit = true;
                 self.light_top(stage, beam, layer, rows, verdict);
             }
@@ -146,24 +161,31 @@ impl Workspace {
     }
 
     /// Adds some rows of a top's picture to [`Workspace::picture`].
-    fn light_top(&mut self, stage: &Stage, beam: Falloff, layer: usize, rows: Rows, verdict: Verdict) {
+    pub(crate) fn light_top(
+        &mut self,
+        stage: &Stage,
+        beam: Falloff,
+        layer: usize,
+        rows: RowMask,
+        verdict: VisibilityClass,
+    ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
         let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
-        let fraction = if verdict == Verdict::Lit { &ALL } else { &self.fraction };
-        light_top(stage.path, points, blocks, surface, finish, beam, fraction, &mut self.packed);
+        let fraction = if verdict == VisibilityClass::Lit { &ALL } else { &self.fraction };
+        light_top(stage.simd, points, blocks, surface, finish, beam, fraction, &mut self.packed);
         scatter(points, blocks, &self.packed, &mut self.picture);
     }
 
     /// Finds what may stand between a lamp and the tile.
-    fn look_at(&mut self, stage: &Stage, at: usize, place: &Place) {
-        let Lit { lamp, candidates, .. } = &stage.lamps[at];
+    fn look_at(&mut self, stage: &Stage, at: usize, place: &TileRect) {
+        let Lit { lamp, potential_occluders, .. } = &stage.lamps[at];
         let near = &mut self.near[at];
         if !self.is_near[at] {
-            let around = Cone::new(lamp, self.block.0, self.block.1);
-            candidates.narrow(stage.path, &around, near, Some((lamp, stage.silhouettes)));
+            let around = Shaft::new(lamp, self.block.0, self.block.1);
+            potential_occluders.narrow(stage.simd, &around, near, Some((lamp, stage.disc_chains)));
             self.is_near[at] = true;
         }
-        near.classify(stage.path, &Cone::new(lamp, place.middle_mm, place.radius_mm));
+        near.classify(stage.simd, &Shaft::new(lamp, place.middle_mm, place.radius_mm));
     }
 
     /// Finds how much of a lamp that was looked at each point of the floor or of a top sees, past everything but some
@@ -172,11 +194,11 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &Place,
+        place: &TileRect,
         layer: Option<usize>,
         away: &[Group],
-        rows: Rows,
-    ) -> Verdict {
+        rows: RowMask,
+    ) -> VisibilityClass {
         let mut without = [Group(0); transmission::MOST + 1];
         without[..away.len()].copy_from_slice(away);
         let mut own = None;
@@ -189,7 +211,7 @@ impl Workspace {
         };
         let count = away.len() + own.iter().len();
         without[away.len()..count].copy_from_slice(own.as_slice());
-        let mut gaze = Gaze {
+        let mut gaze = VisibilityQuery {
             stage,
             near: &self.near[at],
             lit: &stage.lamps[at],
@@ -203,7 +225,7 @@ impl Workspace {
 }
 
 /// Adds a picture in light of a colour.
-pub(crate) fn add(picture: &Light, color: Rgb, sum: &mut Light) {
+pub(crate) fn add(picture: &RgbTile, color: Rgb, sum: &mut RgbTile) {
     for ((sum, picture), color) in sum.iter_mut().zip(picture).zip(color) {
         for (sum, line) in sum.iter_mut().zip(picture) {
             for i in 0..LANES {
@@ -214,9 +236,9 @@ pub(crate) fn add(picture: &Light, color: Rgb, sum: &mut Light) {
 }
 
 /// Adds the light of some blocks of packed points to the pixels that they are.
-pub(crate) fn scatter(points: &Points, blocks: u16, packed: &Light, picture: &mut Light) {
+pub(crate) fn scatter(points: &PackedSamples, blocks: u16, packed: &RgbTile, picture: &mut RgbTile) {
     let [red, green, blue] = picture.each_mut().map(|plane| plane.as_flattened_mut());
-    for block in ones(blocks).take_while(|&block| block < points.blocks()) {
+    for block in set_bits(blocks).take_while(|&block| block < points.blocks()) {
         let pixels = &points.pixel[block * LANES..(block * LANES + LANES).min(points.count)];
         for (at, &pixel) in pixels.iter().enumerate() {
             red[usize::from(pixel)] += packed[0][block][at];

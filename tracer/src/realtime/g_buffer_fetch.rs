@@ -6,11 +6,11 @@ use crate::realtime::tile_renderer::{Stage, Workspace};
 use crate::shading::top_layer::{TopLayer, UNSEEN};
 use crate::simd::dispatch::{LANES, clamp};
 use crate::tile::packed_samples::{AREA, TILE};
-use crate::tile::rect::Place;
+use crate::tile::rect::TileRect;
 
 impl Workspace {
     /// The tile's surfaces with their art, from memory if that holds; says how many tops there are.
-    pub(crate) fn recall(&mut self, stage: &Stage, place: &Place, kept: &mut Surfaces) -> usize {
+    pub(crate) fn recall(&mut self, stage: &Stage, place: &TileRect, kept: &mut Surfaces) -> usize {
         if !kept.holds {
             let layers = self.find_surfaces(stage, place);
             self.read_prints(stage, place, layers);
@@ -52,9 +52,9 @@ impl Workspace {
     }
 
     /// Packs what is seen of every top, the highest first, and of the floor; says how many tops there are.
-    fn find_surfaces(&mut self, stage: &Stage, place: &Place) -> usize {
+    fn find_surfaces(&mut self, stage: &Stage, place: &TileRect) -> usize {
         let mm_per_px = stage.scene.view.mm_per_px;
-        let &Place { middle_mm: middle, bounds, .. } = place;
+        let &TileRect { middle_mm: middle, bounds, .. } = place;
         self.remaining = [[1.0; LANES]; TILE];
         let mut layers = 0;
         for &at in self.forms.iter().rev() {
@@ -62,7 +62,7 @@ impl Workspace {
             if !form.bounds.overlaps(&bounds) {
                 continue;
             }
-            form.measure(stage.path, stage.whole_tile, middle, mm_per_px, &mut self.edge);
+            form.measure(stage.simd, stage.whole_tile, middle, mm_per_px, &mut self.edge);
             if self.tops.len() == layers {
                 self.tops.push(TopLayer::new());
             }

@@ -1,17 +1,17 @@
 //! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
 //!
 //! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
-//! resolution by [`crate::upscale`]. What glows by itself, the balls and the glare are made at the full resolution, as
+//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
-use crate::film::bloom::{Level, STEP};
+use crate::film::bloom::{MipLevel, STEP};
 use crate::film::tone_map;
 use crate::realtime::joint_upsampling::{Guides, Print};
 use crate::realtime::renderer::drawable;
-use crate::shading::surface::{DARKNESS, Light};
-use crate::simd::dispatch::{LANES, Path};
+use crate::shading::surface::{BLACK, RgbTile};
+use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::packed_samples::TILE;
-use crate::{Film, Finish, Floor, Radiance, Renderer, Scene, Step, View};
+use crate::{DisplayBuffer, Finish, Floor, Radiance, RenderStage, Renderer, Scene, View};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::mem::take;
@@ -19,7 +19,7 @@ use std::mem::take;
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
 /// in it than before.
 pub struct HalfRenderer {
-    path: Path,
+    simd: SimdLevel,
     /// All light but what surfaces have of their own, at half the resolution, without the balls.
     lamps: Layer,
     /// Under a white sky: at half the resolution, and at the full one.
@@ -67,14 +67,14 @@ impl Default for HalfRenderer {
 impl HalfRenderer {
     /// A renderer for this machine's best instruction set.
     pub fn new() -> HalfRenderer {
-        HalfRenderer::on(Path::best())
+        HalfRenderer::on(SimdLevel::best())
     }
 
     /// A renderer on a chosen instruction set: the same bits on each.
-    pub fn on(path: Path) -> HalfRenderer {
-        let layer = || Layer { renderer: Renderer::on(path), radiance: Radiance::default(), fresh: true };
+    pub fn on(simd: SimdLevel) -> HalfRenderer {
+        let layer = || Layer { renderer: Renderer::on(simd), radiance: Radiance::default(), fresh: true };
         HalfRenderer {
-            path,
+            simd,
             lamps: layer(),
             guides: [layer(), layer()],
             marks: [layer(), layer()],
@@ -87,7 +87,7 @@ impl HalfRenderer {
     /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
     /// any number. The scene is as it was afterwards. What [`Scene::check`] refuses is not drawn; of a view that it refuses
     /// there is no picture.
-    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut Film) {
+    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut DisplayBuffer) {
         self.draw_watched(scene, half, exposure, film, &mut |_| {});
     }
 
@@ -97,8 +97,8 @@ impl HalfRenderer {
         scene: &mut Scene<'a>,
         half: &'a Floor,
         exposure: f32,
-        film: &mut Film,
-        done: &mut (dyn FnMut(Step) + Send),
+        film: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
         let View { width, height, .. } = scene.view;
         if width == 0 || height == 0 {
@@ -121,8 +121,8 @@ impl HalfRenderer {
         scene: &mut Scene<'a>,
         half: &'a Floor,
         exposure: f32,
-        film: &mut Film,
-        done: &mut (dyn FnMut(Step) + Send),
+        film: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
         film.resize(scene.view.width, scene.view.height);
         let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
@@ -131,15 +131,15 @@ impl HalfRenderer {
         if changed {
             self.take_means(film);
         }
-        done(Step::Shaded);
-        self.lamps.renderer.render_balls(scene, &mut film.glare);
-        done(Step::Mirrored);
+        done(RenderStage::Shaded);
+        self.lamps.renderer.render_balls(scene, &mut film.bloom);
+        done(RenderStage::Mirrored);
         if changed {
-            film.glare.gather(self.path);
+            film.bloom.gather(self.simd);
         }
-        done(Step::Glared);
+        done(RenderStage::Glared);
         self.develop(exposure, film);
-        done(Step::Developed);
+        done(RenderStage::Developed);
         film.drawn = Some((self.lamps.renderer.picture(), exposure));
     }
 
@@ -152,7 +152,12 @@ impl HalfRenderer {
     }
 
     /// Makes every layer true, from the scene with parts of it left out.
-    fn render_layers<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, done: &mut (dyn FnMut(Step) + Send)) {
+    fn render_layers<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
         let (full, view) = (scene.floor, scene.view);
         let (lamps, occluders, balls) = (take(&mut scene.lamps), take(&mut scene.occluders), take(&mut scene.balls));
         let ambient = std::mem::replace(&mut scene.ambient, [0.0; 3]);
@@ -176,7 +181,7 @@ impl HalfRenderer {
         half_guide.render(scene);
         (scene.floor, scene.view) = (full, view);
         full_guide.render(scene);
-        done(Step::Prepared);
+        done(RenderStage::Prepared);
         (scene.lamps, scene.occluders, scene.balls, scene.ambient) = (lamps, occluders, balls, ambient);
         (scene.floor, scene.view) = (half, view.halved());
         self.lamps.render(scene);
@@ -188,7 +193,7 @@ impl HalfRenderer {
 
     /// Finds which tiles have to be developed again; says whether there is any.
     fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
-        let HalfRenderer { path, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
+        let HalfRenderer { simd, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
             self;
         let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
         let another = tiles.len() != across * down;
@@ -211,11 +216,11 @@ impl HalfRenderer {
             let printed =
                 is_fresh(guide) || is_fresh(marks) || is_fresh_around(half_guide) || is_fresh_around(half_marks);
             if printed {
-                tile.print.take(*path, guides, x, y);
+                tile.print.take(*simd, guides, x, y);
             }
             let glowing = is_fresh(glows);
             if glowing {
-                let mut light = DARKNESS;
+                let mut light = BLACK;
                 glows.radiance.read_tile(x, y, &mut light);
                 tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
             }
@@ -227,10 +232,10 @@ impl HalfRenderer {
     }
 
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
-    fn take_means(&self, film: &mut Film) {
+    fn take_means(&self, film: &mut DisplayBuffer) {
         let lamps = &self.lamps.radiance;
-        let glows = self.glows.radiance.glare.means();
-        let (Some((level, means)), Some((_, glows))) = (film.glare.means_mut(), glows) else { return };
+        let glows = self.glows.radiance.bloom.means();
+        let (Some((level, means)), Some((_, glows))) = (film.bloom.means_mut(), glows) else { return };
         means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
             mean_of_four(
                 &lamps.planes[channel],
@@ -243,34 +248,34 @@ impl HalfRenderer {
     }
 
     /// Puts the tiles on film that are not there as they should be.
-    fn develop(&mut self, exposure: f32, film: &mut Film) {
-        let HalfRenderer { path, lamps, glows, tiles, .. } = self;
-        let (path, width, window) = (*path, film.frame.width, film.window);
-        let (glare, light, glows, balls) = (&film.glare, &lamps.radiance, &glows.radiance, lamps.renderer.patches());
+    fn develop(&mut self, exposure: f32, film: &mut DisplayBuffer) {
+        let HalfRenderer { simd, lamps, glows, tiles, .. } = self;
+        let (simd, width, window) = (*simd, film.frame.width, film.window);
+        let (bloom, light, glows, balls) = (&film.bloom, &lamps.radiance, &glows.radiance, lamps.renderer.patches());
         let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
-            let (mut own, mut out, mut developed) = (DARKNESS, DARKNESS, [[0; LANES]; TILE]);
+            let (mut own, mut out, mut developed) = (BLACK, BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
-                tile.stale |= glare.differs(x, y);
-                if !tile.stale || !Film::wants(window, x, y) {
+                tile.stale |= bloom.differs(x, y);
+                if !tile.stale || !DisplayBuffer::wants(window, x, y) {
                     continue;
                 }
                 tile.stale = false;
-                tile.print.light(path, light, x, y, &mut out);
+                tile.print.light(simd, light, x, y, &mut out);
                 if tile.glows {
                     glows.read_tile(x, y, &mut own);
                     add(&own, &mut out);
                 }
                 balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
-                tone_map::develop(path, &out, glare, exposure, [x, y], &mut developed);
-                tone_map::put(&developed, x, width, pixels);
+                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
+                tone_map::store_tile(&developed, x, width, pixels);
             }
         });
     }
 }
 
-fn add(more: &Light, light: &mut Light) {
+fn add(more: &RgbTile, light: &mut RgbTile) {
     for (light, more) in light.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
         for i in 0..LANES {
             light[i] += more[i];
@@ -286,7 +291,7 @@ fn mark(number: usize) -> f32 {
 }
 
 /// Writes the means of two by two pixels of a plane, and adds what is in `more`.
-fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &Level, more: &[f32], means: &mut [f32]) {
+fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &MipLevel, more: &[f32], means: &mut [f32]) {
     const { assert!(STEP == 4, "a cell is two half-resolution pixels wide") };
     for row in 0..level.height {
         let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];

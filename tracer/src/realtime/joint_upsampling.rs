@@ -9,8 +9,8 @@
 //! the guides' quotient ([`Print`]). This module refuses to know where light, guide and mark come from.
 
 use crate::Radiance;
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Lanes, Path, clones, max, min, rounded};
+use crate::shading::surface::RgbTile;
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
 use crate::tile::packed_samples::{AREA, Plane, TILE};
 
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
@@ -63,24 +63,24 @@ impl Print {
     }
 
     /// Becomes that of the tile whose upper left pixel, at the full resolution, is (`x`, `y`).
-    pub fn take(&mut self, path: Path, guides: Guides, x: usize, y: usize) {
+    pub fn take(&mut self, simd: SimdLevel, guides: Guides, x: usize, y: usize) {
         let (mut around, mut plane) = (NOTHING, [[0.0; LANES]; TILE]);
         read(guides.half_marks, 0, x, y, &mut around);
         guides.marks.read_plane(0, x, y, &mut plane);
-        weigh(path, &plane, &around, &mut self.weights);
+        weigh(simd, &plane, &around, &mut self.weights);
         for channel in 0..3 {
             read(guides.half_guide, channel, x, y, &mut around);
             guides.guide.read_plane(channel, x, y, &mut plane);
-            divide(path, &self.weights, &around, &plane, &mut self.quotients[channel]);
+            divide(simd, &self.weights, &around, &plane, &mut self.quotients[channel]);
         }
     }
 
     /// The tile in this light, found at half the resolution; its upper left pixel is (`x`, `y`).
-    pub fn light(&self, path: Path, light: &Radiance, x: usize, y: usize, out: &mut Light) {
+    pub fn light(&self, simd: SimdLevel, light: &Radiance, x: usize, y: usize, out: &mut RgbTile) {
         let mut around = NOTHING;
         for channel in 0..3 {
             read(light, channel, x, y, &mut around);
-            multiply(path, &self.weights, &around, &self.quotients[channel], &mut out[channel]);
+            multiply(simd, &self.weights, &around, &self.quotients[channel], &mut out[channel]);
         }
     }
 }
@@ -106,17 +106,17 @@ fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
     }
 }
 
-clones! {
+multiversion! {
     /// Weighs the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
     fn weigh(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
 }
-clones! {
+multiversion! {
     /// Divides the guide by the weighted sum of those around it.
     fn divide(
         weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quotients: &mut [u16; AREA],
     ) = divide_lanes;
 }
-clones! {
+multiversion! {
     /// Multiplies the weighted sum of the light around each pixel.
     fn multiply(
         weights: &[[u8; AREA]; 4], around: &Spread, quotients: &[u16; AREA], out: &mut Plane,
@@ -155,10 +155,10 @@ fn weigh_lanes(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) {
             let (wa, wb, wc, wd) = (9.0 * (qb * cd), 3.0 * (qa * cd), 3.0 * (qd * ab), qc * ab);
             let scale = MOST_WEIGHT / max(max(wa, wb), max(wc, wd));
             let at = row * LANES + i;
-            weights[0][at] = rounded(wa * scale) as u8;
-            weights[1][at] = rounded(wb * scale) as u8;
-            weights[2][at] = rounded(wc * scale) as u8;
-            weights[3][at] = rounded(wd * scale) as u8;
+            weights[0][at] = round_to_u16(wa * scale) as u8;
+            weights[1][at] = round_to_u16(wb * scale) as u8;
+            weights[2][at] = round_to_u16(wc * scale) as u8;
+            weights[3][at] = round_to_u16(wd * scale) as u8;
         }
     }
 }
@@ -185,7 +185,7 @@ fn divide_lanes(weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quoti
         let out = &mut quotients[row * LANES..][..LANES];
         for i in 0..LANES {
             let quotient = MOST_WEIGHT * max(guide[i], 0.0) / max(sum[i], 1e-20);
-            out[i] = rounded(min(quotient.sqrt() * PARTS, 65_535.0));
+            out[i] = round_to_u16(min(quotient.sqrt() * PARTS, 65_535.0));
         }
     }
 }

@@ -12,29 +12,28 @@ use crate::cache::tile_cache::{Illumination, TileMemory};
 use crate::realtime::compose::{has_contacts, shade_contacts};
 use crate::realtime::direct_light::{ALL, Lighted, add};
 use crate::realtime::schedule::BLOCK;
-use crate::reference::monte_carlo::Sampling;
-use crate::shading::albedo_map::{Albedo, Art};
+use crate::shading::albedo_map::{Albedo, AlbedoMap};
 use crate::shading::chrome_ball;
-use crate::shading::coverage::{Edge, Form};
-use crate::shading::surface::{DARKNESS, Light, Normals, Surface};
+use crate::shading::coverage::{OutlineSdf, SignedDistance};
+use crate::shading::surface::{BLACK, Normals, RgbTile, Surface};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, Path};
-use crate::tile::packed_samples::{Plane, Points, TILE};
-use crate::tile::rect::Place;
-use crate::visibility::airborne_shadow::Floating;
-use crate::visibility::blockers::{Obstruction, Verdict};
-use crate::visibility::disc_chain::Silhouettes;
-use crate::visibility::fraction::Intervals;
-use crate::visibility::potential_occluders::Candidates;
-use crate::visibility::shadow_bounds::{ALL_ROWS, Penumbra};
+use crate::simd::dispatch::{LANES, SimdLevel};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::rect::TileRect;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::fraction::IntervalScratch;
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::shadow_bounds::{ALL_ROWS, ShadowBounds};
 use crate::{Lamp, Rgb, Scene};
 use geometry::{Bounds, DVec2};
 
 /// Everything that the tiles of one picture have in common.
 pub(crate) struct Stage<'a> {
-    pub path: Path,
+    pub simd: SimdLevel,
     pub scene: &'a Scene<'a>,
-    pub silhouettes: &'a Silhouettes,
+    pub disc_chains: &'a DiscChains,
     /// The lamps that shine.
     pub lamps: &'a [Lit],
     /// The light of each lamp that is remembered, and its place among those that shine, by its number.
@@ -47,13 +46,11 @@ pub(crate) struct Stage<'a> {
     /// What else is different from the last picture.
     pub changes: &'a Changes,
     /// The tops' outlines; `None` where there is nothing to see.
-    pub forms: &'a [Option<Form>],
+    pub forms: &'a [Option<OutlineSdf>],
     /// Every pixel of a tile.
-    pub whole_tile: &'a Points,
+    pub whole_tile: &'a PackedSamples,
     /// The floor's art.
-    pub art: &'a Art,
-    /// How visibility is found: exactly, or by sampling.
-    pub sampling: Option<Sampling>,
+    pub art: &'a AlbedoMap,
 }
 
 impl Stage<'_> {
@@ -70,13 +67,13 @@ pub(crate) struct Lit {
     /// Where its light ends: the middle and the radius of a circle, mm.
     pub circle: (DVec2, f64),
     /// What may stand in its way.
-    pub candidates: Candidates,
+    pub potential_occluders: PotentialOccluders,
     /// The balls in the air that may hide it.
-    pub floating: Vec<Floating>,
+    pub floating: Vec<AirborneShadow>,
     /// What has moved since it was looked at last.
-    pub things: Silhouettes,
+    pub things: DiscChains,
     /// Where the shadows of these may fall.
-    pub moved: Vec<Penumbra>,
+    pub moved: Vec<ShadowBounds>,
     /// Whether nothing is remembered of it.
     pub lost: bool,
     /// Its number in the tiles' memory.
@@ -86,9 +83,18 @@ pub(crate) struct Lit {
 impl Lit {
     /// A lamp of which nothing else is known.
     pub fn new(lamp: &Lamp, number: usize) -> Lit {
-        let (candidates, things) = (Candidates::default(), Silhouettes::default());
+        let (potential_occluders, things) = (PotentialOccluders::default(), DiscChains::default());
         let circle = (lamp.center_mm, lamp.far_mm());
-        Lit { lamp: *lamp, circle, candidates, floating: Vec::new(), things, moved: Vec::new(), lost: true, number }
+        Lit {
+            lamp: *lamp,
+            circle,
+            potential_occluders,
+            floating: Vec::new(),
+            things,
+            moved: Vec::new(),
+            lost: true,
+            number,
+        }
     }
 }
 
@@ -97,9 +103,9 @@ pub(crate) struct Workspace {
     pub(crate) block: (DVec2, f64),
     /// Whether the block's own lists are made.
     entered: bool,
-    pub(crate) near: Vec<Candidates>,
+    pub(crate) near: Vec<PotentialOccluders>,
     pub(crate) is_near: Vec<bool>,
-    moved: Vec<Vec<Penumbra>>,
+    moved: Vec<Vec<ShadowBounds>>,
     /// The lamps that reach the block: their places in the list, and their numbers.
     lit: Vec<usize>,
     reaching: Numbers,
@@ -112,35 +118,35 @@ pub(crate) struct Workspace {
     /// What else is different.
     nearby: Nearby,
     pub(crate) forms: Vec<usize>,
-    pub(crate) between: Obstruction,
-    pub(crate) room: Intervals,
+    pub(crate) between: Blockers,
+    pub(crate) room: IntervalScratch,
     pub(crate) fraction: Plane,
     /// Whether the floor's points are every pixel of the tile.
     pub(crate) whole: bool,
-    pub(crate) floor: Points,
+    pub(crate) floor: PackedSamples,
     pub(crate) ground: Surface,
     pub(crate) tops: Vec<TopLayer>,
-    pub(crate) edge: Edge,
+    pub(crate) edge: SignedDistance,
     /// How much of each pixel is floor.
     pub(crate) remaining: Plane,
     /// The art of the floor, where its points are not every pixel; else that is in `ground`.
-    pub(crate) art: Light,
+    pub(crate) art: RgbTile,
     /// And which way it leans.
     pub(crate) normals: Normals,
     pub(crate) printed: Albedo,
     /// The light of one layer, packed.
-    pub(crate) packed: Light,
+    pub(crate) packed: RgbTile,
     /// What arrives at the floor's points of one lamp's light, and what shines there.
     pub(crate) arriving: Plane,
     pub(crate) shine: Plane,
     /// The tile in the light of one lamp.
-    pub(crate) picture: Light,
+    pub(crate) picture: RgbTile,
     /// Room to sum up pictures with filters and without.
-    pub(crate) sum: Light,
-    /// What the glare needs of the tile.
+    pub(crate) sum: RgbTile,
+    /// What the bloom needs of the tile.
     pub means: Means,
     /// The tile under all lamps, where that is what is made.
-    pub out: Light,
+    pub out: RgbTile,
 }
 
 impl Workspace {
@@ -160,30 +166,30 @@ impl Workspace {
             stirred: Vec::new(),
             nearby: Nearby::default(),
             forms: Vec::new(),
-            between: Obstruction::default(),
-            room: Intervals::default(),
+            between: Blockers::default(),
+            room: IntervalScratch::default(),
             fraction: zero,
             whole: true,
-            floor: Points::none(),
+            floor: PackedSamples::none(),
             ground: Surface::none(),
             tops: Vec::new(),
-            edge: Edge::none(),
+            edge: SignedDistance::none(),
             remaining: zero,
-            art: DARKNESS,
+            art: BLACK,
             normals: Normals::level(),
             printed: Albedo::none(),
-            packed: DARKNESS,
+            packed: BLACK,
             arriving: zero,
             shine: zero,
-            picture: DARKNESS,
-            sum: DARKNESS,
+            picture: BLACK,
+            sum: BLACK,
             means: [[0.0; CELLS]; 3],
-            out: DARKNESS,
+            out: BLACK,
         }
     }
 
     /// Makes ready for the block of tiles that `place` is in, unless it is `last` and has been entered.
-    pub fn enter_block_at(&mut self, stage: &Stage, place: &Place, last: &mut Option<(usize, usize)>) {
+    pub fn enter_block_at(&mut self, stage: &Stage, place: &TileRect, last: &mut Option<(usize, usize)>) {
         let block = (place.x / BLOCK * BLOCK, place.y / BLOCK * BLOCK);
         if *last != Some(block) {
             *last = Some(block);
@@ -207,7 +213,7 @@ impl Workspace {
                 continue;
             }
             self.moved[at].clear();
-            self.moved[at].extend(moved.iter().filter(|penumbra| penumbra.may_reach(middle, half)));
+            self.moved[at].extend(moved.iter().filter(|bounds| bounds.may_reach(middle, half)));
             if !self.moved[at].is_empty() {
                 self.stirred.push(at);
             }
@@ -224,9 +230,9 @@ impl Workspace {
         let half = radius / std::f64::consts::SQRT_2;
         let bounds = Bounds::of(middle, middle).grown(half + 2.0 * stage.scene.view.mm_per_px);
         self.forms.clear();
-        let overlaps = |form: &Option<Form>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
+        let overlaps = |form: &Option<OutlineSdf>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
         self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
-        self.near.resize_with(stage.lamps.len(), Candidates::default);
+        self.near.resize_with(stage.lamps.len(), PotentialOccluders::default);
         self.is_near.clear();
         self.is_near.resize(stage.lamps.len(), false);
         self.lit.clear();
@@ -237,18 +243,18 @@ impl Workspace {
     }
 
     /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
-    pub fn differs(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) -> bool {
+    pub fn differs(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) -> bool {
         let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
             let (sight, moved) = (*memory.sight(*number), &self.moved[at]);
             // What one group hides stays hidden while that group stands still.
-            let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|penumbra| penumbra.group != group));
-            if !sight.holds || hidden || !place.is_reached(lamp) {
+            let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|bounds| bounds.group != group));
+            if !sight.holds || hidden || !place.is_reached_by(lamp) {
                 continue;
             }
-            let reaching = moved.iter().filter(|penumbra| penumbra.may_reach(place.middle_mm, place.half_mm));
-            let rows = reaching.fold(0, |rows, penumbra| rows | penumbra.rows(place, stage.scene.view.mm_per_px));
+            let reaching = moved.iter().filter(|bounds| bounds.may_reach(place.middle_mm, place.half_mm));
+            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(place, stage.scene.view.mm_per_px));
             memory.stir(*number, rows);
             differs |= !sight.is_whole() || rows != 0;
         }
@@ -256,17 +262,17 @@ impl Workspace {
     }
 
     /// Makes anew what is not remembered of the tile, and its means, in [`Workspace::means`].
-    pub fn remember(&mut self, stage: &Stage, place: &Place, memory: &mut TileMemory) {
+    pub fn remember(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) {
         self.enter(stage);
         let mut layers = None;
         if !memory.base.holds {
             let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
             if layers == 0 {
-                memory.keep_floor_base(stage.path, &self.ground.albedo);
+                memory.keep_floor_base(stage.simd, &self.ground.albedo);
             } else {
                 self.light_from_everywhere(stage, layers);
-                place.repeat_edges(&mut self.picture.each_mut());
-                memory.keep_base(stage.path, &self.picture);
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep_base(stage.simd, &self.picture);
             }
         }
         self.to_make.clear();
@@ -275,20 +281,20 @@ impl Workspace {
             let at = stage.places[self.to_make[index]];
             self.remember_lamp(stage, at, place, memory, &mut layers);
         }
-        for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
+        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
             if !memory.glow(glow.mask.place()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
                 self.glow(place, glow.mask);
-                place.repeat_edges(&mut self.picture.each_mut());
-                memory.keep_glow(glow.mask.place(), stage.path, &self.picture);
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep_glow(glow.mask.place(), stage.simd, &self.picture);
             }
         }
         let shaded = has_contacts(stage, place);
         let light = Illumination { ambient: stage.scene.ambient, shaded, lamps: stage.colors };
-        memory.light(stage.path, &light, stage.glows(), &mut self.parts, &mut self.means);
+        memory.light(stage.simd, &light, stage.glows(), &mut self.parts, &mut self.means);
         if shaded {
             self.compose(stage, place, memory, &[]);
-            means_of(stage.path, &self.out, &mut self.means);
+            means_of(stage.simd, &self.out, &mut self.means);
         }
     }
 
@@ -298,7 +304,7 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &Place,
+        place: &TileRect,
         memory: &mut TileMemory,
         layers: &mut Option<usize>,
     ) {
@@ -306,7 +312,7 @@ impl Workspace {
         let sight = memory.sight(number);
         sight.holds &= !lost;
         let mut rows = sight.rows_to_make();
-        if !place.is_reached(lamp) {
+        if !place.is_reached_by(lamp) {
             return memory.keep_dark(number, None);
         }
         if !place.is_whole() {
@@ -331,56 +337,67 @@ impl Workspace {
             }
             Lighted::Floor(verdict) => {
                 let Workspace { arriving, shine, fraction, ground, .. } = self;
-                place.repeat_edges(&mut [&mut *arriving, shine, fraction]);
-                let seen = if verdict == Verdict::Lit { &ALL } else { &*fraction };
+                place.clamp_to_edge(&mut [&mut *arriving, shine, fraction]);
+                let seen = if verdict == VisibilityClass::Lit { &ALL } else { &*fraction };
                 let floor = Bare { albedo: &ground.albedo, arriving, shine, seen };
-                memory.keep_floor(number, stage.path, &floor, rows);
+                memory.keep_floor(number, stage.simd, &floor, rows);
             }
             Lighted::Colors => {
-                place.repeat_edges(&mut self.picture.each_mut());
-                memory.keep(number, stage.path, &self.picture, rows);
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep(number, stage.simd, &self.picture, rows);
             }
         }
     }
 
     /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
-    pub fn compose(&mut self, stage: &Stage, place: &Place, memory: &TileMemory, balls: &[chrome_ball::Patch]) {
+    pub fn compose(&mut self, stage: &Stage, place: &TileRect, memory: &TileMemory, balls: &[chrome_ball::BallSprite]) {
         let paint = stage.art.paint(place.x, place.y);
-        let shade = has_contacts(stage, place).then_some(|out: &mut Light| shade_contacts(stage, place, out));
-        memory.compose(stage.path, paint, shade, &mut self.out);
+        let shade = has_contacts(stage, place).then_some(|out: &mut RgbTile| shade_contacts(stage, place, out));
+        memory.compose(stage.simd, paint, shade, &mut self.out);
         for ball in balls {
             ball.blend(place.x, place.y, &mut self.out);
         }
     }
 
     /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
-    pub fn render(&mut self, stage: &Stage, place: &Place) {
-        self.enter(stage);
-        let layers = self.recall(stage, place, &mut Surfaces::default());
-        self.light_from_everywhere(stage, layers);
-        self.out = self.picture;
-        shade_contacts(stage, place, &mut self.out);
+    pub fn render(&mut self, stage: &Stage, place: &TileRect) {
+        let layers = self.render_unlit(stage, place);
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let lamp = &stage.lamps[at].lamp;
-            if !place.is_reached(lamp) {
+            if !place.is_reached_by(lamp) {
                 continue;
             }
             match self.light(stage, at, place, layers, ALL_ROWS) {
                 Lighted::Dark => continue,
                 Lighted::Floor(verdict) => {
-                    self.veil(stage.path, verdict, ALL_ROWS);
-                    self.picture = DARKNESS;
-                    self.paint(stage.path, ALL_ROWS);
+                    self.veil(stage.simd, verdict, ALL_ROWS);
+                    self.picture = BLACK;
+                    self.paint(stage.simd, ALL_ROWS);
                 }
                 Lighted::Colors => {}
             }
             add(&self.picture, lamp.color, &mut self.out);
         }
-        for glow in stage.scene.glows.iter().filter(|glow| place.is_touched(glow.mask)) {
+        self.render_glows(stage, place);
+    }
+
+    /// Makes the tile in the light from everywhere, in [`Workspace::out`]; says how many tops there are.
+    pub fn render_unlit(&mut self, stage: &Stage, place: &TileRect) -> usize {
+        self.enter(stage);
+        let layers = self.recall(stage, place, &mut Surfaces::default());
+        self.light_from_everywhere(stage, layers);
+        self.out = self.picture;
+        shade_contacts(stage, place, &mut self.out);
+        layers
+    }
+
+    /// Adds the light of inserts to [`Workspace::out`], which is complete with them.
+    pub fn render_glows(&mut self, stage: &Stage, place: &TileRect) {
+        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
             self.glow(place, glow.mask);
             add(&self.picture, glow.color, &mut self.out);
         }
-        place.repeat_edges(&mut self.out.each_mut());
+        place.clamp_to_edge(&mut self.out.each_mut());
     }
 }

@@ -5,7 +5,7 @@ pub(crate) mod overhang;
 pub mod validation;
 pub(crate) mod view;
 
-use crate::{Lamp, Veil, View};
+use crate::{Lamp, Overhang, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -32,7 +32,7 @@ pub struct Scene<'a> {
     /// The balls, above every top.
     pub balls: Vec<Ball>,
     /// What hangs above those balls that are below.
-    pub veils: Vec<Veil>,
+    pub overhangs: Vec<Overhang>,
     /// Inserts that glow from below.
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
@@ -121,7 +121,7 @@ pub struct Ball {
     pub height_mm: f64,
     /// Its group.
     pub group: Group,
-    /// It is below the scene's veils, where there are any.
+    /// It is below the scene's overhangs, where there are any.
     pub below: bool,
     /// How it has turned: a unit quaternion x, y, z, w. Scratches on the chrome show it.
     pub rotation: [f32; 4],

@@ -19,7 +19,7 @@ pub(crate) struct Falloff {
 }
 
 /// What arrives at one block of points.
-pub(crate) struct Arriving {
+pub(crate) struct IncidentLight {
     /// The way to the lamp's nearest point, mm.
     pub x: Lanes,
     /// Down the table.
@@ -50,9 +50,9 @@ impl Falloff {
 
     /// What arrives at a block of points.
     #[inline(always)]
-    pub fn arriving(&self, x: &Lanes, y: &Lanes) -> Arriving {
+    pub fn arriving(&self, x: &Lanes, y: &Lanes) -> IncidentLight {
         let none = [0.0; LANES];
-        let mut to = Arriving { x: none, y: none, square: none, light: none };
+        let mut to = IncidentLight { x: none, y: none, square: none, light: none };
         match self.tube {
             None => self.point_light(x, y, &mut to),
             Some((along, half)) => self.tube_light(x, y, along, half, &mut to),
@@ -61,7 +61,7 @@ impl Falloff {
     }
 
     #[inline(always)]
-    fn point_light(&self, x: &Lanes, y: &Lanes, to: &mut Arriving) {
+    fn point_light(&self, x: &Lanes, y: &Lanes, to: &mut IncidentLight) {
         for i in 0..LANES {
             let (ux, uy) = (self.x - x[i], self.y - y[i]);
             let square = ux * ux + uy * uy;
@@ -73,7 +73,7 @@ impl Falloff {
 
     /// The integral of dt / (t^2 + q^2) along the segment, over its length: see [`Lamp::falloff`].
     #[inline(always)]
-    fn tube_light(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, to: &mut Arriving) {
+    fn tube_light(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, to: &mut IncidentLight) {
         for i in 0..LANES {
             let (mx, my) = (self.x - x[i], self.y - y[i]);
             let middle = mx * along[0] + my * along[1];

@@ -1,16 +1,16 @@
 //! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
 
 use crate::shading::environment;
-use crate::shading::falloff::{Arriving, Falloff};
-use crate::simd::dispatch::{LANES, Lanes, clamp, clones, max, ones};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::shading::falloff::{Falloff, IncidentLight};
+use crate::simd::dispatch::{LANES, Lanes, clamp, max, multiversion, set_bits};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
 use crate::{Finish, Lamp};
 
 /// Three planes of light: red, green, blue.
-pub(crate) type Light = [Plane; 3];
+pub(crate) type RgbTile = [Plane; 3];
 
 /// No light.
-pub(crate) const DARKNESS: Light = [[[0.0; LANES]; TILE]; 3];
+pub(crate) const BLACK: RgbTile = [[[0.0; LANES]; TILE]; 3];
 
 /// How the surface at each point of a layer leans.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub(crate) struct Surface {
     /// How much of a pixel each point is.
     pub weight: Plane,
     /// Reflectance, linear; a top's is multiplied by that of its finish.
-    pub albedo: Light,
+    pub albedo: RgbTile,
     /// Which way it leans.
     pub normals: Normals,
     /// Whether it leans anywhere.
@@ -48,35 +48,35 @@ impl Surface {
     /// Nothing.
     pub fn none() -> Surface {
         let zero = [[0.0; LANES]; TILE];
-        Surface { weight: zero, albedo: DARKNESS, normals: Normals::level(), leans: false }
+        Surface { weight: zero, albedo: BLACK, normals: Normals::level(), leans: false }
     }
 }
 
-clones! {
+multiversion! {
     /// What arrives of the beam's light at those blocks of the floor's points whose bits are set, and what shines there
     /// in the light's own colour, if nothing is in the way; `gloss` is 0 to 1.
     pub(crate) fn light_floor(
-        points: &Points, blocks: u16, floor: &Surface, beam: Falloff, gloss: f32, arriving: &mut Plane,
+        points: &PackedSamples, blocks: u16, floor: &Surface, beam: Falloff, gloss: f32, arriving: &mut Plane,
         shine: &mut Plane,
     ) = light_floor_lanes;
 }
 
-clones! {
+multiversion! {
     /// Takes away what is not seen, at those blocks whose bits are set.
-    pub(crate) fn veil(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) = veil_lanes;
+    pub(crate) fn apply_visibility(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) = apply_visibility_lanes;
 }
 
-clones! {
+multiversion! {
     /// The floor's picture, of what arrives and of what shines, at those blocks of its points whose bits are set.
     pub(crate) fn paint_floor(
-        blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light,
+        blocks: u16, albedo: &RgbTile, arriving: &Plane, shine: &Plane, out: &mut RgbTile,
     ) = paint_floor_lanes;
 }
 
-clones! {
+multiversion! {
     /// A top's picture in the beam's light, at those blocks of its points whose bits are set.
     pub(crate) fn light_top(
-        points: &Points, blocks: u16, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut Light,
+        points: &PackedSamples, blocks: u16, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut RgbTile,
     ) = light_top_lanes;
 }
 
@@ -88,22 +88,25 @@ const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
 const LIFT: f32 = 0.3;
 
 /// How a leaning surface answers a lamp.
-struct Answer {
+struct BrdfResponse {
     /// Times what a flat floor scatters: 1 for a flat one.
-    matt: f32,
+    diffuse: f32,
     /// The cosine of the angle between normal and half vector (J. Blinn, 1977), squared.
     cosine_square: f32,
 }
 
 #[inline(always)]
-fn answer(to: &Arriving, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> Answer {
+fn brdf_response(to: &IncidentLight, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> BrdfResponse {
     let (ux, uy, square) = (to.x[i], to.y[i], to.square[i]);
     let up_square = height_square + LIFT * square;
     let length = (square + up_square).sqrt();
     let up = up_square.sqrt();
     let across = nx * ux + ny * uy;
     let half = max(across + nz * (up + length), 0.0);
-    Answer { matt: max(across + nz * up, 0.0) / up, cosine_square: half * half / (2.0 * length * (length + up)) }
+    BrdfResponse {
+        diffuse: max(across + nz * up, 0.0) / up,
+        cosine_square: half * half / (2.0 * length * (length + up)),
+    }
 }
 
 /// To the 16th.
@@ -123,7 +126,7 @@ const COAT_ENDS: f32 = 1.0 - 6.0 / 32.0;
 
 #[inline(always)]
 fn light_floor_lanes(
-    points: &Points,
+    points: &PackedSamples,
     blocks: u16,
     floor: &Surface,
     beam: Falloff,
@@ -133,23 +136,23 @@ fn light_floor_lanes(
 ) {
     let leans = floor.leans || gloss > 0.0;
     let coat = COAT * clamp(gloss, 0.0, 1.0);
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let (x, y) = (&points.x[block], &points.y[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
-        let (matt, shine) = (&mut arriving[block], &mut shine[block]);
+        let (diffuse, shine) = (&mut arriving[block], &mut shine[block]);
         let to = beam.arriving(x, y);
         for i in 0..LANES {
-            matt[i] = weight[i] * (REFERENCE * to.light[i]);
+            diffuse[i] = weight[i] * (REFERENCE * to.light[i]);
         }
         if leans {
             for i in 0..LANES {
-                let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
+                let response = brdf_response(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
                 // A coat of lacquer: near its middle as narrow as the 64th power of the cosine, but it ends.
-                let near = max(answer.cosine_square - COAT_ENDS, 0.0) * (1.0 / (1.0 - COAT_ENDS));
+                let near = max(response.cosine_square - COAT_ENDS, 0.0) * (1.0 / (1.0 - COAT_ENDS));
                 let lobe = near * near * near;
-                shine[i] = coat * matt[i] * (lobe * lobe);
-                matt[i] *= answer.matt;
+                shine[i] = coat * diffuse[i] * (lobe * lobe);
+                diffuse[i] *= response.diffuse;
             }
         } else {
             *shine = [0.0; LANES];
@@ -158,8 +161,8 @@ fn light_floor_lanes(
 }
 
 #[inline(always)]
-fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
-    for block in ones(blocks) {
+fn apply_visibility_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
+    for block in set_bits(blocks) {
         let (seen, arriving, shine) = (&fraction[block], &mut arriving[block], &mut shine[block]);
         for i in 0..LANES {
             (arriving[i], shine[i]) = (arriving[i] * seen[i], shine[i] * seen[i]);
@@ -168,9 +171,9 @@ fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut P
 }
 
 #[inline(always)]
-fn paint_floor_lanes(blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
+fn paint_floor_lanes(blocks: u16, albedo: &RgbTile, arriving: &Plane, shine: &Plane, out: &mut RgbTile) {
     for (out, albedo) in out.iter_mut().zip(albedo) {
-        for block in ones(blocks) {
+        for block in set_bits(blocks) {
             for i in 0..LANES {
                 out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
             }
@@ -180,17 +183,17 @@ fn paint_floor_lanes(blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plan
 
 #[inline(always)]
 fn light_top_lanes(
-    points: &Points,
+    points: &PackedSamples,
     blocks: u16,
     top: &Surface,
     finish: &Finish,
     beam: Falloff,
     fraction: &[Lanes],
-    out: &mut Light,
+    out: &mut RgbTile,
 ) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
@@ -198,9 +201,9 @@ fn light_top_lanes(
         let to = beam.arriving(x, y);
         for i in 0..LANES {
             let arriving = weight[i] * (REFERENCE * to.light[i] * seen[i]);
-            let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
-            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * answer.matt;
-            shine[i] = 2.5 * gloss * arriving * power_16(answer.cosine_square);
+            let response = brdf_response(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
+            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * response.diffuse;
+            shine[i] = 2.5 * gloss * arriving * power_16(response.cosine_square);
             below[i] = through * arriving;
         }
         for (channel, out) in out.iter_mut().enumerate() {
@@ -217,14 +220,14 @@ fn light_top_lanes(
     }
 }
 
-clones! {
+multiversion! {
     /// The floor's picture in the light from everywhere.
-    pub(crate) fn light_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light)
+    pub(crate) fn light_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile)
         = light_floor_ambient_lanes;
 }
 
 #[inline(always)]
-fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light) {
+fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile) {
     for channel in 0..3 {
         for block in 0..blocks {
             for i in 0..LANES {
@@ -234,14 +237,14 @@ fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], 
     }
 }
 
-clones! {
+multiversion! {
     /// A top's picture in the light from everywhere, with the light of its own.
-    pub(crate) fn light_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light)
+    pub(crate) fn light_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile)
         = light_top_ambient_lanes;
 }
 
 #[inline(always)]
-fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light) {
+fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     // The room is in the light from everywhere: where there is none, there is no room that could be mirrored.
     let mirrors = ambient.map(|ambient| ROOM * gloss * gloss * ambient);

@@ -1,10 +1,10 @@
 //! The part of one top that a tile shows, and how its pixels are found.
 
 use crate::shading::albedo_map::Albedo;
-use crate::shading::coverage::Edge;
+use crate::shading::coverage::SignedDistance;
 use crate::shading::surface::Surface;
 use crate::simd::dispatch::{LANES, clamp, max};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
 
 /// Below this much of a pixel, nobody sees it.
 pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
@@ -12,7 +12,7 @@ pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
 /// The part of one top that a tile shows.
 pub(crate) struct TopLayer {
     pub form: usize,
-    pub points: Points,
+    pub points: PackedSamples,
     /// Whether art is printed on it.
     pub printed: bool,
     pub surface: Surface,
@@ -21,11 +21,11 @@ pub(crate) struct TopLayer {
 impl TopLayer {
     /// Nothing yet.
     pub fn new() -> TopLayer {
-        TopLayer { form: 0, points: Points::none(), printed: false, surface: Surface::none() }
+        TopLayer { form: 0, points: PackedSamples::none(), printed: false, surface: Surface::none() }
     }
 
     /// Packs the pixels that the outline covers and nothing above hides.
-    pub fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
+    pub fn pack(&mut self, edge: &SignedDistance, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
         self.points.count = 0;
         let per_mm = 1.0 / mm_per_px;
         let Surface { weight, normals, .. } = &mut self.surface;

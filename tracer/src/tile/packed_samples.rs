@@ -13,7 +13,7 @@ pub(crate) type Plane = [Lanes; TILE];
 
 /// Some pixels of a tile, packed, as points in mm from the tile's middle.
 #[derive(Clone, Debug)]
-pub(crate) struct Points {
+pub(crate) struct PackedSamples {
     /// How many points there are.
     pub count: usize,
     /// Across, mm.
@@ -24,15 +24,15 @@ pub(crate) struct Points {
     pub pixel: [u8; AREA],
 }
 
-impl Points {
+impl PackedSamples {
     /// No point.
-    pub fn none() -> Points {
-        Points { count: 0, x: [[0.0; LANES]; TILE], y: [[0.0; LANES]; TILE], pixel: [0; AREA] }
+    pub fn none() -> PackedSamples {
+        PackedSamples { count: 0, x: [[0.0; LANES]; TILE], y: [[0.0; LANES]; TILE], pixel: [0; AREA] }
     }
 
     /// Every pixel of a tile, in order.
-    pub fn whole_tile(mm_per_px: f64) -> Points {
-        let mut points = Points::none();
+    pub fn whole_tile(mm_per_px: f64) -> PackedSamples {
+        let mut points = PackedSamples::none();
         for pixel in 0..AREA {
             points.push_pixel(pixel, mm_per_px as f32);
         }

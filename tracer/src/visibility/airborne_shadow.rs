@@ -11,10 +11,10 @@
 //! slow twin is [`crate::sphere`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
 //! larger ones by up to a sixtieth.
 
-use crate::simd::dispatch::{LANES, Path, clamp, clones, max, min, ones};
-use crate::tile::packed_samples::{Plane, Points};
-use crate::tile::rect::Place;
-use crate::visibility::shadow_bounds::Penumbra;
+use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
+use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::tile::rect::TileRect;
+use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Ball, Group, Lamp};
 use geometry::{DVec2, trig};
 use lines::{Lines, View};
@@ -29,11 +29,11 @@ const UNSEEN: f32 = 1e-6;
 
 /// A ball that may hide a lamp.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Floating {
+pub(crate) struct AirborneShadow {
     /// The ball's.
     pub group: Group,
     /// Where it may hide anything.
-    pub penumbra: Penumbra,
+    pub bounds: ShadowBounds,
     ball_mm: DVec2,
     lamp_mm: DVec2,
     sizes: Sizes,
@@ -71,9 +71,9 @@ enum Shape {
     Tube([f32; 2], f32),
 }
 
-impl Floating {
-    /// `ball`, which is one of [`crate::visibility::sphere_shadow::hiding`].
-    pub fn new(lamp: &Lamp, ball: &Ball) -> Floating {
+impl AirborneShadow {
+    /// `ball`, which is one of [`crate::visibility::sphere_shadow::occluding_balls`].
+    pub fn new(lamp: &Lamp, ball: &Ball) -> AirborneShadow {
         let (height, radius, middle) = (lamp.height_mm(), ball.radius_mm, ball.radius_mm + ball.lift_mm());
         // As (z - R) (z + R), which a low ball leaves exact.
         let square = ball.lift_mm() * (middle + radius);
@@ -97,15 +97,22 @@ impl Floating {
             None if lamp.radius_mm() == 0.0 => Shape::Point,
             None => Shape::Disc(strips(lamp.radius_mm())),
         };
-        let penumbra = Penumbra::of_floating(lamp, ball);
-        Floating { group: ball.group, penumbra, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
+        let bounds = ShadowBounds::of_floating(lamp, ball);
+        AirborneShadow { group: ball.group, bounds, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
     }
 
     /// Takes what it hides from those blocks of a tile's points whose bits are set.
-    pub fn veil(&self, path: Path, place: &Place, points: &Points, blocks: u16, fraction: &mut Plane) {
+    pub fn attenuate(
+        &self,
+        simd: SimdLevel,
+        place: &TileRect,
+        points: &PackedSamples,
+        blocks: u16,
+        fraction: &mut Plane,
+    ) {
         let narrow = |at: DVec2| [(at.x - place.middle_mm.x) as f32, (at.y - place.middle_mm.y) as f32];
         let (ball, lamp) = (narrow(self.ball_mm), narrow(self.lamp_mm));
-        veil(path, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
+        attenuate(simd, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
     }
 }
 
@@ -118,24 +125,24 @@ fn strips(radius: f64) -> [[f32; 3]; STRIPS] {
     })
 }
 
-clones! {
-    fn veil(
-        blocks: u16, points: &Points, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &Shape,
+multiversion! {
+    fn attenuate(
+        blocks: u16, points: &PackedSamples, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &Shape,
         fraction: &mut Plane,
-    ) = veil_lanes;
+    ) = attenuate_lanes;
 }
 
 #[inline(always)]
-fn veil_lanes(
+fn attenuate_lanes(
     blocks: u16,
-    points: &Points,
+    points: &PackedSamples,
     ball: [f32; 2],
     lamp: [f32; 2],
     sizes: &Sizes,
     shape: &Shape,
     fraction: &mut Plane,
 ) {
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let view = View::new(&points.x[block], &points.y[block], ball, lamp, sizes);
         if !view.may_hide(sizes) {
             continue;

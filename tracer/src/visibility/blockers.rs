@@ -8,8 +8,8 @@
 //! segment's normal: then what is near the segment's line is told apart from it as finely as single precision can.
 
 use crate::Group;
-use crate::visibility::disc_chain::{Bulge, Disc, Link, Silhouettes};
-use crate::visibility::potential_occluders::Candidates;
+use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
+use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::shaft::{BEFORE_LAMP, BETWEEN, MEETS_LEFT, MEETS_RIGHT};
 use geometry::{Circle, DVec2, Taper};
 
@@ -55,7 +55,7 @@ pub(crate) struct Piece {
 
 /// What stands between one lamp and the points of one tile.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Obstruction {
+pub(crate) struct Blockers {
     /// The easy chains' parts, one chain after another.
     pub elements: Vec<Element>,
     /// Where in `elements` each chain ends.
@@ -68,31 +68,31 @@ pub(crate) struct Obstruction {
 
 /// How much of a lamp the points of a tile see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verdict {
+pub(crate) enum VisibilityClass {
     /// All of it, every point.
     Lit,
     /// Nothing of it, every point.
-    Dark,
+    Umbra,
     /// It must be asked point by point.
-    Mixed,
+    Partial,
 }
 
-impl Obstruction {
+impl Blockers {
     /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
     /// groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
-        near: &Candidates,
-        all: &Silhouettes,
+        near: &PotentialOccluders,
+        all: &DiscChains,
         middle_mm: DVec2,
         axis: DVec2,
         without: &[Group],
-    ) -> Verdict {
+    ) -> VisibilityClass {
         self.elements.clear();
         self.ends.clear();
         self.pieces.clear();
         self.hidden_by = None;
-        let place = Place { all, middle_mm, axis };
+        let place = TileFrame { all, middle_mm, axis };
         let mut chain = 0u16;
         for at in 0..near.len() {
             let counts = near.counts(at) && !without.contains(&near.group[at]);
@@ -104,7 +104,7 @@ impl Obstruction {
             if open && (!easy || alone) {
                 if dark(chain) {
                     self.hidden_by = Some(near.group[at - 1]);
-                    return Verdict::Dark;
+                    return VisibilityClass::Umbra;
                 }
                 self.ends.push(self.elements.len());
             }
@@ -128,11 +128,11 @@ impl Obstruction {
         if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
             if dark(chain) {
                 self.hidden_by = near.group.last().copied();
-                return Verdict::Dark;
+                return VisibilityClass::Umbra;
             }
             self.ends.push(self.elements.len());
         }
-        if self.ends.is_empty() && self.pieces.is_empty() { Verdict::Lit } else { Verdict::Mixed }
+        if self.ends.is_empty() && self.pieces.is_empty() { VisibilityClass::Lit } else { VisibilityClass::Partial }
     }
 
     /// How many intervals the chains and pieces cover.
@@ -147,13 +147,13 @@ fn dark(chain: u16) -> bool {
 }
 
 /// Brings things from the table into a tile's coordinates.
-struct Place<'a> {
-    all: &'a Silhouettes,
+struct TileFrame<'a> {
+    all: &'a DiscChains,
     middle_mm: DVec2,
     axis: DVec2,
 }
 
-impl Place<'_> {
+impl TileFrame<'_> {
     fn turned(&self, way: DVec2) -> [f32; 2] {
         [way.dot(self.axis) as f32, way.dot(self.axis.perp()) as f32]
     }
@@ -177,7 +177,7 @@ impl Place<'_> {
         }
     }
 
-    fn push_pieces(&self, near: &Candidates, before: usize, at: usize, clipped: bool, pieces: &mut Vec<Piece>) {
+    fn push_pieces(&self, near: &PotentialOccluders, before: usize, at: usize, clipped: bool, pieces: &mut Vec<Piece>) {
         let circle = |at: usize| {
             let disc = &self.all.discs[near.index[at] as usize];
             Circle { center: disc.center, radius: disc.radius }

@@ -6,23 +6,23 @@
 //! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
 //! ends of the intervals are weighed by what arrives at P before their union is measured.
 
-use crate::simd::dispatch::{LANES, Lanes, clamp, clones, max, min, ones};
+use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
 use crate::tile::packed_samples::Plane;
-use crate::visibility::blockers::{Cap, Element, Obstruction, Piece};
+use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::interval_union::{uncovered, uncovered_many};
-use crate::visibility::projected_emitter::{DiscSource, Seen, Source};
+use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};
 
 /// A slope that stands for "straight across".
 const STEEP: f32 = 1e18;
 
 /// Room for the ends of the intervals that one block of points sees.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Intervals {
+pub(crate) struct IntervalScratch {
     low: Vec<Lanes>,
     high: Vec<Lanes>,
 }
 
-impl Intervals {
+impl IntervalScratch {
     /// Makes room for `count` intervals a point.
     pub fn reserve(&mut self, count: usize) {
         if self.low.len() < count {
@@ -32,10 +32,10 @@ impl Intervals {
     }
 }
 
-clones! {
+multiversion! {
     /// The visible fraction of `source` at those blocks of points whose bits are set.
     pub(crate) fn visible_fraction(
-        blocks: u16, x: &Plane, y: &Plane, source: Source, between: &Obstruction, room: &mut Intervals,
+        blocks: u16, x: &Plane, y: &Plane, source: ProjectedEmitter, between: &Blockers, room: &mut IntervalScratch,
         fraction: &mut Plane,
     ) = visible_fraction_lanes;
 }
@@ -45,19 +45,19 @@ fn visible_fraction_lanes(
     blocks: u16,
     x: &Plane,
     y: &Plane,
-    source: Source,
-    between: &Obstruction,
-    room: &mut Intervals,
+    source: ProjectedEmitter,
+    between: &Blockers,
+    room: &mut IntervalScratch,
     fraction: &mut Plane,
 ) {
     // What hid the lamp from the last points may well hide it from the next: it is asked first.
     let mut first = 0;
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
         match source {
-            Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
-            Source::Disc(disc) => soft_shadow(x, y, disc, between, room, &mut first, out),
-            Source::Tube(tube) => {
+            ProjectedEmitter::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
+            ProjectedEmitter::Disc(disc) => soft_shadow(x, y, disc, between, room, &mut first, out),
+            ProjectedEmitter::Tube(tube) => {
                 let (x, y) = tube.turned(x, y);
                 soft_shadow(&x, &y, tube, between, room, &mut first, out);
             }
@@ -67,11 +67,11 @@ fn visible_fraction_lanes(
 
 /// The interval that the chain or piece of this number covers, for each of a block of points.
 #[inline(always)]
-fn interval<S: Seen>(
+fn interval<S: ProjectedChord>(
     x: &Lanes,
     y: &Lanes,
     source: S,
-    between: &Obstruction,
+    between: &Blockers,
     at: usize,
     low: &mut Lanes,
     high: &mut Lanes,
@@ -92,12 +92,12 @@ fn interval<S: Seen>(
 
 /// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
 #[inline(always)]
-fn soft_shadow<S: Seen>(
+fn soft_shadow<S: ProjectedChord>(
     x: &Lanes,
     y: &Lanes,
     source: S,
-    between: &Obstruction,
-    room: &mut Intervals,
+    between: &Blockers,
+    room: &mut IntervalScratch,
     first: &mut usize,
     out: &mut Lanes,
 ) {
@@ -144,7 +144,7 @@ fn soft_shadow<S: Seen>(
 
 /// Visible or not: for a lamp without size.
 #[inline(always)]
-fn hard_shadow(x: &Lanes, y: &Lanes, source: DiscSource, between: &Obstruction, out: &mut Lanes) {
+fn hard_shadow(x: &Lanes, y: &Lanes, source: ProjectedDisc, between: &Blockers, out: &mut Lanes) {
     *out = [1.0; LANES];
     let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
     for at in 0..between.intervals() {
@@ -158,7 +158,14 @@ fn hard_shadow(x: &Lanes, y: &Lanes, source: DiscSource, between: &Obstruction, 
 
 /// The interval of a chain that lies between the points and the lamp's chord.
 #[inline(always)]
-fn cover_chain<S: Seen>(x: &Lanes, y: &Lanes, source: S, elements: &[Element], low: &mut Lanes, high: &mut Lanes) {
+fn cover_chain<S: ProjectedChord>(
+    x: &Lanes,
+    y: &Lanes,
+    source: S,
+    elements: &[Element],
+    low: &mut Lanes,
+    high: &mut Lanes,
+) {
     let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
     for element in elements {
         match *element {
@@ -248,7 +255,7 @@ fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) ->
 
 /// The interval of any hull of two discs, wherever it lies.
 #[inline(always)]
-fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
+fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
     y: &Lanes,
     source: S,

@@ -3,16 +3,16 @@
 //! Lists of discs are narrowed in steps: all that a lamp reaches, what matters to a block of tiles, what matters to one
 //! tile. Every test is conservative: what it throws out casts no shadow there.
 
-use crate::simd::dispatch::Path;
-use crate::visibility::disc_chain::{Link, Silhouettes};
-pub(crate) use crate::visibility::shaft::Cone;
+use crate::simd::dispatch::SimdLevel;
+use crate::visibility::disc_chain::{DiscChains, Link};
+pub(crate) use crate::visibility::shaft::Shaft;
 use crate::visibility::shaft::{ASIDE, BETWEEN, Discs, MARGIN_MM, OUTSIDE};
 use crate::{Group, Lamp};
 use geometry::Segment;
 
 /// Discs of chains, relative to a lamp's middle.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Candidates {
+pub(crate) struct PotentialOccluders {
     x: Vec<f32>,
     y: Vec<f32>,
     /// Radius with everything that may bulge out of the disc's links.
@@ -23,15 +23,15 @@ pub(crate) struct Candidates {
     pub link: Vec<Link>,
     /// The groups.
     pub group: Vec<Group>,
-    /// Which disc of the [`Silhouettes`] it is.
+    /// Which disc of the [`DiscChains`] it is.
     pub index: Vec<u32>,
-    /// What the last [`Candidates::classify`] found.
+    /// What the last [`PotentialOccluders::classify`] found.
     pub code: Vec<u16>,
     /// What the wider list's discs were found to be when this list was narrowed from it.
     wider_code: Vec<u16>,
 }
 
-impl Candidates {
+impl PotentialOccluders {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.x.clear();
@@ -50,7 +50,7 @@ impl Candidates {
     }
 
     /// Everything that can come between `lamp` and what it reaches.
-    pub fn set(&mut self, lamp: &Lamp, all: &Silhouettes) {
+    pub fn set(&mut self, lamp: &Lamp, all: &DiscChains) {
         self.clear();
         let mut open = false;
         for (at, disc) in all.discs[..all.coarse].iter().enumerate() {
@@ -74,7 +74,7 @@ impl Candidates {
         }
     }
 
-    fn push(&mut self, lamp: &Lamp, all: &Silhouettes, at: usize, link: Link) {
+    fn push(&mut self, lamp: &Lamp, all: &DiscChains, at: usize, link: Link) {
         let disc = &all.discs[at];
         let from_lamp = disc.center - lamp.center_mm;
         self.x.push(from_lamp.x as f32);
@@ -87,14 +87,14 @@ impl Candidates {
     }
 
     /// Finds for every disc how it lies to the cone.
-    pub fn classify(&mut self, path: Path, cone: &Cone) {
+    pub fn classify(&mut self, simd: SimdLevel, shaft: &Shaft) {
         let n = self.len();
         self.code.resize(n, 0);
-        let Candidates { x, y, outer, inner, code, .. } = self;
-        cone.classify(path, Discs { x, y, outer, inner }, code);
+        let PotentialOccluders { x, y, outer, inner, code, .. } = self;
+        shaft.classify(simd, Discs { x, y, outer, inner }, code);
     }
 
-    /// Whether anything of a group may cast a shadow, as the last [`Candidates::classify`] found.
+    /// Whether anything of a group may cast a shadow, as the last [`PotentialOccluders::classify`] found.
     pub fn casts(&self, group: Group) -> bool {
         (0..self.len()).any(|at| self.group[at] == group && self.counts(at))
     }
@@ -114,15 +114,21 @@ impl Candidates {
         }
     }
 
-    /// Puts into `narrower` what may cast a shadow within `cone`.
+    /// Puts into `narrower` what may cast a shadow within `shaft`.
     ///
-    /// With the lamp and the silhouettes that the list was made from, the pieces of arcs that are near the tile or the
+    /// With the lamp and the disc chains that the list was made from, the pieces of arcs that are near the tile or the
     /// lamp are cut finer.
-    pub fn narrow(&self, path: Path, cone: &Cone, narrower: &mut Candidates, finer: Option<(&Lamp, &Silhouettes)>) {
+    pub fn narrow(
+        &self,
+        simd: SimdLevel,
+        shaft: &Shaft,
+        narrower: &mut PotentialOccluders,
+        finer: Option<(&Lamp, &DiscChains)>,
+    ) {
         narrower.clear();
         narrower.wider_code.resize(self.len(), 0);
-        let Candidates { x, y, outer, inner, .. } = self;
-        cone.classify(path, Discs { x, y, outer, inner }, &mut narrower.wider_code);
+        let PotentialOccluders { x, y, outer, inner, .. } = self;
+        shaft.classify(simd, Discs { x, y, outer, inner }, &mut narrower.wider_code);
         let mut open = false;
         for at in 0..self.len() {
             let follows = self.link[at] != Link::Start;
@@ -146,7 +152,7 @@ impl Candidates {
         }
     }
 
-    fn copy(&mut self, from: &Candidates, at: usize, link: Link) {
+    fn copy(&mut self, from: &PotentialOccluders, at: usize, link: Link) {
         self.x.push(from.x[at]);
         self.y.push(from.y[at]);
         self.outer.push(from.outer[at]);
@@ -158,7 +164,7 @@ impl Candidates {
 }
 
 /// The radius of a disc, with the bulges of both of its links.
-fn outer_radius(all: &Silhouettes, at: usize) -> f64 {
+fn outer_radius(all: &DiscChains, at: usize) -> f64 {
     let bulge = |at: usize| match all.discs.get(at).map(|disc| disc.link) {
         Some(Link::Bulge(bulge)) => all.bulges[bulge as usize].sagitta_mm,
         _ => 0.0,

@@ -2,77 +2,72 @@
 
 use crate::Group;
 use crate::realtime::tile_renderer::{Lit, Stage};
-use crate::reference::monte_carlo;
-use crate::simd::dispatch::{LANES, ones};
-use crate::tile::packed_samples::{Plane, Points};
-use crate::tile::rect::Place;
-use crate::visibility::airborne_shadow::Floating;
-use crate::visibility::blockers::{Obstruction, Verdict};
-use crate::visibility::fraction::{Intervals, visible_fraction};
-use crate::visibility::potential_occluders::Candidates;
-use crate::visibility::projected_emitter::Source;
+use crate::simd::dispatch::{LANES, set_bits};
+use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::tile::rect::TileRect;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::fraction::{IntervalScratch, visible_fraction};
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::projected_emitter::ProjectedEmitter;
 
 /// One lamp, looked at from one tile.
-pub(crate) struct Gaze<'a, 'b> {
+pub(crate) struct VisibilityQuery<'a, 'b> {
     pub stage: &'a Stage<'a>,
-    pub near: &'b Candidates,
+    pub near: &'b PotentialOccluders,
     pub lit: &'a Lit,
-    pub place: &'b Place,
-    pub between: &'b mut Obstruction,
-    pub room: &'b mut Intervals,
+    pub place: &'b TileRect,
+    pub between: &'b mut Blockers,
+    pub room: &'b mut IntervalScratch,
     pub fraction: &'b mut Plane,
 }
 
-impl Gaze<'_, '_> {
+impl VisibilityQuery<'_, '_> {
     /// Finds how much of the lamp each point of some blocks sees, past everything but some occluders' groups, and past
     /// floating balls that are not of the points' own group.
-    pub fn sees(&mut self, points: &Points, blocks: u16, without: &[Group], own: Option<Group>) -> Verdict {
+    pub fn sees(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        without: &[Group],
+        own: Option<Group>,
+    ) -> VisibilityClass {
         let verdict = self.past_occluders(points, blocks, without);
-        if verdict == Verdict::Dark || self.lit.floating.is_empty() {
+        if verdict == VisibilityClass::Umbra || self.lit.floating.is_empty() {
             return verdict;
         }
         self.past_balls(points, blocks, own, verdict)
     }
 
-    fn past_occluders(&mut self, points: &Points, blocks: u16, without: &[Group]) -> Verdict {
+    fn past_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
         let (lamp, middle) = (&self.lit.lamp, self.place.middle_mm);
-        if let Some(sampling) = &self.stage.sampling {
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, lamp, points, self.sampled(), without, self.fraction);
-            return Verdict::Mixed;
-        }
-        let (source, axis) = Source::new(lamp, middle);
-        let verdict = self.between.gather(self.near, self.stage.silhouettes, middle, axis, without);
-        if verdict == Verdict::Mixed {
+        let (source, axis) = ProjectedEmitter::new(lamp, middle);
+        let verdict = self.between.gather(self.near, self.stage.disc_chains, middle, axis, without);
+        if verdict == VisibilityClass::Partial {
             self.room.reserve(self.between.intervals());
-            let Gaze { stage, between, room, fraction, .. } = self;
-            visible_fraction(stage.path, blocks, &points.x, &points.y, source, between, room, fraction);
+            let VisibilityQuery { stage, between, room, fraction, .. } = self;
+            visible_fraction(stage.simd, blocks, &points.x, &points.y, source, between, room, fraction);
         }
         verdict
     }
 
     /// Takes what floating balls hide from what is seen past all else.
-    fn past_balls(&mut self, points: &Points, blocks: u16, own: Option<Group>, mut verdict: Verdict) -> Verdict {
-        if let Some(sampling) = &self.stage.sampling {
-            let balls = &self.stage.scene.balls;
-            sampling.veil(balls, &self.lit.lamp, points, self.sampled(), own, self.fraction);
-            return verdict;
-        }
-        let &Place { middle_mm, half_mm, .. } = self.place;
-        let reaches = |ball: &&Floating| Some(ball.group) != own && ball.penumbra.may_reach(middle_mm, half_mm);
+    fn past_balls(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        own: Option<Group>,
+        mut verdict: VisibilityClass,
+    ) -> VisibilityClass {
+        let &TileRect { middle_mm, half_mm, .. } = self.place;
+        let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
         for ball in self.lit.floating.iter().filter(reaches) {
-            if verdict == Verdict::Lit {
-                verdict = Verdict::Mixed;
-                ones(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
+            if verdict == VisibilityClass::Lit {
+                verdict = VisibilityClass::Partial;
+                set_bits(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
             }
-            ball.veil(self.stage.path, self.place, points, blocks, self.fraction);
+            ball.attenuate(self.stage.simd, self.place, points, blocks, self.fraction);
         }
         verdict
-    }
-
-    fn sampled(&self) -> monte_carlo::Place {
-        let Place { x, y, middle_mm, .. } = *self.place;
-        let view = &self.stage.scene.view;
-        monte_carlo::Place { middle_mm, corner: (x, y), size: (view.width, view.height) }
     }
 }

@@ -19,7 +19,7 @@ pub(crate) struct Sphere {
 }
 
 /// The balls that may hide `lamp`: they float, their lowest points are lower than it is, and it is not of their own group.
-pub(crate) fn hiding<'a>(
+pub(crate) fn occluding_balls<'a>(
     balls: &'a [Ball],
     lamp: &Lamp,
     without: Option<Group>,
@@ -32,8 +32,8 @@ pub(crate) fn hiding<'a>(
 }
 
 /// How much of `lamp` the floating balls leave to a point of the floor, but for those of a group.
-pub(crate) fn open_share(balls: &[Ball], lamp: &Lamp, point: DVec2, without: Option<Group>) -> f64 {
-    hiding(balls, lamp, without).map(|ball| 1.0 - Sphere::new(ball, point).hidden_share(lamp, point)).product()
+pub(crate) fn unoccluded_fraction(balls: &[Ball], lamp: &Lamp, point: DVec2, without: Option<Group>) -> f64 {
+    occluding_balls(balls, lamp, without).map(|ball| 1.0 - Sphere::new(ball, point).hidden_share(lamp, point)).product()
 }
 
 impl Sphere {

@@ -3,7 +3,7 @@
 //! What a point sees of a lamp through filters is a sum over the sets of filters that are taken away: with `U(R)` the
 //! visible fraction without the filters of `R`, and the others as opaque as walls, the light that passes is the sum of
 //! `U(R) * (product of the tints in R) * (product of 1 - tint of the others)`. That is inclusion and exclusion, put in
-//! order, and as exact as `U` for any overlap of filters, walls and penumbrae.
+//! order, and as exact as `U` for any overlap of filters, walls and shadow bounds.
 
 use crate::{Filter, Group, Rgb};
 

@@ -11,8 +11,8 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use rayon::ThreadPool;
 use shadow_race::{Method, RaceRenderer, Threads};
 use tracer::Frame;

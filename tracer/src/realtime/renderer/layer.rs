@@ -2,19 +2,19 @@
 
 use super::Renderer;
 use crate::realtime::schedule::BLOCK;
-use crate::shading::chrome_ball::Patch;
+use crate::shading::chrome_ball::BallSprite;
 use crate::tile::packed_samples::TILE;
 use crate::{Radiance, Scene, View};
 
 impl Renderer {
-    /// Renders `scene` without the balls themselves, though with their shadows, and without glare: of that, only the
+    /// Renders `scene` without the balls themselves, though with their shadows, and without bloom: of that, only the
     /// picture's means are taken.
     pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
-            return self.render_afresh(scene, None, false, radiance);
+            return self.render_afresh(scene, false, radiance);
         }
-        self.look(scene, &mut radiance.glare);
+        self.look(scene, &mut radiance.bloom);
         self.compose(scene, &[], radiance);
         self.picture.1 += 1;
         radiance.drawn = Some(self.picture);
@@ -26,7 +26,7 @@ impl Renderer {
     }
 
     /// The balls of the last picture.
-    pub(crate) fn patches(&self) -> &[Patch] {
+    pub(crate) fn patches(&self) -> &[BallSprite] {
         &self.patches
     }
 

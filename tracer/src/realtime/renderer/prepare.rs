@@ -6,19 +6,19 @@ use crate::cache::frame_history::{MOST_GLOWS, MOST_LAMPS};
 use crate::cache::lamp_set::Numbers;
 use crate::realtime::schedule::BLOCK;
 use crate::realtime::tile_renderer::Lit;
-use crate::shading::coverage::Form;
-use crate::tile::packed_samples::{Points, TILE};
-use crate::visibility::airborne_shadow::Floating;
-use crate::visibility::shadow_bounds::Penumbra;
-use crate::visibility::sphere_shadow::hiding;
+use crate::shading::coverage::OutlineSdf;
+use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::shadow_bounds::ShadowBounds;
+use crate::visibility::sphere_shadow::occluding_balls;
 use crate::{Finish, Scene, Top};
 use rayon::prelude::*;
 
 impl Renderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
-    pub(super) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
-        self.silhouettes.set(&scene.occluders);
+    pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
+        self.disc_chains.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);
@@ -31,10 +31,10 @@ impl Renderer {
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
         if self.whole_tile.0 != scene.view.mm_per_px {
-            self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
+            self.whole_tile = (scene.view.mm_per_px, PackedSamples::whole_tile(scene.view.mm_per_px));
         }
         if self.changes.repainted {
-            self.art.set(self.path, scene);
+            self.art.set(self.simd, scene);
         }
         self.changes.everything |= !known;
         remembered
@@ -70,17 +70,19 @@ impl Renderer {
             count += 1;
         }
         self.lamps.truncate(count);
-        let (silhouettes, known) = (&self.silhouettes, &self.past.known);
+        let (disc_chains, known) = (&self.disc_chains, &self.past.known);
         self.lamps.par_iter_mut().for_each(|lit| {
             let known = &known[lit.number];
             lit.lost = known.lost;
-            lit.candidates.set(&lit.lamp, silhouettes);
+            lit.potential_occluders.set(&lit.lamp, disc_chains);
             lit.things.set(&known.moved);
-            Penumbra::of_all(&lit.lamp, &lit.things, &mut lit.moved);
+            ShadowBounds::of_all(&lit.lamp, &lit.things, &mut lit.moved);
             lit.floating.clear();
-            lit.floating.extend(hiding(&scene.balls, &lit.lamp, None).map(|ball| Floating::new(&lit.lamp, ball)));
-            let floated = hiding(&known.floated, &lit.lamp, None);
-            lit.moved.extend(floated.map(|ball| Penumbra::of_floating(&lit.lamp, ball)));
+            lit.floating.extend(
+                occluding_balls(&scene.balls, &lit.lamp, None).map(|ball| AirborneShadow::new(&lit.lamp, ball)),
+            );
+            let floated = occluding_balls(&known.floated, &lit.lamp, None);
+            lit.moved.extend(floated.map(|ball| ShadowBounds::of_floating(&lit.lamp, ball)));
         });
         count
     }
@@ -102,7 +104,7 @@ impl Renderer {
         for (at, top) in tops.iter().enumerate() {
             if self.tops.len() == at {
                 self.tops.push(top.clone());
-                self.forms.push(Form::new(top));
+                self.forms.push(OutlineSdf::new(top));
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
             } else if stands(&self.tops[at], top) {
                 if self.tops[at].finish.emission != top.finish.emission {
@@ -112,7 +114,7 @@ impl Renderer {
             } else {
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
                 self.tops[at].clone_from(top);
-                self.forms[at] = Form::new(top);
+                self.forms[at] = OutlineSdf::new(top);
                 moved.extend(self.forms[at].iter().map(|form| form.bounds));
             }
         }
