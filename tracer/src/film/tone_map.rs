@@ -6,6 +6,7 @@
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel, READ_AHEAD_CELLS};
 use crate::film::blue_noise;
+use crate::film::srgb::encode_fast;
 use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, clamp, max, multiversion};
 use crate::tile::packed_samples::TILE;
@@ -107,7 +108,7 @@ fn tone_map_lanes(
         let mut blue = expose(&light[2][row], &stretched[2], near, part, gain);
         for i in 0..LANES {
             let [r, g, b] = filmic_curve([red[i], green[i], blue[i]]);
-            (red[i], green[i], blue[i]) = (srgb(r), srgb(g), srgb(b));
+            (red[i], green[i], blue[i]) = (encode_fast(r), encode_fast(g), encode_fast(b));
         }
         let noise = |channel: usize| {
             let line = (y + row + 21 * channel) % blue_noise::MATRIX_SIDE * blue_noise::MATRIX_SIDE;
@@ -180,13 +181,4 @@ fn filmic_curve([r, g, b]: [f32; 3]) -> [f32; 3] {
     let pale = 0.7 * m * (below * strongest * over);
     let (kept, bleached) = (scale - scale * pale, curve * pale);
     [r * kept + bleached, g * kept + bleached, b * kept + bleached]
-}
-
-/// The sRGB transfer curve, to a ninth of an 8-bit level: a polynomial in the square root.
-#[inline(always)]
-pub(crate) fn srgb(linear: f32) -> f32 {
-    let s = max(linear, 0.0).sqrt();
-    let curved = ((((-0.761_408 * s + 2.801_746) * s - 4.212_598) * s + 3.406_116) * s - 1.746_204) * s;
-    let curved = (curved + 1.553_333) * s - 0.041_132;
-    if linear <= 0.003_130_8 { 12.92 * linear } else { curved }
 }

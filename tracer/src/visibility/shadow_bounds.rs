@@ -144,36 +144,37 @@ impl ShadowBounds {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{Random, any_shape};
+    use crate::scenes::any_shape;
     use crate::tile::packed_samples::PackedSamples;
     use crate::visibility::airborne_shadow::AirborneShadow;
     use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;
     use crate::visibility::sphere_shadow;
     use crate::{Emitter, Occluder, SimdLevel, View};
+    use geometry::rng::SplitMix64;
 
     /// A lamp somewhere, a disc or a segment.
-    fn any_lamp(random: &mut Random, size: DVec2) -> Lamp {
+    fn any_lamp(random: &mut SplitMix64, size: DVec2) -> Lamp {
         let emitter = match random.unit() {
-            kind if kind < 0.5 => Emitter::Disc { radius_mm: random.between(0.0, 8.0) },
-            _ => Emitter::Segment { half_mm: random.within(size * 0.2) - size * 0.1 },
+            kind if kind < 0.5 => Emitter::Disc { radius_mm: random.uniform(0.0, 8.0) },
+            _ => Emitter::Segment { half_mm: random.point_within(size * 0.2) - size * 0.1 },
         };
-        let center_mm = random.within(size);
+        let center_mm = random.point_within(size);
         Lamp { center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
     }
 
     /// Nor does a ball in the air.
     #[test]
     fn rows_that_are_left_alone_are_below_no_floating_ball() {
-        let (mut random, size) = (Random(10), DVec2::splat(160.0));
+        let (mut random, size) = (SplitMix64::new(10), DVec2::splat(160.0));
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
-            let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
-            let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
-            let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
+            let lamp = Lamp { height_mm: random.uniform(5.0, 150.0), ..any_lamp(&mut random, size) };
+            let (center_mm, radius_mm) = (random.point_within(size), random.uniform(1.0, 20.0));
+            let height_mm = random.uniform(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
             let ball = Ball { center_mm, radius_mm, height_mm, below: false, group: Group(1), rotation: [0.0; 4] };
-            let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
-            let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
+            let near = center_mm + (random.point_within(size) - size * 0.5) * 0.6;
+            let view = View { origin_mm: near, mm_per_px: random.uniform(0.3, 2.0), width: 16, height: 16 };
             let rect = TileRect::new(&view, 0, 0);
             let bounds = ShadowBounds::of_airborne(&lamp, &ball);
             let reaches = bounds.may_reach(rect.middle_mm, rect.half_mm);
@@ -197,13 +198,17 @@ mod tests {
     /// A thing takes no light from a pixel of a row that its shadow is said not to fall on.
     #[test]
     fn rows_that_are_left_alone_are_in_no_shadow() {
-        let (mut random, size) = (Random(9), DVec2::splat(160.0));
+        let (mut random, size) = (SplitMix64::new(9), DVec2::splat(160.0));
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
             let lamp = any_lamp(&mut random, size);
             let occluder = Occluder { shape: any_shape(&mut random, size, round), group: Group(1) };
-            let view =
-                View { origin_mm: random.within(size), mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
+            let view = View {
+                origin_mm: random.point_within(size),
+                mm_per_px: random.uniform(0.3, 2.0),
+                width: 16,
+                height: 16,
+            };
             let rect = TileRect::new(&view, 0, 0);
             let mut disc_chains = DiscChains::default();
             disc_chains.set(&[occluder]);
