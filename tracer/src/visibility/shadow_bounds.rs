@@ -1,8 +1,13 @@
-//! Where shadows of what has moved may fall: so much of a tile has to be looked at again, and no more.
+//! Shadow bounds: which rows of a tile the shadow of a moved occluder may fall on, umbra and penumbra; only those are
+//! computed again.
 //!
-//! A thing casts no shadow on a point if a straight line has the thing on one side and the lamp and the point on the
-//! other. Of each thing some such lines are kept, tangent to it, and asked row by row. Every answer is on the safe
-//! side.
+//! An occluder casts no shadow on a point if a line separates it from the lamp and the point. The kept lines are:
+//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes of
+//!    the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm using
+//!    graphics hardware", SIGGRAPH 2003.
+//! 2. A tangent of the occluder on the lamp's side, across: what is nearer to the lamp than all of the occluder is lit.
+//!
+//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is conservative.
 
 use crate::simd::dispatch::LANES;
 use crate::tile::packed_samples::TILE;
@@ -18,32 +23,32 @@ pub(crate) type RowMask = u16;
 /// Every row.
 pub(crate) const ALL_ROWS: RowMask = !0;
 
-/// Lines that are kept of one thing.
+/// Separating lines that are kept of one occluder.
 const MAX_LINES: usize = 4;
 
-/// Things of more discs are taken to shadow everything.
+/// An occluder of more discs is taken to shadow everything: its bounds would cost more than they save.
 const MAX_DISCS: usize = 8;
 
-/// Room for rounding in what a floating ball hides, mm.
+/// A margin for rounding in the shadow of an airborne ball, mm.
 const AIRBORNE_MARGIN_MM: f64 = 0.05;
 
-/// A thing is where `normal . x <= offset`, the lamp where it is more.
+/// A separating line: the occluder is where `normal . x <= offset`, the lamp where it is more.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     normal: DVec2,
     offset: f64,
 }
 
-/// Where one thing may shadow a lamp: not beyond any of its lines.
+/// Where one occluder may shadow a lamp: not beyond any of its separating lines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowBounds {
-    /// What the thing belongs to.
+    /// The group of the occluder.
     pub group: Group,
     lines: [Option<Line>; MAX_LINES],
 }
 
 impl ShadowBounds {
-    /// Puts those of all `things`, but for what the lamp is inside of, into `shadow_bounds`.
+    /// Puts the bounds of all `things`, but for the group that the lamp is inside of, into `shadow_bounds`.
     pub fn of_all(lamp: &Lamp, things: &DiscChains, shadow_bounds: &mut Vec<ShadowBounds>) {
         shadow_bounds.clear();
         let chains = things.discs[..things.coarse].chunk_by(|_, next| next.link != Link::Start);
@@ -68,7 +73,7 @@ impl ShadowBounds {
             let offset =
                 chain.iter().map(|disc| normal.dot(disc.center) + disc.radius + swell).fold(f64::MIN, f64::max);
             let before_lamp = normal.dot(lamp.center_mm) - lamp_radius - normal.dot(half).abs() + 1e-9;
-            // What is a tangent of one disc only cuts through the thing.
+            // A tangent of one disc may cut through the others, or through the lamp: it separates nothing.
             if before_lamp >= offset
                 && let Some(line) = room.next()
             {
@@ -80,20 +85,31 @@ impl ShadowBounds {
             for disc in chain {
                 let way = *end - disc.center;
                 let part = (lamp_radius + disc.radius + swell) / way.length();
+                // The tangent that has lamp and disc on different sides: its normal n has
+                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine of
+                // that over the distance.
                 if part < 1.0 {
                     let (ahead, aside) = (way.normalize(), (1.0 - part * part).sqrt());
                     [aside, -aside].into_iter().for_each(|aside| add(ahead * part + ahead.perp() * aside));
                 }
             }
         }
-        // What is nearer to the lamp than all of the thing.
+        // The tangent across, on the side of the lamp.
         let middle = chain.iter().map(|disc| disc.center).sum::<DVec2>() / chain.len() as f64;
         (lamp.center_mm - middle).try_normalize().into_iter().for_each(add);
         bounds
     }
 
-    /// That of a ball that floats: of one that is all below the lamp a box round its shadow, else what the shadow of a
-    /// column would be, since whatever meets the ball meets the column.
+    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line from
+    /// the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since whatever
+    /// ray meets the ball meets the column.
+    ///
+    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below` down to
+    /// the ball's centre and `off` across to it:
+    /// 1. The last stopped ray is the tangent of a circle of radius R: with t its run per unit of descent,
+    ///    (off - t below)^2 = R^2 (1 + t^2).
+    /// 2. The larger root is t = (off below + R sqrt(off^2 + below^2 - R^2)) / (below^2 - R^2).
+    /// 3. It meets the floor at `height` t.
     pub fn of_airborne(lamp: &Lamp, ball: &Ball) -> ShadowBounds {
         let (height, radius) = (lamp.height_mm(), ball.radius_mm + AIRBORNE_MARGIN_MM);
         let below = height - (ball.radius_mm + ball.lift_mm());
@@ -107,7 +123,6 @@ impl ShadowBounds {
         let ahead = from_lamp.try_normalize().unwrap_or(DVec2::X);
         let line = |normal: DVec2| {
             let room = lamp.tube().map_or(lamp.radius_mm(), |half| normal.dot(half).abs());
-            // Seen along the floor the ball is a circle, and the last ray that it stops its tangent.
             let off = normal.dot(from_lamp) + room;
             let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
             let margin = AIRBORNE_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
