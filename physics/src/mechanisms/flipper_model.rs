@@ -6,7 +6,7 @@
 //! and Ostermann, Acta Numerica 19, 2010), the midpoint rule for the rest, the other half of the decay.
 //!
 //! On its way up the coil's plunger, the link, the shaft and the bat turn as one. At the end of the stroke the plunger
-//! shuts its magnetic gap and is *home*: it holds like a wall for as long as there is current. The bat goes on through
+//! shuts its air gap and is *home*: it holds like a wall for as long as there is current. The bat goes on through
 //! the play of the link's bushing, is caught by a stop behind it and creeps back through the grease. While it rides on a
 //! film of that it is light and soft: a ball that meets it then moves the bat alone, against a spring and a damper. The
 //! film is squeezed out in some milliseconds; then nothing gives. Nothing else makes a live catch.
