@@ -33,7 +33,7 @@ const COMPARED: usize = 8;
 /// turn comes again. At 1920x1080 it is 12 frames.
 const RING_BYTES: usize = 96_000_000;
 
-/// Times every way, on one thread and on all, with one frame and with a ring of them.
+/// FrameTimes every way, on one thread and on all, with one frame and with a ring of them.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let size = size.unwrap_or(SIZE);
     let pool = parallel::pool(threads)?;
