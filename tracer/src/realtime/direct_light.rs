@@ -99,7 +99,8 @@ impl Workspace {
         verdict
     }
 
-    fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: RowMask) {
+    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::arriving`] and [`Workspace::shine`].
+    pub(crate) fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: RowMask) {
         let blocks = self.floor_blocks(rows);
         let points = if self.whole { stage.whole_tile } else { &self.floor };
         let (arriving, shine) = (&mut self.arriving, &mut self.shine);
@@ -160,7 +161,14 @@ impl Workspace {
     }
 
     /// Adds some rows of a top's picture to [`Workspace::picture`].
-    fn light_top(&mut self, stage: &Stage, beam: Falloff, layer: usize, rows: RowMask, verdict: VisibilityClass) {
+    pub(crate) fn light_top(
+        &mut self,
+        stage: &Stage,
+        beam: Falloff,
+        layer: usize,
+        rows: RowMask,
+        verdict: VisibilityClass,
+    ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
         let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
         let fraction = if verdict == VisibilityClass::Lit { &ALL } else { &self.fraction };

@@ -10,13 +10,13 @@ use crate::film::bloom::BloomPyramid;
 use crate::film::tone_map;
 use crate::realtime::schedule::{BLOCK, each_tile, means_bands, write_means, write_planes};
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
-use crate::reference::monte_carlo::Sampling;
 use crate::scene::validation;
 use crate::shading::albedo_map::AlbedoMap;
 use crate::shading::chrome_ball::BallSprite;
 use crate::shading::coverage::OutlineSdf;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::DiscChains;
 use crate::{DisplayBuffer, Radiance, RenderStage, Rgb, Scene, Top};
 use rayon::prelude::*;
@@ -53,7 +53,7 @@ pub struct Renderer {
 
 /// What the tiles of a picture have in common.
 macro_rules! stage {
-    ($renderer:expr, $scene:expr, $sampling:expr) => {
+    ($renderer:expr, $scene:expr) => {
         Stage {
             simd: $renderer.simd,
             scene: $scene,
@@ -67,7 +67,6 @@ macro_rules! stage {
             forms: &$renderer.forms,
             whole_tile: &$renderer.whole_tile.1,
             art: &$renderer.art,
-            sampling: $sampling,
         }
     };
 }
@@ -118,7 +117,7 @@ impl Renderer {
         let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
-            return self.render_afresh(scene, None, true, radiance);
+            return self.render_afresh(scene, true, radiance);
         }
         self.leave_still_balls();
         self.look(scene, &mut radiance.bloom);
@@ -137,7 +136,7 @@ impl Renderer {
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
         let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-        let stage = stage!(self, scene, None);
+        let stage = stage!(self, scene);
         bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut planes = [red, green, blue];
@@ -169,7 +168,7 @@ impl Renderer {
         film.resize(scene.view.width, scene.view.height);
         let known = film.drawn == Some((self.picture, exposure));
         if !self.prepare(scene, known) {
-            return self.draw_afresh(scene, None, exposure, film);
+            return self.draw_afresh(scene, exposure, film);
         }
         self.leave_still_balls();
         done(RenderStage::Prepared);
@@ -194,21 +193,9 @@ impl Renderer {
 
     /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
     pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        self.render_slowly(scene, None, radiance);
-    }
-
-    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
-    /// from [`Renderer::render_anew`].
-    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        self.render_slowly(scene, Some(sampling), radiance);
-    }
-
-    /// [`Renderer::render_monte_carlo`], developed.
-    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut DisplayBuffer) {
-        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
-        film.resize(scene.view.width, scene.view.height);
+        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
-        self.draw_afresh(scene, Some(sampling), exposure, film);
+        self.render_afresh(scene, true, radiance);
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
@@ -221,20 +208,30 @@ impl Renderer {
         self.picture.1 += 1;
     }
 
-    fn render_slowly(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
-        radiance.resize(scene.view.width, scene.view.height);
-        self.prepare(scene, false);
-        self.render_afresh(scene, sampling, true, radiance);
+    /// Renders a scene that was prepared, with its balls and its bloom or without them, and forgets it.
+    fn render_afresh(&mut self, scene: &Scene, whole: bool, radiance: &mut Radiance) {
+        self.render_tiles(scene, radiance, Workspace::render);
+        if whole {
+            self.put_balls_on(scene, radiance);
+        }
+        self.forget();
     }
 
-    /// Renders a scene that was prepared, with its balls and its bloom or without them, and forgets it.
-    fn render_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, whole: bool, radiance: &mut Radiance) {
+    /// Renders the tiles of a scene that was prepared, without its balls, and their means; `render` makes each tile in
+    /// [`Workspace::out`].
+    pub(crate) fn render_tiles(
+        &self,
+        scene: &Scene,
+        radiance: &mut Radiance,
+        render: impl Fn(&mut Workspace, &Stage, &TileRect) + Sync,
+    ) {
+        radiance.resize(scene.view.width, scene.view.height);
+        radiance.drawn = None;
         let stride = radiance.stride();
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
         let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-        let stage = stage!(self, scene, sampling);
+        let stage = stage!(self, scene);
         let Some((level, means)) = radiance.bloom.means_mut() else { return };
         bands.zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
             |(at, (((red, green), blue), mut means))| {
@@ -244,7 +241,7 @@ impl Renderer {
                     let mut block = None;
                     each_tile(scene, at, std::iter::repeat(()), |place, ()| {
                         workspace.enter_block_at(&stage, place, &mut block);
-                        workspace.render(&stage, place);
+                        render(workspace, &stage, place);
                         let y = place.y - at * BLOCK;
                         write_planes(&workspace.out, place.x, y, stride, &mut planes);
                         means_of(stage.simd, &workspace.out, &mut found);
@@ -253,18 +250,12 @@ impl Renderer {
                 });
             },
         );
-        if whole {
-            self.put_balls_on(scene, radiance);
-        }
-        radiance.drawn = None;
-        self.forget();
     }
 
     /// Draws a scene that was prepared, and forgets it.
-    fn draw_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, exposure: f32, film: &mut DisplayBuffer) {
+    fn draw_afresh(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
         let mut radiance = std::mem::take(&mut self.radiance);
-        radiance.resize(scene.view.width, scene.view.height);
-        self.render_afresh(scene, sampling, true, &mut radiance);
+        self.render_afresh(scene, true, &mut radiance);
         tone_map::map_on(self.simd, &radiance, exposure, &mut film.frame);
         self.radiance = radiance;
         film.drawn = None;
@@ -273,7 +264,7 @@ impl Renderer {
     /// Makes every tile's memory true, and takes the means of those that have changed.
     fn look(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
         let mut bands = std::mem::take(&mut self.past.bands);
-        let stage = stage!(self, scene, None);
+        let stage = stage!(self, scene);
         if let Some((level, means)) = bloom.means_mut() {
             bands.par_iter_mut().zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
                 |(at, (memory, mut means))| {
@@ -299,7 +290,7 @@ impl Renderer {
     /// Puts the tiles on film that are not there as they should be.
     fn develop(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
         let mut bands = std::mem::take(&mut self.past.bands);
-        let stage = stage!(self, scene, None);
+        let stage = stage!(self, scene);
         let (width, simd, patches, bloom) = (scene.view.width, self.simd, &self.patches, &film.bloom);
         let window = film.window;
         let wants = |x, y| DisplayBuffer::wants(window, x, y);

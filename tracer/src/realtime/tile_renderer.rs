@@ -12,7 +12,6 @@ use crate::cache::tile_cache::{Illumination, TileMemory};
 use crate::realtime::compose::{has_contacts, shade_contacts};
 use crate::realtime::direct_light::{ALL, Lighted, add};
 use crate::realtime::schedule::BLOCK;
-use crate::reference::monte_carlo::Sampling;
 use crate::shading::albedo_map::{Albedo, AlbedoMap};
 use crate::shading::chrome_ball;
 use crate::shading::coverage::{OutlineSdf, SignedDistance};
@@ -52,8 +51,6 @@ pub(crate) struct Stage<'a> {
     pub whole_tile: &'a PackedSamples,
     /// The floor's art.
     pub art: &'a AlbedoMap,
-    /// How visibility is found: exactly, or by sampling.
-    pub sampling: Option<Sampling>,
 }
 
 impl Stage<'_> {
@@ -364,11 +361,7 @@ impl Workspace {
 
     /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
     pub fn render(&mut self, stage: &Stage, place: &TileRect) {
-        self.enter(stage);
-        let layers = self.recall(stage, place, &mut Surfaces::default());
-        self.light_from_everywhere(stage, layers);
-        self.out = self.picture;
-        shade_contacts(stage, place, &mut self.out);
+        let layers = self.render_unlit(stage, place);
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let lamp = &stage.lamps[at].lamp;
@@ -386,6 +379,21 @@ impl Workspace {
             }
             add(&self.picture, lamp.color, &mut self.out);
         }
+        self.render_glows(stage, place);
+    }
+
+    /// Makes the tile in the light from everywhere, in [`Workspace::out`]; says how many tops there are.
+    pub fn render_unlit(&mut self, stage: &Stage, place: &TileRect) -> usize {
+        self.enter(stage);
+        let layers = self.recall(stage, place, &mut Surfaces::default());
+        self.light_from_everywhere(stage, layers);
+        self.out = self.picture;
+        shade_contacts(stage, place, &mut self.out);
+        layers
+    }
+
+    /// Adds the light of inserts to [`Workspace::out`], which is complete with them.
+    pub fn render_glows(&mut self, stage: &Stage, place: &TileRect) {
         for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
             self.glow(place, glow.mask);
             add(&self.picture, glow.color, &mut self.out);

@@ -2,7 +2,6 @@
 
 use crate::Group;
 use crate::realtime::tile_renderer::{Lit, Stage};
-use crate::reference::monte_carlo;
 use crate::simd::dispatch::{LANES, set_bits};
 use crate::tile::packed_samples::{PackedSamples, Plane};
 use crate::tile::rect::TileRect;
@@ -42,11 +41,6 @@ impl VisibilityQuery<'_, '_> {
 
     fn past_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
         let (lamp, middle) = (&self.lit.lamp, self.place.middle_mm);
-        if let Some(sampling) = &self.stage.sampling {
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, lamp, points, self.sampled(), without, self.fraction);
-            return VisibilityClass::Partial;
-        }
         let (source, axis) = ProjectedEmitter::new(lamp, middle);
         let verdict = self.between.gather(self.near, self.stage.disc_chains, middle, axis, without);
         if verdict == VisibilityClass::Partial {
@@ -65,11 +59,6 @@ impl VisibilityQuery<'_, '_> {
         own: Option<Group>,
         mut verdict: VisibilityClass,
     ) -> VisibilityClass {
-        if let Some(sampling) = &self.stage.sampling {
-            let balls = &self.stage.scene.balls;
-            sampling.attenuate(balls, &self.lit.lamp, points, self.sampled(), own, self.fraction);
-            return verdict;
-        }
         let &TileRect { middle_mm, half_mm, .. } = self.place;
         let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
         for ball in self.lit.floating.iter().filter(reaches) {
@@ -80,11 +69,5 @@ impl VisibilityQuery<'_, '_> {
             ball.attenuate(self.stage.simd, self.place, points, blocks, self.fraction);
         }
         verdict
-    }
-
-    fn sampled(&self) -> monte_carlo::TilePixels {
-        let TileRect { x, y, middle_mm, .. } = *self.place;
-        let view = &self.stage.scene.view;
-        monte_carlo::TilePixels { middle_mm, corner: (x, y), size: (view.width, view.height) }
     }
 }

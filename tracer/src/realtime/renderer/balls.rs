@@ -31,7 +31,7 @@ impl Renderer {
     }
 
     /// Renders the balls of a scene whose light is in `radiance`, and takes the bloom.
-    pub(super) fn put_balls_on(&mut self, scene: &Scene, radiance: &mut Radiance) {
+    pub(crate) fn put_balls_on(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let stride = radiance.stride();
         self.render_balls(scene, &mut radiance.bloom);
         radiance.bloom.gather(self.simd);

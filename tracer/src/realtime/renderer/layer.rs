@@ -12,7 +12,7 @@ impl Renderer {
     pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
-            return self.render_afresh(scene, None, false, radiance);
+            return self.render_afresh(scene, false, radiance);
         }
         self.look(scene, &mut radiance.bloom);
         self.compose(scene, &[], radiance);

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 impl Renderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
-    pub(super) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
+    pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
         self.disc_chains.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
