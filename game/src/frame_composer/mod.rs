@@ -173,7 +173,7 @@ impl FrameComposer {
         self.corner = assets.corner(self.camera.follow(snapshot, self.table.size_mm, shown_mm));
         let (width, height) = (rect.width as usize, rect.height as usize);
         if (width, height) != (assets.view.width, assets.view.height) {
-            assets.display_buffer.look_at(self.corner.0, self.corner.1, width, height);
+            assets.display_buffer.set_scissor(self.corner.0, self.corner.1, width, height);
         }
     }
 

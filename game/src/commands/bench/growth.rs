@@ -63,7 +63,7 @@ const SCENES: [(&str, Change); 9] = [
     ("12 balls", |scene| testing::with_balls(scene, 12)),
 ];
 
-/// FrameTimes every scene in every state.
+/// Times every scene in every state.
 ///
 /// # Errors
 /// If the system gives no threads.

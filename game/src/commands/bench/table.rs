@@ -23,7 +23,7 @@ const PLAYED: u64 = 12_000;
 /// The games whose balls are on the table.
 const SEEDS: [u64; 3] = [1, 2, 3];
 
-/// FrameTimes the frames of a game at each size.
+/// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
     let moments = moments(&table, FRAMES)?;

@@ -36,7 +36,7 @@ impl Renderer {
         self.render_monte_carlo(scene, sampling, &mut radiance);
         film.resize(radiance.width(), radiance.height());
         tone_map::map(&radiance, exposure, &mut film.frame);
-        film.drawn = None;
+        film.source = None;
     }
 }
 
@@ -76,7 +76,7 @@ impl Workspace {
         let beam = Falloff::new(&lit.lamp, place.middle_mm);
         let view = Look { sampling, stage, lit, place };
         if self.whole || self.floor.count > 0 {
-            let points = if self.whole { stage.whole_tile } else { &self.floor };
+            let points = if self.whole { stage.full_tile } else { &self.floor };
             for (fraction, channels) in view.seen(points, None).planes() {
                 self.light_floor(stage, beam, ALL_ROWS);
                 self.fraction = *fraction;
