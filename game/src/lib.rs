@@ -15,6 +15,7 @@ pub mod commands;
 pub mod desktop;
 pub mod failure;
 pub mod frame_composer;
+pub mod game_app;
 pub mod hud;
 pub mod input;
 pub mod lamps;
