@@ -18,6 +18,7 @@ use game::Table;
 use game::hud::Chrome;
 use game::picture::{Moment, Picture};
 use game::recording::Replay;
+use game::storage::recordings;
 use std::path::Path;
 use tracer::room::{Room, Threads, Way};
 use tracer::testing::{self, Props};
@@ -72,7 +73,7 @@ fn quilted(mut props: Props) -> Props {
 /// Frames of a demonstration after so many seconds, as `caustic frame --replay` draws them.
 fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
     let file = root().join("assets/demos").join(demo).with_extension("caustic");
-    let mut replay = Replay::open(&file).unwrap();
+    let mut replay = recordings::open(&file).unwrap();
     let mut picture = picture_of(&replay);
     let frame = |&second: &u64| {
         let tick = second * u64::from(physics::TICKS_PER_SECOND);
@@ -89,7 +90,7 @@ fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
 fn on_the_ramp() -> Frame {
     for demo in 1..=5 {
         let file = root().join(format!("assets/demos/bot-{demo}.caustic"));
-        let mut replay = Replay::open(&file).unwrap();
+        let mut replay = recordings::open(&file).unwrap();
         let ramp = replay.simulation().table().part("ramp").expect("Spectrum has a ramp");
         while replay.step() {
             if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {

@@ -52,8 +52,8 @@ fn each_library_is_named_in_its_own_room_only() {
     let rooms: [(&str, &[&str]); 7] = [
         ("winit", &["game/src/window/"]),
         ("softbuffer", &["game/src/window/"]),
-        ("tiny_skia", &["game/src/hud/", "game/src/table/"]),
-        ("resvg", &["game/src/table/"]),
+        ("tiny_skia", &["game/src/hud/", "game/src/art/"]),
+        ("resvg", &["game/src/art/"]),
         ("plotters", &["game/src/commands/plot/"]),
         ("rhai", &["game/src/rules/"]),
         ("rapier2d", &["physics/src/"]),

@@ -7,20 +7,24 @@
 //!
 //! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
 
-pub mod assets;
+pub mod art;
 pub mod bot;
 pub mod buttons;
 pub mod cli;
 pub mod commands;
 pub mod failure;
+mod fonts;
 pub mod hud;
 pub mod lamps;
-pub mod new_file;
 pub mod picture;
 pub mod recording;
 pub mod rules;
 pub mod simulation;
+#[cfg(test)]
+mod small_table;
 pub mod stage;
+mod standard_error;
+pub mod storage;
 pub mod table;
 pub mod window;
 
@@ -28,4 +32,5 @@ pub use buttons::Buttons;
 pub use failure::Failure;
 pub use recording::Recording;
 pub use simulation::{Simulation, Snapshot};
+pub use standard_error::tell;
 pub use table::Table;

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::cli::DumpArgs;
 use crate::hud::Chrome;
 use crate::picture::{Moment, Picture, save_png};
-use crate::recording::Replay;
+use crate::storage::recordings;
 use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -20,7 +20,7 @@ use tracer::Frame;
 /// # Errors
 /// If the recording cannot be played again or a frame cannot be written.
 pub fn run(args: &DumpArgs) -> Result<(), Failure> {
-    let mut replay = Replay::open(&args.file)?;
+    let mut replay = recordings::open(&args.file)?;
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;

@@ -3,7 +3,7 @@
 use super::parallel;
 use crate::Failure;
 use crate::cli::ReplayArgs;
-use crate::recording::Replay;
+use crate::storage::recordings;
 use crate::window::{self, Look};
 
 /// Shows a recording until the window is closed.
@@ -11,7 +11,7 @@ use crate::window::{self, Look};
 /// # Errors
 /// If the recording cannot be played again, or there is no display.
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
-    let replay = Replay::open(&args.file)?;
+    let replay = recordings::open(&args.file)?;
     let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
     window::watch(replay, look, parallel::pool(args.threads)?)
 }

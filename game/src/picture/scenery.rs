@@ -1,10 +1,10 @@
 //! What a picture needs that depends on its size: where everything is, the printed art, and the playfield's film.
 
 use super::placement::{Lens, Placement};
+use crate::art;
 use crate::cli::Size;
 use crate::hud::Rect;
 use crate::stage::Printed;
-use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;
 use tracer::{Film, Floor, View};

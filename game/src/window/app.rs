@@ -69,7 +69,7 @@ impl App {
     pub fn new(session: Session, picture: Picture, look: Look, proxy: EventLoopProxy<Wake>) -> App {
         let now = now();
         let reload = match &session {
-            Session::Game(game) if !game.is_bound_to_table() => Some(Reload::new(&picture.table().dir)),
+            Session::Game(game) if !game.is_bound_to_table() => Some(Reload::new(picture.table().origin.as_ref())),
             _ => None,
         };
         App {

@@ -1,10 +1,11 @@
 //! How exact the light is: the lanes against 16,384 shadow rays a lamp, and whether that is good enough.
 
 use super::table;
+use crate::Failure;
 use crate::commands::parallel;
 use crate::commands::print::print;
 use crate::stage::{Printed, Stage};
-use crate::{Failure, Table};
+use crate::storage::tables;
 use serde::Serialize;
 use std::sync::Arc;
 use tracer::quality::{MOST_DIFFERENCE, MOST_FLIP, MOST_RMSE, Quality, SAMPLES, judge};
@@ -73,7 +74,7 @@ fn made_up_table() -> Row {
 }
 
 fn played_table() -> Result<Row, Failure> {
-    let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
     let moment = table::moments(&table, 1)?.pop().ok_or_else(|| Failure::new("the bot has not played"))?;
     let stage = Stage::new(&table);
     let [view, small] = views(table.size_mm);

@@ -57,7 +57,7 @@ impl App {
                 self.tell("The table was read again.".to_string());
             }
             Err(failure) => {
-                failure.tell();
+                crate::tell(&failure);
                 self.tell(failure.to_string());
             }
         }
