@@ -15,14 +15,14 @@ mod album;
 
 use album::Album;
 use game::Table;
+use game::frame_composer::{Moment, Picture};
 use game::hud::Chrome;
-use game::picture::{Moment, Picture};
 use game::recording::Replay;
 use game::storage::recordings;
+use shadow_race::{Room, Threads, Way};
 use std::path::Path;
-use tracer::room::{Room, Threads, Way};
 use tracer::testing::{self, Props};
-use tracer::{Film, Frame, Renderer, View};
+use tracer::{DisplayBuffer, Frame, Renderer, View};
 
 /// The size of the frames of the drawn table, in pixels.
 const SIZE: (usize, usize) = (216, 432);
@@ -49,7 +49,7 @@ fn golden_frame_of_a_ball_on_the_ramp() {
 fn golden_frame_of_the_generated_table() {
     let view = View::fit(150, 300, testing::SIZE_MM);
     let props = quilted(testing::props(&view));
-    let mut film = Film::default();
+    let mut film = DisplayBuffer::default();
     Renderer::new().draw(&testing::table(view, &props), 1.0, &mut film);
     compare(&[("generated-table".to_string(), film.frame().clone())]);
 }

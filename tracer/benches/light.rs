@@ -6,7 +6,7 @@
 use divan::Bencher;
 use geometry::DVec2;
 use tracer::testing::{self, Props};
-use tracer::{Path, Radiance, Renderer, Scene, View};
+use tracer::{Radiance, Renderer, Scene, SimdLevel, View};
 
 fn main() {
     divan::main();
@@ -14,11 +14,11 @@ fn main() {
 
 /// The paths of this machine, by name.
 fn paths() -> Vec<&'static str> {
-    Path::available().into_iter().map(Path::name).collect()
+    SimdLevel::available().into_iter().map(SimdLevel::name).collect()
 }
 
-fn path(name: &str) -> Path {
-    Path::available().into_iter().find(|path| path.name() == name).unwrap_or(Path::best())
+fn path(name: &str) -> SimdLevel {
+    SimdLevel::available().into_iter().find(|path| path.name() == name).unwrap_or(SimdLevel::best())
 }
 
 /// The made-up table at the size that figures are quoted at.
@@ -29,7 +29,7 @@ fn table(props: &mut Props, width: usize) -> Scene<'_> {
 }
 
 /// Renders from nothing again and again.
-fn cold(bencher: Bencher, path: Path, scene: &Scene) {
+fn cold(bencher: Bencher, path: SimdLevel, scene: &Scene) {
     let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
     bencher.bench_local(|| {
         renderer.forget();
@@ -38,7 +38,7 @@ fn cold(bencher: Bencher, path: Path, scene: &Scene) {
 }
 
 /// Renders again and again, the balls rolling to and fro.
-fn warm(bencher: Bencher, path: Path, scene: &mut Scene) {
+fn warm(bencher: Bencher, path: SimdLevel, scene: &mut Scene) {
     let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
     renderer.render(scene, &mut radiance);
     let mut step = DVec2::new(1.5, -2.0);
@@ -64,13 +64,13 @@ fn warm_by_path(bencher: Bencher, name: &str) {
 #[divan::bench(args = [270, 540, 1080])]
 fn cold_by_pixels_across(bencher: Bencher, width: usize) {
     let mut props = Props::default();
-    cold(bencher, Path::best(), &table(&mut props, width));
+    cold(bencher, SimdLevel::best(), &table(&mut props, width));
 }
 
 #[divan::bench(args = [270, 540, 1080])]
 fn warm_by_pixels_across(bencher: Bencher, width: usize) {
     let mut props = Props::default();
-    warm(bencher, Path::best(), &mut table(&mut props, width));
+    warm(bencher, SimdLevel::best(), &mut table(&mut props, width));
 }
 
 #[divan::bench(args = [4, 16, 64])]
@@ -78,7 +78,7 @@ fn cold_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_lamps(&mut scene, count);
-    cold(bencher, Path::best(), &scene);
+    cold(bencher, SimdLevel::best(), &scene);
 }
 
 #[divan::bench(args = [4, 16, 64])]
@@ -86,7 +86,7 @@ fn warm_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_lamps(&mut scene, count);
-    warm(bencher, Path::best(), &mut scene);
+    warm(bencher, SimdLevel::best(), &mut scene);
 }
 
 #[divan::bench(args = [0, 100, 400])]
@@ -94,7 +94,7 @@ fn cold_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_posts(&mut scene, count);
-    cold(bencher, Path::best(), &scene);
+    cold(bencher, SimdLevel::best(), &scene);
 }
 
 #[divan::bench(args = [0, 100, 400])]
@@ -102,7 +102,7 @@ fn warm_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_posts(&mut scene, count);
-    warm(bencher, Path::best(), &mut scene);
+    warm(bencher, SimdLevel::best(), &mut scene);
 }
 
 #[divan::bench(args = [0, 3, 12])]
@@ -110,7 +110,7 @@ fn cold_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_balls(&mut scene, count);
-    cold(bencher, Path::best(), &scene);
+    cold(bencher, SimdLevel::best(), &scene);
 }
 
 #[divan::bench(args = [0.0, 5.0, 20.0, 70.0])]
@@ -118,7 +118,7 @@ fn warm_by_height_of_a_ball(bencher: Bencher, height_mm: f64) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::lift(&mut scene, &[height_mm]);
-    warm(bencher, Path::best(), &mut scene);
+    warm(bencher, SimdLevel::best(), &mut scene);
 }
 
 #[divan::bench(args = [0, 3, 12])]
@@ -126,5 +126,5 @@ fn warm_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
     testing::with_balls(&mut scene, count);
-    warm(bencher, Path::best(), &mut scene);
+    warm(bencher, SimdLevel::best(), &mut scene);
 }

@@ -7,7 +7,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 use std::time::Instant;
-use tracer::{Frame, Path, Radiance, Renderer, View, testing, tone};
+use tracer::{Frame, Radiance, Renderer, SimdLevel, View, testing, tone};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -15,7 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (width, height) = arguments.get(1).and_then(|size| size.split_once('x')).unwrap_or(("540", "1080"));
     let threads = arguments.get(2).map_or(Ok(2), |threads| threads.parse())?;
     let wanted = arguments.get(3).map(String::as_str);
-    let path = Path::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(Path::best);
+    let path =
+        SimdLevel::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(SimdLevel::best);
     let view = View::fit(width.parse()?, height.parse()?, testing::SIZE_MM);
     let props = testing::props(&view);
     let mut scene = testing::table(view, &props);

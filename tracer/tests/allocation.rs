@@ -3,7 +3,7 @@
 use geometry::DVec2;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tracer::{Film, Renderer, View, testing};
+use tracer::{DisplayBuffer, Renderer, View, testing};
 
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
@@ -42,7 +42,7 @@ fn a_warm_renderer_allocates_nothing() {
     pool.install(|| {
         let mut scene = testing::table(view, &props);
         testing::lift(&mut scene, &[12.0]);
-        let (mut renderer, mut film) = (Renderer::new(), Film::default());
+        let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
         let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);
             for frame in 0..24 {

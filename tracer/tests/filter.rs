@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::testing::{self, Random};
-use tracer::{Filter, Group, Occluder, Path, Radiance, Renderer, Scene, exact};
+use tracer::{Filter, Group, Occluder, Radiance, Renderer, Scene, SimdLevel, exact};
 
 const SIDE: usize = 160;
 
@@ -115,7 +115,7 @@ fn coloured_shadows_have_the_same_bits_everywhere() {
     let floor = testing::white(SIDE, SIDE);
     let scene = stained(3, &floor);
     let expected = anew(&scene);
-    for path in Path::available() {
+    for path in SimdLevel::available() {
         let mut radiance = Radiance::default();
         Renderer::on(path).render_anew(&scene, &mut radiance);
         assert!(radiance == expected, "{}", path.name());

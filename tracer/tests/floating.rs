@@ -4,7 +4,8 @@ use geometry::{DVec2, Shape};
 use std::f64::consts::PI;
 use tracer::testing::{self, Props};
 use tracer::{
-    Ball, Emitter, Film, Floor, Group, HalfRenderer, Lamp, Occluder, Path, Radiance, Renderer, Scene, View, exact,
+    Ball, DisplayBuffer, Emitter, Floor, Group, HalfRenderer, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel,
+    View, exact,
 };
 
 /// 160 x 160 pixels, 1 mm each, all white.
@@ -198,7 +199,7 @@ fn table(view: View, props: &Props) -> Scene<'_> {
 fn memory_changes_no_bit() {
     let view = View::fit(150, 300, testing::SIZE_MM);
     let props = testing::props(&view);
-    for (path, threads) in Path::available().into_iter().zip([1, 3].into_iter().cycle()) {
+    for (path, threads) in SimdLevel::available().into_iter().zip([1, 3].into_iter().cycle()) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let (mut renderer, mut remembered, mut fresh) = (Renderer::on(path), Radiance::default(), Radiance::default());
         let (mut scene, grounded) = (table(view, &props), table(view, &props));
@@ -248,7 +249,7 @@ fn light_of_half_the_resolution_has_floating_balls() {
     let view = View::fit(150, 300, testing::SIZE_MM);
     let (props, Props { floor: half, .. }) = (testing::props(&view), testing::props(&view.halved()));
     let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
-        let mut film = Film::default();
+        let mut film = DisplayBuffer::default();
         let mut scene = scene.clone();
         renderer.draw(&mut scene, &half, 1.0, &mut film);
         film.frame().clone()

@@ -3,8 +3,8 @@
 use geometry::{DVec2, Shape};
 use tracer::testing::{self, Props};
 use tracer::{
-    Ball, Emitter, Film, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Path, Profile, Renderer,
-    Scene, Top, View,
+    Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Profile,
+    Renderer, Scene, SimdLevel, Top, View,
 };
 
 /// A table with the art for both resolutions.
@@ -27,13 +27,13 @@ impl Set {
 }
 
 fn drawn_half<'a>(scene: &mut Scene<'a>, half: &'a Floor) -> Frame {
-    let mut film = Film::default();
+    let mut film = DisplayBuffer::default();
     HalfRenderer::new().draw(scene, half, 1.0, &mut film);
     film.frame().clone()
 }
 
 fn drawn_full(scene: &Scene) -> Frame {
-    let mut film = Film::default();
+    let mut film = DisplayBuffer::default();
     Renderer::new().draw(scene, 1.0, &mut film);
     film.frame().clone()
 }
@@ -160,10 +160,10 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
     let set = Set::new(251, 501);
     let mut scene = set.scene();
     let expected = drawn_half(&mut scene, &set.half);
-    for path in Path::available() {
+    for path in SimdLevel::available() {
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let (mut renderer, mut film) = (HalfRenderer::on(path), Film::default());
+            let (mut renderer, mut film) = (HalfRenderer::on(path), DisplayBuffer::default());
             pool.install(|| {
                 let mut other = scene.clone();
                 testing::roll(&mut other, DVec2::new(31.0, -14.0));

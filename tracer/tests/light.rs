@@ -2,8 +2,8 @@
 
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper};
 use tracer::{
-    Ball, Emitter, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Path, Profile, Radiance, Renderer, Scene, Top,
-    View, exact, testing, tone,
+    Ball, Emitter, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Profile, Radiance, Renderer, Scene, SimdLevel,
+    Top, View, exact, testing, tone,
 };
 
 const SIDE: usize = 96;
@@ -247,7 +247,7 @@ fn a_picture_has_the_same_bytes_everywhere() {
     let view = View::fit(250, 500, testing::SIZE_MM);
     let props = testing::props(&view);
     let scene = testing::table(view, &props);
-    let picture = |path: Path, threads: usize| {
+    let picture = |path: SimdLevel, threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
             let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
@@ -260,9 +260,9 @@ fn a_picture_has_the_same_bytes_everywhere() {
             (radiance, frames)
         })
     };
-    let expected = picture(Path::best(), 1);
-    assert!(expected == picture(Path::best(), 2), "two threads");
-    for path in Path::available() {
+    let expected = picture(SimdLevel::best(), 1);
+    assert!(expected == picture(SimdLevel::best(), 2), "two threads");
+    for path in SimdLevel::available() {
         assert!(expected == picture(path, 3), "{}", path.name());
     }
 }

@@ -2,7 +2,7 @@
 
 use geometry::DVec2;
 use tracer::testing::{self, Props};
-use tracer::{Film, Finish, Frame, Lamp, Path, Radiance, Renderer, Rgb, Scene, View, tone};
+use tracer::{DisplayBuffer, Finish, Frame, Lamp, Radiance, Renderer, Rgb, Scene, SimdLevel, View, tone};
 
 const SIZE: (usize, usize) = (182, 391);
 
@@ -98,12 +98,12 @@ fn play(scene: &mut Scene, frame: usize) {
 #[test]
 fn drawing_is_rendering_and_developing() {
     let props = props();
-    for (path, threads) in Path::available().into_iter().flat_map(|path| [(path, 1), (path, 3)]) {
+    for (path, threads) in SimdLevel::available().into_iter().flat_map(|path| [(path, 1), (path, 3)]) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
             let mut scene = testing::table(view(), &props);
             let (mut drawing, mut rendering) = (Renderer::on(path), Renderer::on(path));
-            let (mut film, mut radiance, mut frame) = (Film::default(), Radiance::default(), Frame::default());
+            let (mut film, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
             for number in 0..12 {
                 play(&mut scene, number);
                 let exposure = if number > 8 { 1.25 } else { 1.0 };
@@ -124,7 +124,7 @@ fn a_part_is_drawn_as_if_it_were_all() {
     let props = props();
     let mut scene = testing::table(view(), &props);
     let (mut part, mut whole) = (Renderer::new(), Renderer::new());
-    let (mut seen, mut all) = (Film::default(), Film::default());
+    let (mut seen, mut all) = (DisplayBuffer::default(), DisplayBuffer::default());
     for number in 0..20 {
         if number % 4 != 3 {
             play(&mut scene, number);

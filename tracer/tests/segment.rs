@@ -3,7 +3,7 @@
 use geometry::{Arc, Circle, Core, DVec2, Shape, trig};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::testing::{self, Random};
-use tracer::{Emitter, Floor, Group, Lamp, Occluder, Path, Radiance, Renderer, Scene, View, exact};
+use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, exact};
 
 const SIDE: usize = 96;
 
@@ -227,7 +227,7 @@ fn tubes_have_the_same_bits_on_every_path() {
         let scene = testing::mixed_jumble(seed, &floor);
         let mut expected = Radiance::default();
         Renderer::new().render(&scene, &mut expected);
-        for path in Path::available() {
+        for path in SimdLevel::available() {
             let mut radiance = Radiance::default();
             Renderer::on(path).render(&scene, &mut radiance);
             assert!(radiance == expected, "seed {seed} on {}", path.name());

@@ -2,7 +2,7 @@
 
 use geometry::Shape;
 use tracer::testing;
-use tracer::{Radiance, Renderer, Scene, Veil, View};
+use tracer::{Overhang, Radiance, Renderer, Scene, View};
 
 const SIZE: (usize, usize) = (182, 391);
 
@@ -17,8 +17,8 @@ fn a_ball_below_an_opaque_veil_is_not_seen_and_one_above_it_is() {
     let view = View::fit(SIZE.0, SIZE.1, testing::SIZE_MM);
     let props = testing::props(&view);
     let mut scene = testing::table(view, &props);
-    let veil = |ball: &tracer::Ball| Veil { shape: Shape::disc(ball.center_mm, 3.0 * ball.radius_mm), passes: 0.0 };
-    scene.veils = scene.balls.iter().map(veil).collect();
+    let veil = |ball: &tracer::Ball| Overhang { shape: Shape::disc(ball.center_mm, 3.0 * ball.radius_mm), passes: 0.0 };
+    scene.overhangs = scene.balls.iter().map(veil).collect();
     // What a ball shows of its scratches when it turns.
     let turned = |below: bool| {
         let mut scene = scene.clone();

@@ -6,12 +6,12 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use geometry::DVec2;
 use rayon::ThreadPool;
 use tracer::testing::{self, Props};
-use tracer::{Film, Renderer, Rgb, Scene, View};
+use tracer::{DisplayBuffer, Renderer, Rgb, Scene, View};
 
 /// The size that figures are quoted at.
 const SIZE: Size = Size { width: 540, height: 1080 };
@@ -96,7 +96,7 @@ fn view(size: Size) -> View {
 fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPool) -> Vec<Row> {
     let mut scene = testing::table(view(size), props);
     change(&mut scene);
-    let (mut renderer, mut film) = (Renderer::new(), Film::default());
+    let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
     let row = |state: State| {
         let ms = pool.install(|| median_ms(&mut scene, state, &mut renderer, &mut film));
         Row {
@@ -113,7 +113,7 @@ fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPo
 }
 
 /// Draws frames of a scene in one state, the first ones to warm up.
-fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mut Film) -> f64 {
+fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mut DisplayBuffer) -> f64 {
     let colors: Vec<Rgb> = scene.lamps.iter().map(|lamp| lamp.color).collect();
     let mut times_ms = Vec::new();
     for frame in 0..WARM_UP + FRAMES {

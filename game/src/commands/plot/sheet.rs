@@ -5,8 +5,8 @@
 
 use super::ink;
 use crate::Failure;
-use crate::cli::Size;
 use crate::fonts::FONTS;
+use crate::screen::Size;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;

@@ -1,0 +1,306 @@
+//! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
+//!
+//! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
+//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
+
+use crate::film::bloom::{MipLevel, STEP};
+use crate::film::tone_map;
+use crate::realtime::joint_upsampling::{Guides, Print};
+use crate::realtime::renderer::drawable;
+use crate::shading::surface::{BLACK, RgbTile};
+use crate::simd::dispatch::{LANES, SimdLevel};
+use crate::tile::packed_samples::TILE;
+use crate::{DisplayBuffer, Finish, Floor, Radiance, RenderStage, Renderer, Scene, View};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::mem::take;
+
+/// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
+/// in it than before.
+pub struct HalfRenderer {
+    simd: SimdLevel,
+    /// All light but what surfaces have of their own, at half the resolution, without the balls.
+    lamps: Layer,
+    /// Under a white sky: at half the resolution, and at the full one.
+    guides: [Layer; 2],
+    /// Which surface is seen, as a number: at half the resolution, and at the full one.
+    marks: [Layer; 2],
+    /// Light that surfaces have of their own, at the full resolution.
+    glows: Layer,
+    /// The tops' finishes, while others are in their place.
+    finishes: Vec<Finish>,
+    tiles: Vec<Tile>,
+}
+
+/// A tile of the picture.
+#[derive(Clone, Debug)]
+struct Tile {
+    print: Print,
+    /// Whether a surface has light of its own.
+    glows: bool,
+    /// Whether it is not on the film as it should be.
+    stale: bool,
+}
+
+/// A picture that only what has changed is made anew of.
+struct Layer {
+    renderer: Renderer,
+    radiance: Radiance,
+    /// Whether any tile of the last one was made anew.
+    fresh: bool,
+}
+
+impl Layer {
+    fn render(&mut self, scene: &Scene) {
+        self.renderer.render_table(scene, &mut self.radiance);
+        self.fresh = self.renderer.is_fresh();
+    }
+}
+
+impl Default for HalfRenderer {
+    fn default() -> HalfRenderer {
+        HalfRenderer::new()
+    }
+}
+
+impl HalfRenderer {
+    /// A renderer for this machine's best instruction set.
+    pub fn new() -> HalfRenderer {
+        HalfRenderer::on(SimdLevel::best())
+    }
+
+    /// A renderer on a chosen instruction set: the same bits on each.
+    pub fn on(simd: SimdLevel) -> HalfRenderer {
+        let layer = || Layer { renderer: Renderer::on(simd), radiance: Radiance::default(), fresh: true };
+        HalfRenderer {
+            simd,
+            lamps: layer(),
+            guides: [layer(), layer()],
+            marks: [layer(), layer()],
+            glows: layer(),
+            finishes: Vec::new(),
+            tiles: Vec::new(),
+        }
+    }
+
+    /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// any number. The scene is as it was afterwards. What [`Scene::check`] refuses is not drawn; of a view that it refuses
+    /// there is no picture.
+    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut DisplayBuffer) {
+        self.draw_watched(scene, half, exposure, film, &mut |_| {});
+    }
+
+    /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
+    pub fn draw_watched<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        exposure: f32,
+        film: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        let View { width, height, .. } = scene.view;
+        if width == 0 || height == 0 {
+            return film.resize(width, height);
+        }
+        let cleaned = match drawable(scene) {
+            None => return film.resize(0, 0),
+            Some(Cow::Owned(cleaned)) => Some(cleaned),
+            Some(Cow::Borrowed(_)) => None,
+        };
+        match cleaned {
+            Some(mut cleaned) => self.draw_whole(&mut cleaned, half, exposure, film, done),
+            None => self.draw_whole(scene, half, exposure, film, done),
+        }
+    }
+
+    /// Draws a scene in which nothing is wrong.
+    fn draw_whole<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        exposure: f32,
+        film: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        film.resize(scene.view.width, scene.view.height);
+        let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
+        self.render_layers(scene, half, done);
+        let changed = self.look_for_stale(&scene.view, known);
+        if changed {
+            self.take_means(film);
+        }
+        done(RenderStage::Shaded);
+        self.lamps.renderer.render_balls(scene, &mut film.bloom);
+        done(RenderStage::Mirrored);
+        if changed {
+            film.bloom.gather(self.simd);
+        }
+        done(RenderStage::Glared);
+        self.develop(exposure, film);
+        done(RenderStage::Developed);
+        film.drawn = Some((self.lamps.renderer.picture(), exposure));
+    }
+
+    /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
+    pub fn forget(&mut self) {
+        let HalfRenderer { lamps, guides, marks, glows, .. } = self;
+        for layer in [lamps, glows].into_iter().chain(guides).chain(marks) {
+            layer.renderer.forget();
+        }
+    }
+
+    /// Makes every layer true, from the scene with parts of it left out.
+    fn render_layers<'a>(
+        &mut self,
+        scene: &mut Scene<'a>,
+        half: &'a Floor,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        let (full, view) = (scene.floor, scene.view);
+        let (lamps, occluders, balls) = (take(&mut scene.lamps), take(&mut scene.occluders), take(&mut scene.balls));
+        let ambient = std::mem::replace(&mut scene.ambient, [0.0; 3]);
+        self.glows.render(scene);
+        let glows = take(&mut scene.glows);
+        self.finishes.clear();
+        self.finishes.extend(scene.tops.iter().map(|top| top.finish));
+        for (number, top) in scene.tops.iter_mut().enumerate() {
+            top.finish.emission = [mark(number), 0.0, 0.0];
+            top.finish.art = false;
+        }
+        let [half_marks, full_marks] = &mut self.marks;
+        full_marks.render(scene);
+        (scene.floor, scene.view) = (half, view.halved());
+        half_marks.render(scene);
+        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
+            top.finish = Finish { emission: [0.0; 3], ..*finish };
+        }
+        scene.ambient = [1.0; 3];
+        let [half_guide, full_guide] = &mut self.guides;
+        half_guide.render(scene);
+        (scene.floor, scene.view) = (full, view);
+        full_guide.render(scene);
+        done(RenderStage::Prepared);
+        (scene.lamps, scene.occluders, scene.balls, scene.ambient) = (lamps, occluders, balls, ambient);
+        (scene.floor, scene.view) = (half, view.halved());
+        self.lamps.render(scene);
+        (scene.floor, scene.view, scene.glows) = (full, view, glows);
+        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
+            top.finish = *finish;
+        }
+    }
+
+    /// Finds which tiles have to be developed again; says whether there is any.
+    fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
+        let HalfRenderer { simd, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
+            self;
+        let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
+        let another = tiles.len() != across * down;
+        tiles.resize(across * down, Tile { print: Print::none(), glows: false, stale: true });
+        let guides = Guides {
+            half_guide: &half_guide.radiance,
+            half_marks: &half_marks.radiance,
+            guide: &guide.radiance,
+            marks: &marks.radiance,
+        };
+        let half = view.halved();
+        let look = |(at, tile): (usize, &mut Tile)| {
+            let (x, y) = (at % across * TILE, at / across * TILE);
+            let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
+            let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
+            let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+            let is_fresh = |layer: &Layer| another || layer.fresh && layer.renderer.is_fresh_at(view, x, y);
+            let is_fresh_around =
+                |layer: &Layer| layer.fresh && corners.iter().any(|&(x, y)| layer.renderer.is_fresh_at(&half, x, y));
+            let printed =
+                is_fresh(guide) || is_fresh(marks) || is_fresh_around(half_guide) || is_fresh_around(half_marks);
+            if printed {
+                tile.print.take(*simd, guides, x, y);
+            }
+            let glowing = is_fresh(glows);
+            if glowing {
+                let mut light = BLACK;
+                glows.radiance.read_tile(x, y, &mut light);
+                tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
+            }
+            let fresh = !known || printed || glowing || is_fresh_around(lamps);
+            tile.stale |= fresh;
+            fresh
+        };
+        tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
+    }
+
+    /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
+    fn take_means(&self, film: &mut DisplayBuffer) {
+        let lamps = &self.lamps.radiance;
+        let glows = self.glows.radiance.bloom.means();
+        let (Some((level, means)), Some((_, glows))) = (film.bloom.means_mut(), glows) else { return };
+        means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
+            mean_of_four(
+                &lamps.planes[channel],
+                [lamps.stride(), lamps.height()],
+                &level,
+                &glows[level.stride..],
+                means,
+            );
+        });
+    }
+
+    /// Puts the tiles on film that are not there as they should be.
+    fn develop(&mut self, exposure: f32, film: &mut DisplayBuffer) {
+        let HalfRenderer { simd, lamps, glows, tiles, .. } = self;
+        let (simd, width, window) = (*simd, film.frame.width, film.window);
+        let (bloom, light, glows, balls) = (&film.bloom, &lamps.radiance, &glows.radiance, lamps.renderer.patches());
+        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (pixels, tiles))| {
+            let (mut own, mut out, mut developed) = (BLACK, BLACK, [[0; LANES]; TILE]);
+            let y = band * TILE;
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
+                tile.stale |= bloom.differs(x, y);
+                if !tile.stale || !DisplayBuffer::wants(window, x, y) {
+                    continue;
+                }
+                tile.stale = false;
+                tile.print.light(simd, light, x, y, &mut out);
+                if tile.glows {
+                    glows.read_tile(x, y, &mut own);
+                    add(&own, &mut out);
+                }
+                balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
+                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
+                tone_map::store_tile(&developed, x, width, pixels);
+            }
+        });
+    }
+}
+
+fn add(more: &RgbTile, light: &mut RgbTile) {
+    for (light, more) in light.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
+        for i in 0..LANES {
+            light[i] += more[i];
+        }
+    }
+}
+
+/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of the tops
+/// before and after it (multiples of the golden ratio are as far from each other as they can be).
+fn mark(number: usize) -> f32 {
+    let turns = number as f32 * 0.618_034;
+    0.25 + 0.75 * (turns - turns.floor())
+}
+
+/// Writes the means of two by two pixels of a plane, and adds what is in `more`.
+fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &MipLevel, more: &[f32], means: &mut [f32]) {
+    const { assert!(STEP == 4, "a cell is two half-resolution pixels wide") };
+    for row in 0..level.height {
+        let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];
+        let (above, below) = (line(2 * row), line(2 * row + 1));
+        let start = row * level.stride + 1;
+        let (means, more) = (&mut means[start..][..level.width], &more[start..][..level.width]);
+        let pairs = above.as_chunks::<2>().0.iter().zip(below.as_chunks::<2>().0);
+        for ((mean, more), (above, below)) in means.iter_mut().zip(more).zip(pairs) {
+            *mean = ((above[0] + above[1]) + (below[0] + below[1])) * 0.25 + more;
+        }
+    }
+}

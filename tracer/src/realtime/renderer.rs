@@ -1,0 +1,333 @@
+//! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
+//! then the balls that mirror them, then the bloom, then the tiles themselves.
+
+use crate::cache::cell_means::{CELLS, means_of};
+use crate::cache::damage::Changes;
+use crate::cache::frame_history::Past;
+use crate::cache::lamp_set::Numbers;
+use crate::cache::tile_cache::{to_be_composed, to_be_lit};
+use crate::film::bloom::BloomPyramid;
+use crate::film::tone_map;
+use crate::realtime::schedule::{BLOCK, each_tile, means_bands, write_means, write_planes};
+use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
+use crate::reference::monte_carlo::Sampling;
+use crate::scene::validation;
+use crate::shading::albedo_map::AlbedoMap;
+use crate::shading::chrome_ball::BallSprite;
+use crate::shading::coverage::OutlineSdf;
+use crate::simd::dispatch::{LANES, SimdLevel};
+use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::visibility::disc_chain::DiscChains;
+use crate::{DisplayBuffer, Radiance, RenderStage, Rgb, Scene, Top};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+mod balls;
+mod layer;
+mod prepare;
+
+/// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
+pub struct Renderer {
+    simd: SimdLevel,
+    disc_chains: DiscChains,
+    past: Past,
+    changes: Changes,
+    /// Its own number, and that of its last picture.
+    picture: (u64, u64),
+    lamps: Vec<Lit>,
+    /// By the lamps' numbers: their light, black for those that do not shine, and their places among those that do.
+    colors: Vec<Rgb>,
+    places: Vec<usize>,
+    /// The lamps of which nothing is remembered.
+    lost: Numbers,
+    tops: Vec<Top>,
+    forms: Vec<Option<OutlineSdf>>,
+    whole_tile: (f64, PackedSamples),
+    patches: Vec<BallSprite>,
+    art: AlbedoMap,
+    /// The light of pictures that are made from nothing.
+    radiance: Radiance,
+}
+
+/// What the tiles of a picture have in common.
+macro_rules! stage {
+    ($renderer:expr, $scene:expr, $sampling:expr) => {
+        Stage {
+            simd: $renderer.simd,
+            scene: $scene,
+            disc_chains: &$renderer.disc_chains,
+            lamps: &$renderer.lamps,
+            colors: &$renderer.colors,
+            places: &$renderer.places,
+            lost: &$renderer.lost,
+            moved_tops: &$renderer.past.moved_tops,
+            changes: &$renderer.changes,
+            forms: &$renderer.forms,
+            whole_tile: &$renderer.whole_tile.1,
+            art: &$renderer.art,
+            sampling: $sampling,
+        }
+    };
+}
+
+/// How many renderers there have been: a picture knows by it who drew it.
+static RENDERERS: AtomicU64 = AtomicU64::new(0);
+
+thread_local! {
+    static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
+}
+
+impl Default for Renderer {
+    fn default() -> Renderer {
+        Renderer::new()
+    }
+}
+
+impl Renderer {
+    /// A renderer for this machine's best instruction set.
+    pub fn new() -> Renderer {
+        Renderer::on(SimdLevel::best())
+    }
+
+    /// A renderer on a chosen instruction set: the same bits on each.
+    pub fn on(simd: SimdLevel) -> Renderer {
+        Renderer {
+            simd,
+            disc_chains: DiscChains::default(),
+            past: Past::default(),
+            changes: Changes::default(),
+            picture: (RENDERERS.fetch_add(1, Ordering::Relaxed), 0),
+            lamps: Vec::new(),
+            colors: Vec::new(),
+            places: Vec::new(),
+            lost: Numbers::default(),
+            tops: Vec::new(),
+            forms: Vec::new(),
+            whole_tile: (0.0, PackedSamples::none()),
+            patches: Vec::new(),
+            art: AlbedoMap::default(),
+            radiance: Radiance::default(),
+        }
+    }
+
+    /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
+    /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
+    pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        radiance.resize(scene.view.width, scene.view.height);
+        if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
+            return self.render_afresh(scene, None, true, radiance);
+        }
+        self.leave_still_balls();
+        self.look(scene, &mut radiance.bloom);
+        if self.past.is_fresh() {
+            self.render_balls(scene, &mut radiance.bloom);
+            radiance.bloom.gather(self.simd);
+        }
+        self.compose(scene, &self.patches, radiance);
+        self.picture.1 += 1;
+        radiance.drawn = Some(self.picture);
+    }
+
+    /// Puts together the tiles that are not in `radiance` as they should be.
+    fn compose(&self, scene: &Scene, patches: &[BallSprite], radiance: &mut Radiance) {
+        let stride = radiance.stride();
+        let [red, green, blue] = &mut radiance.planes;
+        let band = stride * BLOCK;
+        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+        let stage = stage!(self, scene, None);
+        bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
+            WORKSPACE.with_borrow_mut(|workspace| {
+                let mut planes = [red, green, blue];
+                each_tile(scene, at, memory.iter(), |place, memory| {
+                    if memory.fresh {
+                        workspace.compose(&stage, place, memory, patches);
+                        write_planes(&workspace.out, place.x, place.y - at * BLOCK, stride, &mut planes);
+                    }
+                });
+            });
+        });
+    }
+
+    /// Renders `scene` and develops it ([`crate::film::tone_map::map`]) in one go: the same pixels, several times as fast, since
+    /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
+    pub fn draw(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
+        self.draw_watched(scene, exposure, film, &mut |_| {});
+    }
+
+    /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
+    pub fn draw_watched(
+        &mut self,
+        scene: &Scene,
+        exposure: f32,
+        film: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
+        film.resize(scene.view.width, scene.view.height);
+        let known = film.drawn == Some((self.picture, exposure));
+        if !self.prepare(scene, known) {
+            return self.draw_afresh(scene, None, exposure, film);
+        }
+        self.leave_still_balls();
+        done(RenderStage::Prepared);
+        self.look(scene, &mut film.bloom);
+        done(RenderStage::Shaded);
+        let fresh = self.past.is_fresh();
+        if fresh {
+            self.render_balls(scene, &mut film.bloom);
+        }
+        done(RenderStage::Mirrored);
+        if fresh {
+            film.bloom.gather(self.simd);
+        }
+        done(RenderStage::Glared);
+        if fresh || film.window.is_some() {
+            self.develop(scene, exposure, film);
+        }
+        done(RenderStage::Developed);
+        self.picture.1 += 1;
+        film.drawn = Some((self.picture, exposure));
+    }
+
+    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
+    pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.render_slowly(scene, None, radiance);
+    }
+
+    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
+    /// from [`Renderer::render_anew`].
+    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
+        self.render_slowly(scene, Some(sampling), radiance);
+    }
+
+    /// [`Renderer::render_monte_carlo`], developed.
+    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut DisplayBuffer) {
+        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
+        film.resize(scene.view.width, scene.view.height);
+        self.prepare(scene, false);
+        self.draw_afresh(scene, Some(sampling), exposure, film);
+    }
+
+    /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
+    ///
+    /// Art and masks are known by where they are in memory. Whoever prints others in the place of those that were drawn
+    /// has to call this.
+    pub fn forget(&mut self) {
+        self.past = Past::default();
+        self.changes = Changes::default();
+        self.picture.1 += 1;
+    }
+
+    fn render_slowly(&mut self, scene: &Scene, sampling: Option<Sampling>, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        radiance.resize(scene.view.width, scene.view.height);
+        self.prepare(scene, false);
+        self.render_afresh(scene, sampling, true, radiance);
+    }
+
+    /// Renders a scene that was prepared, with its balls and its bloom or without them, and forgets it.
+    fn render_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, whole: bool, radiance: &mut Radiance) {
+        let stride = radiance.stride();
+        let [red, green, blue] = &mut radiance.planes;
+        let band = stride * BLOCK;
+        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
+        let stage = stage!(self, scene, sampling);
+        let Some((level, means)) = radiance.bloom.means_mut() else { return };
+        bands.zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
+            |(at, (((red, green), blue), mut means))| {
+                WORKSPACE.with_borrow_mut(|workspace| {
+                    let mut planes = [red, green, blue];
+                    let mut found = [[0.0; CELLS]; 3];
+                    let mut block = None;
+                    each_tile(scene, at, std::iter::repeat(()), |place, ()| {
+                        workspace.enter_block_at(&stage, place, &mut block);
+                        workspace.render(&stage, place);
+                        let y = place.y - at * BLOCK;
+                        write_planes(&workspace.out, place.x, y, stride, &mut planes);
+                        means_of(stage.simd, &workspace.out, &mut found);
+                        write_means(&found, place.x, y, &level, &mut means);
+                    });
+                });
+            },
+        );
+        if whole {
+            self.put_balls_on(scene, radiance);
+        }
+        radiance.drawn = None;
+        self.forget();
+    }
+
+    /// Draws a scene that was prepared, and forgets it.
+    fn draw_afresh(&mut self, scene: &Scene, sampling: Option<Sampling>, exposure: f32, film: &mut DisplayBuffer) {
+        let mut radiance = std::mem::take(&mut self.radiance);
+        radiance.resize(scene.view.width, scene.view.height);
+        self.render_afresh(scene, sampling, true, &mut radiance);
+        tone_map::map_on(self.simd, &radiance, exposure, &mut film.frame);
+        self.radiance = radiance;
+        film.drawn = None;
+    }
+
+    /// Makes every tile's memory true, and takes the means of those that have changed.
+    fn look(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
+        let mut bands = std::mem::take(&mut self.past.bands);
+        let stage = stage!(self, scene, None);
+        if let Some((level, means)) = bloom.means_mut() {
+            bands.par_iter_mut().zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
+                |(at, (memory, mut means))| {
+                    WORKSPACE.with_borrow_mut(|workspace| {
+                        let mut block = None;
+                        each_tile(scene, at, to_be_lit(memory), |place, memory| {
+                            workspace.enter_block_at(&stage, place, &mut block);
+                            memory.fresh = workspace.differs(&stage, place, memory);
+                            if memory.fresh {
+                                memory.developed = false;
+                                workspace.remember(&stage, place, memory);
+                                write_means(&workspace.means, place.x, place.y - at * BLOCK, &level, &mut means);
+                            }
+                        });
+                    });
+                },
+            );
+        }
+        self.past.bands = bands;
+        self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
+    }
+
+    /// Puts the tiles on film that are not there as they should be.
+    fn develop(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
+        let mut bands = std::mem::take(&mut self.past.bands);
+        let stage = stage!(self, scene, None);
+        let (width, simd, patches, bloom) = (scene.view.width, self.simd, &self.patches, &film.bloom);
+        let window = film.window;
+        let wants = |x, y| DisplayBuffer::wants(window, x, y);
+        let pixels = film.frame.pixels.par_chunks_mut(width * BLOCK);
+        bands.par_iter_mut().zip(pixels).enumerate().with_max_len(1).for_each(|(at, (memory, pixels))| {
+            WORKSPACE.with_borrow_mut(|workspace| {
+                let mut tile = [[0; LANES]; TILE];
+                each_tile(scene, at, to_be_composed(memory), |place, memory| {
+                    memory.developed = memory.developed && !bloom.differs(place.x, place.y);
+                    if memory.developed || !wants(place.x, place.y) {
+                        return;
+                    }
+                    memory.developed = true;
+                    workspace.compose(&stage, place, memory, patches);
+                    tone_map::tone_map_tile(simd, &workspace.out, bloom, exposure, [place.x, place.y], &mut tile);
+                    tone_map::store_tile(&tile, place.x, width, &mut pixels[(place.y - at * BLOCK) * width..]);
+                });
+            });
+        });
+        self.past.bands = bands;
+    }
+}
+
+/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing.
+pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
+    let empty = scene.view.width == 0 || scene.view.height == 0;
+    if empty || validation::wrong_with_view(&scene.view).is_some() {
+        return None;
+    }
+    Some(if scene.check().is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
+}

@@ -1,0 +1,129 @@
+//! What is found once for a picture, before its tiles: which lamps there are, what may stand in their way, and what is
+//! new since the last picture.
+
+use super::Renderer;
+use crate::cache::frame_history::{MOST_GLOWS, MOST_LAMPS};
+use crate::cache::lamp_set::Numbers;
+use crate::realtime::schedule::BLOCK;
+use crate::realtime::tile_renderer::Lit;
+use crate::shading::coverage::OutlineSdf;
+use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::shadow_bounds::ShadowBounds;
+use crate::visibility::sphere_shadow::occluding_balls;
+use crate::{Finish, Scene, Top};
+use rayon::prelude::*;
+
+impl Renderer {
+    /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
+    /// whether the tiles' memory can be used.
+    pub(super) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
+        self.disc_chains.set(&scene.occluders);
+        let bands = scene.view.height.div_ceil(BLOCK);
+        let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
+        self.past.turn_page(scene, bands, tiles);
+        let count = self.prepare_lamps(scene);
+        let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
+        if remembered {
+            self.number_lamps();
+        }
+        self.prepare_tops(&scene.tops);
+        self.changes.turn_page(scene, |lamp| self.past.number(lamp));
+        self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
+        if self.whole_tile.0 != scene.view.mm_per_px {
+            self.whole_tile = (scene.view.mm_per_px, PackedSamples::whole_tile(scene.view.mm_per_px));
+        }
+        if self.changes.repainted {
+            self.art.set(self.simd, scene);
+        }
+        self.changes.everything |= !known;
+        remembered
+    }
+
+    /// Puts down by its number what is known of each lamp.
+    fn number_lamps(&mut self) {
+        self.colors.clear();
+        self.colors.resize(self.past.known.len(), [0.0; 3]);
+        self.places.resize(self.past.known.len(), 0);
+        self.lost = Numbers::default();
+        for (at, lit) in self.lamps.iter().enumerate() {
+            // There may be several lamps in one place.
+            for (sum, channel) in self.colors[lit.number].iter_mut().zip(lit.lamp.color) {
+                *sum += channel;
+            }
+            self.places[lit.number] = at;
+            if lit.lost {
+                self.lost.insert(lit.number);
+            }
+        }
+    }
+
+    /// Finds what may be in the way of the lamps that shine; says how many there are.
+    fn prepare_lamps(&mut self, scene: &Scene) -> usize {
+        let mut count = 0;
+        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
+            let number = self.past.number(lamp);
+            match self.lamps.get_mut(count) {
+                Some(lit) => (lit.lamp, lit.circle, lit.number) = (*lamp, (lamp.center_mm, lamp.far_mm()), number),
+                None => self.lamps.push(Lit::new(lamp, number)),
+            }
+            count += 1;
+        }
+        self.lamps.truncate(count);
+        let (disc_chains, known) = (&self.disc_chains, &self.past.known);
+        self.lamps.par_iter_mut().for_each(|lit| {
+            let known = &known[lit.number];
+            lit.lost = known.lost;
+            lit.potential_occluders.set(&lit.lamp, disc_chains);
+            lit.things.set(&known.moved);
+            ShadowBounds::of_all(&lit.lamp, &lit.things, &mut lit.moved);
+            lit.floating.clear();
+            lit.floating.extend(
+                occluding_balls(&scene.balls, &lit.lamp, None).map(|ball| AirborneShadow::new(&lit.lamp, ball)),
+            );
+            let floated = occluding_balls(&known.floated, &lit.lamp, None);
+            lit.moved.extend(floated.map(|ball| ShadowBounds::of_floating(&lit.lamp, ball)));
+        });
+        count
+    }
+
+    pub(super) fn leave_still_balls(&mut self) {
+        if self.lamps.iter().all(|lit| lit.moved.is_empty()) {
+            self.changes.leave_still_balls();
+        }
+    }
+
+    /// Most tops are where they were in the last frame.
+    fn prepare_tops(&mut self, tops: &[Top]) {
+        let moved = &mut self.past.moved_tops;
+        moved.clear();
+        moved.extend(self.forms.iter().skip(tops.len()).flatten().map(|form| form.bounds));
+        self.tops.truncate(tops.len());
+        self.forms.truncate(tops.len());
+        self.changes.tops.clear();
+        for (at, top) in tops.iter().enumerate() {
+            if self.tops.len() == at {
+                self.tops.push(top.clone());
+                self.forms.push(OutlineSdf::new(top));
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
+            } else if stands(&self.tops[at], top) {
+                if self.tops[at].finish.emission != top.finish.emission {
+                    self.changes.tops.extend(self.forms[at].iter().map(|form| form.bounds));
+                    self.tops[at].finish = top.finish;
+                }
+            } else {
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
+                self.tops[at].clone_from(top);
+                self.forms[at] = OutlineSdf::new(top);
+                moved.extend(self.forms[at].iter().map(|form| form.bounds));
+            }
+        }
+        self.changes.tops.extend_from_slice(moved);
+    }
+}
+
+/// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.
+fn stands(old: &Top, new: &Top) -> bool {
+    let finish = Finish { emission: old.finish.emission, ..new.finish };
+    old.outline == new.outline && old.group == new.group && old.finish == finish
+}

@@ -1,0 +1,395 @@
+//! One tile of the picture: what of its memory does not hold any more is made anew, lamp by lamp, and put together.
+//!
+//! Lamps are the outer loop: what stands between a lamp and the tile is found once, and serves the floor and every top
+//! in the tile.
+
+use crate::cache::cell_means::{CELLS, Means, means_of};
+use crate::cache::damage::{Changes, MARGIN_MM, Nearby, is_near};
+use crate::cache::g_buffer::Surfaces;
+use crate::cache::lamp_layer::{Bare, Part};
+use crate::cache::lamp_set::Numbers;
+use crate::cache::tile_cache::{Illumination, TileMemory};
+use crate::realtime::compose::{has_contacts, shade_contacts};
+use crate::realtime::direct_light::{ALL, Lighted, add};
+use crate::realtime::schedule::BLOCK;
+use crate::reference::monte_carlo::Sampling;
+use crate::shading::albedo_map::{Albedo, AlbedoMap};
+use crate::shading::chrome_ball;
+use crate::shading::coverage::{OutlineSdf, SignedDistance};
+use crate::shading::surface::{BLACK, Normals, RgbTile, Surface};
+use crate::shading::top_layer::TopLayer;
+use crate::simd::dispatch::{LANES, SimdLevel};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::rect::TileRect;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::fraction::IntervalScratch;
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::shadow_bounds::{ALL_ROWS, ShadowBounds};
+use crate::{Lamp, Rgb, Scene};
+use geometry::{Bounds, DVec2};
+
+/// Everything that the tiles of one picture have in common.
+pub(crate) struct Stage<'a> {
+    pub simd: SimdLevel,
+    pub scene: &'a Scene<'a>,
+    pub disc_chains: &'a DiscChains,
+    /// The lamps that shine.
+    pub lamps: &'a [Lit],
+    /// The light of each lamp that is remembered, and its place among those that shine, by its number.
+    pub colors: &'a [Rgb],
+    pub places: &'a [usize],
+    /// The lamps of which nothing is remembered.
+    pub lost: &'a Numbers,
+    /// Where tops have moved since the last picture.
+    pub moved_tops: &'a [Bounds],
+    /// What else is different from the last picture.
+    pub changes: &'a Changes,
+    /// The tops' outlines; `None` where there is nothing to see.
+    pub forms: &'a [Option<OutlineSdf>],
+    /// Every pixel of a tile.
+    pub whole_tile: &'a PackedSamples,
+    /// The floor's art.
+    pub art: &'a AlbedoMap,
+    /// How visibility is found: exactly, or by sampling.
+    pub sampling: Option<Sampling>,
+}
+
+impl Stage<'_> {
+    /// The inserts that glow, by their masks' places in memory, with their colours.
+    pub fn glows(&self) -> impl Iterator<Item = ((usize, usize), Rgb)> + Clone {
+        self.scene.glows.iter().map(|glow| (glow.mask.place(), glow.color))
+    }
+}
+
+/// A lamp that shines.
+pub(crate) struct Lit {
+    /// The lamp.
+    pub lamp: Lamp,
+    /// Where its light ends: the middle and the radius of a circle, mm.
+    pub circle: (DVec2, f64),
+    /// What may stand in its way.
+    pub potential_occluders: PotentialOccluders,
+    /// The balls in the air that may hide it.
+    pub floating: Vec<AirborneShadow>,
+    /// What has moved since it was looked at last.
+    pub things: DiscChains,
+    /// Where the shadows of these may fall.
+    pub moved: Vec<ShadowBounds>,
+    /// Whether nothing is remembered of it.
+    pub lost: bool,
+    /// Its number in the tiles' memory.
+    pub number: usize,
+}
+
+impl Lit {
+    /// A lamp of which nothing else is known.
+    pub fn new(lamp: &Lamp, number: usize) -> Lit {
+        let (potential_occluders, things) = (PotentialOccluders::default(), DiscChains::default());
+        let circle = (lamp.center_mm, lamp.far_mm());
+        Lit {
+            lamp: *lamp,
+            circle,
+            potential_occluders,
+            floating: Vec::new(),
+            things,
+            moved: Vec::new(),
+            lost: true,
+            number,
+        }
+    }
+}
+
+/// What a thread needs to make tiles; kept, so that nothing is allocated once it is warm.
+pub(crate) struct Workspace {
+    pub(crate) block: (DVec2, f64),
+    /// Whether the block's own lists are made.
+    entered: bool,
+    pub(crate) near: Vec<PotentialOccluders>,
+    pub(crate) is_near: Vec<bool>,
+    moved: Vec<Vec<ShadowBounds>>,
+    /// The lamps that reach the block: their places in the list, and their numbers.
+    lit: Vec<usize>,
+    reaching: Numbers,
+    /// Those that have to be looked at from a tile.
+    to_make: Vec<usize>,
+    /// What a tile is put together of.
+    parts: Vec<Part>,
+    /// The lamps before which something has moved.
+    stirred: Vec<usize>,
+    /// What else is different.
+    nearby: Nearby,
+    pub(crate) forms: Vec<usize>,
+    pub(crate) between: Blockers,
+    pub(crate) room: IntervalScratch,
+    pub(crate) fraction: Plane,
+    /// Whether the floor's points are every pixel of the tile.
+    pub(crate) whole: bool,
+    pub(crate) floor: PackedSamples,
+    pub(crate) ground: Surface,
+    pub(crate) tops: Vec<TopLayer>,
+    pub(crate) edge: SignedDistance,
+    /// How much of each pixel is floor.
+    pub(crate) remaining: Plane,
+    /// The art of the floor, where its points are not every pixel; else that is in `ground`.
+    pub(crate) art: RgbTile,
+    /// And which way it leans.
+    pub(crate) normals: Normals,
+    pub(crate) printed: Albedo,
+    /// The light of one layer, packed.
+    pub(crate) packed: RgbTile,
+    /// What arrives at the floor's points of one lamp's light, and what shines there.
+    pub(crate) arriving: Plane,
+    pub(crate) shine: Plane,
+    /// The tile in the light of one lamp.
+    pub(crate) picture: RgbTile,
+    /// Room to sum up pictures with filters and without.
+    pub(crate) sum: RgbTile,
+    /// What the bloom needs of the tile.
+    pub means: Means,
+    /// The tile under all lamps, where that is what is made.
+    pub out: RgbTile,
+}
+
+impl Workspace {
+    /// Nothing yet.
+    pub fn new() -> Workspace {
+        let zero = [[0.0; LANES]; TILE];
+        Workspace {
+            block: (DVec2::ZERO, 0.0),
+            entered: false,
+            near: Vec::new(),
+            is_near: Vec::new(),
+            moved: Vec::new(),
+            lit: Vec::new(),
+            reaching: Numbers::default(),
+            to_make: Vec::new(),
+            parts: Vec::new(),
+            stirred: Vec::new(),
+            nearby: Nearby::default(),
+            forms: Vec::new(),
+            between: Blockers::default(),
+            room: IntervalScratch::default(),
+            fraction: zero,
+            whole: true,
+            floor: PackedSamples::none(),
+            ground: Surface::none(),
+            tops: Vec::new(),
+            edge: SignedDistance::none(),
+            remaining: zero,
+            art: BLACK,
+            normals: Normals::level(),
+            printed: Albedo::none(),
+            packed: BLACK,
+            arriving: zero,
+            shine: zero,
+            picture: BLACK,
+            sum: BLACK,
+            means: [[0.0; CELLS]; 3],
+            out: BLACK,
+        }
+    }
+
+    /// Makes ready for the block of tiles that `place` is in, unless it is `last` and has been entered.
+    pub fn enter_block_at(&mut self, stage: &Stage, place: &TileRect, last: &mut Option<(usize, usize)>) {
+        let block = (place.x / BLOCK * BLOCK, place.y / BLOCK * BLOCK);
+        if *last != Some(block) {
+            *last = Some(block);
+            self.enter_block(stage, block.0, block.1, BLOCK);
+        }
+    }
+
+    /// Makes ready for the tiles of a block of the screen, from (`x`, `y`) on, `side` pixels wide and high.
+    fn enter_block(&mut self, stage: &Stage, x: usize, y: usize, side: usize) {
+        let view = &stage.scene.view;
+        let half = side as f64 * 0.5 * view.mm_per_px;
+        let corner = view.origin_mm + DVec2::new(x as f64, y as f64) * view.mm_per_px;
+        let middle = corner + DVec2::splat(half);
+        self.block = (middle, half * std::f64::consts::SQRT_2);
+        self.entered = false;
+        self.moved.resize_with(stage.lamps.len(), Vec::new);
+        self.stirred.clear();
+        stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
+        for (at, Lit { circle, moved, .. }) in stage.lamps.iter().enumerate() {
+            if moved.is_empty() || !is_near(circle, middle, self.block.1) {
+                continue;
+            }
+            self.moved[at].clear();
+            self.moved[at].extend(moved.iter().filter(|bounds| bounds.may_reach(middle, half)));
+            if !self.moved[at].is_empty() {
+                self.stirred.push(at);
+            }
+        }
+    }
+
+    /// Finds what all tiles of the block that are made have in common.
+    fn enter(&mut self, stage: &Stage) {
+        if self.entered {
+            return;
+        }
+        self.entered = true;
+        let (middle, radius) = self.block;
+        let half = radius / std::f64::consts::SQRT_2;
+        let bounds = Bounds::of(middle, middle).grown(half + 2.0 * stage.scene.view.mm_per_px);
+        self.forms.clear();
+        let overlaps = |form: &Option<OutlineSdf>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
+        self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
+        self.near.resize_with(stage.lamps.len(), PotentialOccluders::default);
+        self.is_near.clear();
+        self.is_near.resize(stage.lamps.len(), false);
+        self.lit.clear();
+        let reaches = |lit: &Lit| is_near(&lit.circle, middle, radius + MARGIN_MM);
+        self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
+        self.reaching = Numbers::default();
+        self.lit.iter().for_each(|&at| self.reaching.insert(stage.lamps[at].number));
+    }
+
+    /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
+    pub fn differs(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) -> bool {
+        let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
+        for &at in &self.stirred {
+            let Lit { lamp, number, .. } = &stage.lamps[at];
+            let (sight, moved) = (*memory.sight(*number), &self.moved[at]);
+            // What one group hides stays hidden while that group stands still.
+            let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|bounds| bounds.group != group));
+            if !sight.holds || hidden || !place.is_reached_by(lamp) {
+                continue;
+            }
+            let reaching = moved.iter().filter(|bounds| bounds.may_reach(place.middle_mm, place.half_mm));
+            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(place, stage.scene.view.mm_per_px));
+            memory.stir(*number, rows);
+            differs |= !sight.is_whole() || rows != 0;
+        }
+        differs
+    }
+
+    /// Makes anew what is not remembered of the tile, and its means, in [`Workspace::means`].
+    pub fn remember(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) {
+        self.enter(stage);
+        let mut layers = None;
+        if !memory.base.holds {
+            let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+            if layers == 0 {
+                memory.keep_floor_base(stage.simd, &self.ground.albedo);
+            } else {
+                self.light_from_everywhere(stage, layers);
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep_base(stage.simd, &self.picture);
+            }
+        }
+        self.to_make.clear();
+        self.to_make.extend(memory.to_make(&self.reaching, stage.lost));
+        for index in 0..self.to_make.len() {
+            let at = stage.places[self.to_make[index]];
+            self.remember_lamp(stage, at, place, memory, &mut layers);
+        }
+        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
+            if !memory.glow(glow.mask.place()).holds {
+                layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+                self.glow(place, glow.mask);
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep_glow(glow.mask.place(), stage.simd, &self.picture);
+            }
+        }
+        let shaded = has_contacts(stage, place);
+        let light = Illumination { ambient: stage.scene.ambient, shaded, lamps: stage.colors };
+        memory.light(stage.simd, &light, stage.glows(), &mut self.parts, &mut self.means);
+        if shaded {
+            self.compose(stage, place, memory, &[]);
+            means_of(stage.simd, &self.out, &mut self.means);
+        }
+    }
+
+    /// Makes anew what is not remembered of the tile in the light of one lamp; `layers`, once the surfaces are recalled,
+    /// is how many tops there are.
+    fn remember_lamp(
+        &mut self,
+        stage: &Stage,
+        at: usize,
+        place: &TileRect,
+        memory: &mut TileMemory,
+        layers: &mut Option<usize>,
+    ) {
+        let &Lit { ref lamp, lost, number, .. } = &stage.lamps[at];
+        let sight = memory.sight(number);
+        sight.holds &= !lost;
+        let mut rows = sight.rows_to_make();
+        if !place.is_reached_by(lamp) {
+            return memory.keep_dark(number, None);
+        }
+        if !place.is_whole() {
+            // Beyond the picture's edge rows are repeated.
+            rows = ALL_ROWS;
+        }
+        let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+        let mut lighted = self.light(stage, at, place, layers, rows);
+        let colors = lighted == Lighted::Colors;
+        let another = lighted != Lighted::Dark && memory.is_another(number, colors);
+        if another && rows != ALL_ROWS {
+            rows = ALL_ROWS;
+            lighted = self.light(stage, at, place, layers, rows);
+        }
+        if colors && (another || !memory.sight(number).gauged) {
+            memory.gauge(number, self.gauge(stage, at, place, layers));
+        }
+        match lighted {
+            Lighted::Dark => {
+                let alone = memory.surfaces.tops().is_empty();
+                memory.keep_dark(number, self.between.hidden_by.filter(|_| alone));
+            }
+            Lighted::Floor(verdict) => {
+                let Workspace { arriving, shine, fraction, ground, .. } = self;
+                place.clamp_to_edge(&mut [&mut *arriving, shine, fraction]);
+                let seen = if verdict == VisibilityClass::Lit { &ALL } else { &*fraction };
+                let floor = Bare { albedo: &ground.albedo, arriving, shine, seen };
+                memory.keep_floor(number, stage.simd, &floor, rows);
+            }
+            Lighted::Colors => {
+                place.clamp_to_edge(&mut self.picture.each_mut());
+                memory.keep(number, stage.simd, &self.picture, rows);
+            }
+        }
+    }
+
+    /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
+    pub fn compose(&mut self, stage: &Stage, place: &TileRect, memory: &TileMemory, balls: &[chrome_ball::BallSprite]) {
+        let paint = stage.art.paint(place.x, place.y);
+        let shade = has_contacts(stage, place).then_some(|out: &mut RgbTile| shade_contacts(stage, place, out));
+        memory.compose(stage.simd, paint, shade, &mut self.out);
+        for ball in balls {
+            ball.blend(place.x, place.y, &mut self.out);
+        }
+    }
+
+    /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
+    pub fn render(&mut self, stage: &Stage, place: &TileRect) {
+        self.enter(stage);
+        let layers = self.recall(stage, place, &mut Surfaces::default());
+        self.light_from_everywhere(stage, layers);
+        self.out = self.picture;
+        shade_contacts(stage, place, &mut self.out);
+        for index in 0..self.lit.len() {
+            let at = self.lit[index];
+            let lamp = &stage.lamps[at].lamp;
+            if !place.is_reached_by(lamp) {
+                continue;
+            }
+            match self.light(stage, at, place, layers, ALL_ROWS) {
+                Lighted::Dark => continue,
+                Lighted::Floor(verdict) => {
+                    self.veil(stage.simd, verdict, ALL_ROWS);
+                    self.picture = BLACK;
+                    self.paint(stage.simd, ALL_ROWS);
+                }
+                Lighted::Colors => {}
+            }
+            add(&self.picture, lamp.color, &mut self.out);
+        }
+        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
+            self.glow(place, glow.mask);
+            add(&self.picture, glow.color, &mut self.out);
+        }
+        place.clamp_to_edge(&mut self.out.each_mut());
+    }
+}

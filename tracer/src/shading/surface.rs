@@ -1,0 +1,274 @@
+//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
+
+use crate::shading::environment;
+use crate::shading::falloff::{Falloff, IncidentLight};
+use crate::simd::dispatch::{LANES, Lanes, clamp, max, multiversion, set_bits};
+use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::{Finish, Lamp};
+
+/// Three planes of light: red, green, blue.
+pub(crate) type RgbTile = [Plane; 3];
+
+/// No light.
+pub(crate) const BLACK: RgbTile = [[[0.0; LANES]; TILE]; 3];
+
+/// How the surface at each point of a layer leans.
+#[derive(Clone, Debug)]
+pub(crate) struct Normals {
+    /// Across.
+    pub x: Plane,
+    /// Down the table.
+    pub y: Plane,
+    /// Up.
+    pub z: Plane,
+}
+
+impl Normals {
+    /// Straight up.
+    pub fn level() -> Normals {
+        let zero = [[0.0; LANES]; TILE];
+        Normals { x: zero, y: zero, z: [[1.0; LANES]; TILE] }
+    }
+}
+
+/// What a layer is at its points.
+#[derive(Clone, Debug)]
+pub(crate) struct Surface {
+    /// How much of a pixel each point is.
+    pub weight: Plane,
+    /// Reflectance, linear; a top's is multiplied by that of its finish.
+    pub albedo: RgbTile,
+    /// Which way it leans.
+    pub normals: Normals,
+    /// Whether it leans anywhere.
+    pub leans: bool,
+}
+
+impl Surface {
+    /// Nothing.
+    pub fn none() -> Surface {
+        let zero = [[0.0; LANES]; TILE];
+        Surface { weight: zero, albedo: BLACK, normals: Normals::level(), leans: false }
+    }
+}
+
+multiversion! {
+    /// What arrives of the beam's light at those blocks of the floor's points whose bits are set, and what shines there
+    /// in the light's own colour, if nothing is in the way; `gloss` is 0 to 1.
+    pub(crate) fn light_floor(
+        points: &PackedSamples, blocks: u16, floor: &Surface, beam: Falloff, gloss: f32, arriving: &mut Plane,
+        shine: &mut Plane,
+    ) = light_floor_lanes;
+}
+
+multiversion! {
+    /// Takes away what is not seen, at those blocks whose bits are set.
+    pub(crate) fn apply_visibility(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) = apply_visibility_lanes;
+}
+
+multiversion! {
+    /// The floor's picture, of what arrives and of what shines, at those blocks of its points whose bits are set.
+    pub(crate) fn paint_floor(
+        blocks: u16, albedo: &RgbTile, arriving: &Plane, shine: &Plane, out: &mut RgbTile,
+    ) = paint_floor_lanes;
+}
+
+multiversion! {
+    /// A top's picture in the beam's light, at those blocks of its points whose bits are set.
+    pub(crate) fn light_top(
+        points: &PackedSamples, blocks: u16, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut RgbTile,
+    ) = light_top_lanes;
+}
+
+/// What brings a lamp's light to its colour at the reference distance.
+const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
+
+/// How much of the way to a lamp counts as its height: lamps far away are not quite in the horizon, or a lean of one
+/// degree would be night.
+const LIFT: f32 = 0.3;
+
+/// How a leaning surface answers a lamp.
+struct BrdfResponse {
+    /// Times what a flat floor scatters: 1 for a flat one.
+    diffuse: f32,
+    /// The cosine of the angle between normal and half vector (J. Blinn, 1977), squared.
+    cosine_square: f32,
+}
+
+#[inline(always)]
+fn brdf_response(to: &IncidentLight, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> BrdfResponse {
+    let (ux, uy, square) = (to.x[i], to.y[i], to.square[i]);
+    let up_square = height_square + LIFT * square;
+    let length = (square + up_square).sqrt();
+    let up = up_square.sqrt();
+    let across = nx * ux + ny * uy;
+    let half = max(across + nz * (up + length), 0.0);
+    BrdfResponse {
+        diffuse: max(across + nz * up, 0.0) / up,
+        cosine_square: half * half / (2.0 * length * (length + up)),
+    }
+}
+
+/// To the 16th.
+#[inline(always)]
+fn power_16(x: f32) -> f32 {
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let x8 = x4 * x4;
+    x8 * x8
+}
+
+/// How bright the gloss of a floor of gloss 1 is, seen straight on.
+const COAT: f32 = 1.6;
+
+/// From here on down, the square of the cosine between normal and half vector leaves no shine on the floor.
+const COAT_ENDS: f32 = 1.0 - 6.0 / 32.0;
+
+#[inline(always)]
+fn light_floor_lanes(
+    points: &PackedSamples,
+    blocks: u16,
+    floor: &Surface,
+    beam: Falloff,
+    gloss: f32,
+    arriving: &mut Plane,
+    shine: &mut Plane,
+) {
+    let leans = floor.leans || gloss > 0.0;
+    let coat = COAT * clamp(gloss, 0.0, 1.0);
+    for block in set_bits(blocks) {
+        let (x, y) = (&points.x[block], &points.y[block]);
+        let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
+        let weight = &floor.weight[block];
+        let (diffuse, shine) = (&mut arriving[block], &mut shine[block]);
+        let to = beam.arriving(x, y);
+        for i in 0..LANES {
+            diffuse[i] = weight[i] * (REFERENCE * to.light[i]);
+        }
+        if leans {
+            for i in 0..LANES {
+                let response = brdf_response(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
+                // A coat of lacquer: near its middle as narrow as the 64th power of the cosine, but it ends.
+                let near = max(response.cosine_square - COAT_ENDS, 0.0) * (1.0 / (1.0 - COAT_ENDS));
+                let lobe = near * near * near;
+                shine[i] = coat * diffuse[i] * (lobe * lobe);
+                diffuse[i] *= response.diffuse;
+            }
+        } else {
+            *shine = [0.0; LANES];
+        }
+    }
+}
+
+#[inline(always)]
+fn apply_visibility_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
+    for block in set_bits(blocks) {
+        let (seen, arriving, shine) = (&fraction[block], &mut arriving[block], &mut shine[block]);
+        for i in 0..LANES {
+            (arriving[i], shine[i]) = (arriving[i] * seen[i], shine[i] * seen[i]);
+        }
+    }
+}
+
+#[inline(always)]
+fn paint_floor_lanes(blocks: u16, albedo: &RgbTile, arriving: &Plane, shine: &Plane, out: &mut RgbTile) {
+    for (out, albedo) in out.iter_mut().zip(albedo) {
+        for block in set_bits(blocks) {
+            for i in 0..LANES {
+                out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn light_top_lanes(
+    points: &PackedSamples,
+    blocks: u16,
+    top: &Surface,
+    finish: &Finish,
+    beam: Falloff,
+    fraction: &[Lanes],
+    out: &mut RgbTile,
+) {
+    let gloss = clamp(finish.gloss, 0.0, 1.0);
+    let through = clamp(finish.translucency, 0.0, 1.0);
+    for block in set_bits(blocks) {
+        let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
+        let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
+        let weight = &top.weight[block];
+        let (mut above, mut shine, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let to = beam.arriving(x, y);
+        for i in 0..LANES {
+            let arriving = weight[i] * (REFERENCE * to.light[i] * seen[i]);
+            let response = brdf_response(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
+            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * response.diffuse;
+            shine[i] = 2.5 * gloss * arriving * power_16(response.cosine_square);
+            below[i] = through * arriving;
+        }
+        for (channel, out) in out.iter_mut().enumerate() {
+            let (own, art) = (finish.albedo[channel], &top.albedo[channel][block]);
+            for i in 0..LANES {
+                let albedo = own * art[i];
+                // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
+                let tint = 0.3 + (albedo - 0.3) * gloss;
+                // Light from below passes the ink, light from above meets it and comes back through it.
+                let ink = albedo * (0.3 + 0.7 * albedo);
+                out[block][i] = albedo * above[i] + tint * shine[i] + ink * below[i];
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// The floor's picture in the light from everywhere.
+    pub(crate) fn light_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile)
+        = light_floor_ambient_lanes;
+}
+
+#[inline(always)]
+fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile) {
+    for channel in 0..3 {
+        for block in 0..blocks {
+            for i in 0..LANES {
+                out[channel][block][i] = floor.weight[block][i] * (floor.albedo[channel][block][i] * ambient[channel]);
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// A top's picture in the light from everywhere, with the light of its own.
+    pub(crate) fn light_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile)
+        = light_top_ambient_lanes;
+}
+
+#[inline(always)]
+fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile) {
+    let gloss = clamp(finish.gloss, 0.0, 1.0);
+    // The room is in the light from everywhere: where there is none, there is no room that could be mirrored.
+    let mirrors = ambient.map(|ambient| ROOM * gloss * gloss * ambient);
+    for block in 0..blocks {
+        let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
+        let weight = &top.weight[block];
+        let mut room = [[0.0; LANES]; 3];
+        for i in 0..LANES {
+            let up = 2.0 * nz[i];
+            let [red, green, blue] = environment::seen([up * nx[i], up * ny[i], up * nz[i] - 1.0], [0.0; 3]);
+            (room[0][i], room[1][i], room[2][i]) = (mirrors[0] * red, mirrors[1] * green, mirrors[2] * blue);
+        }
+        for channel in 0..3 {
+            let (own, emission) = (finish.albedo[channel], finish.emission[channel]);
+            let scattered = (1.0 - 0.4 * gloss) * own * ambient[channel];
+            let (art, room) = (&top.albedo[channel][block], &room[channel]);
+            for i in 0..LANES {
+                let tint = 0.3 + (own * art[i] - 0.3) * gloss;
+                let light = art[i] * (scattered * (0.5 + 0.5 * nz[i]) + emission) + tint * room[i];
+                out[channel][block][i] = weight[i] * light;
+            }
+        }
+    }
+}
+
+/// How bright the room is in polished tops, in light from everywhere.
+const ROOM: f32 = 4.0;
