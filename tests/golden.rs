@@ -19,7 +19,7 @@ use game::frame_composer::{Moment, Picture};
 use game::hud::Chrome;
 use game::recording::Replay;
 use game::storage::recordings;
-use shadow_race::{Room, Threads, Way};
+use shadow_race::{Method, RaceRenderer, Threads};
 use std::path::Path;
 use tracer::testing::{self, Props};
 use tracer::{DisplayBuffer, Frame, Renderer, View};
@@ -57,7 +57,7 @@ fn golden_frame_of_the_generated_table() {
 #[test]
 fn golden_frame_of_the_room() {
     let mut frame = Frame::new(128, 128);
-    Room::default().render(Way::Spans, Threads::All, 1.3, &mut frame);
+    RaceRenderer::default().render(Method::Spans, Threads::All, 1.3, &mut frame);
     compare(&[("room".to_string(), frame)]);
 }
 

@@ -171,7 +171,7 @@ impl Picture {
         self.corner = scenery.corner(self.camera.follow(moment, self.table.size_mm, shown_mm));
         let (width, height) = (rect.width as usize, rect.height as usize);
         if (width, height) != (scenery.view.width, scenery.view.height) {
-            scenery.film.look_at(self.corner.0, self.corner.1, width, height);
+            scenery.film.set_scissor(self.corner.0, self.corner.1, width, height);
         }
     }
 

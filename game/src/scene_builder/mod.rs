@@ -136,7 +136,7 @@ impl SceneBuilder {
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
             let rotation = pose.rotation.map(|part| part as f32);
             let ball = tracer::Ball { center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
-            if !ball.floats() {
+            if !ball.is_airborne() {
                 scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
             }
             scene.balls.push(ball);

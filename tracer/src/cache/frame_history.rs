@@ -5,13 +5,13 @@ use crate::{Ball, Group, Lamp, Occluder, Scene, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
-pub(crate) const MOST_LAMPS: usize = 160;
+pub(crate) const MAX_LAMPS: usize = 160;
 
 /// And of inserts.
-pub(crate) const MOST_GLOWS: usize = 1_000;
+pub(crate) const MAX_GLOWS: usize = 1_000;
 
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
-const MOST_MOVES: usize = 200;
+const MAX_MOVES: usize = 200;
 
 /// A lamp that has been seen.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub(crate) struct Known {
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
     /// The same of balls that float.
-    pub floated: Vec<Ball>,
+    pub moved_balls: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
@@ -32,7 +32,7 @@ pub(crate) struct Past {
     view: Option<View>,
     occluders: Vec<Occluder>,
     /// The balls that float, not turned.
-    floating: Vec<Ball>,
+    airborne: Vec<Ball>,
     /// Those of the picture that is to come.
     next: Vec<Ball>,
     /// The lamps, by the numbers that [`TileMemory`] knows them by.
@@ -47,7 +47,7 @@ impl Past {
     /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
     pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
-        if self.view.as_ref() != Some(view) || self.known.len() > MOST_LAMPS {
+        if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
             self.bands.resize_with(bands, Vec::new);
@@ -56,19 +56,21 @@ impl Past {
                 band.iter_mut().for_each(TileMemory::forget);
             }
         }
-        let Past { occluders: old, floating, next, known, .. } = self;
+        let Past { occluders: old, airborne, next, known, .. } = self;
         let group = |occluder: &Occluder| occluder.group;
         each_move(old, occluders, group, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
         next.clear();
-        next.extend(scene.balls.iter().filter(|ball| ball.floats()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        next.extend(
+            scene.balls.iter().filter(|ball| ball.is_airborne()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }),
+        );
         let group = |ball: &Ball| ball.group;
-        each_move(floating, next, group, |ball| known.iter_mut().for_each(|known| known.floated.push(*ball)));
-        std::mem::swap(floating, next);
+        each_move(airborne, next, group, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
+        std::mem::swap(airborne, next);
         for known in &mut self.known {
-            if known.moved.len() + known.floated.len() > MOST_MOVES {
+            if known.moved.len() + known.moved_balls.len() > MAX_MOVES {
                 known.lost = true;
                 known.moved.clear();
-                known.floated.clear();
+                known.moved_balls.clear();
             }
         }
         self.occluders.clear();
@@ -84,7 +86,7 @@ impl Past {
     pub fn number(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
         self.known.iter().position(|known| known.lamp == black).unwrap_or_else(|| {
-            self.known.push(Known { lamp: black, moved: Vec::new(), floated: Vec::new(), lost: true });
+            self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
             self.known.len() - 1
         })
     }
@@ -92,7 +94,7 @@ impl Past {
     /// The lamp of this number has been looked at from everywhere.
     pub fn looked_at(&mut self, number: usize) {
         self.known[number].moved.clear();
-        self.known[number].floated.clear();
+        self.known[number].moved_balls.clear();
         self.known[number].lost = false;
     }
 }

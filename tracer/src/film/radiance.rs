@@ -14,7 +14,7 @@ pub struct Radiance {
     pub(crate) planes: [Vec<f32>; 3],
     pub(crate) bloom: crate::film::bloom::BloomPyramid,
     /// Which renderer drew it, and which of its pictures it is.
-    pub(crate) drawn: Option<(u64, u64)>,
+    pub(crate) source: Option<(u64, u64)>,
 }
 
 /// The same light, whoever drew it.
@@ -39,7 +39,7 @@ impl Radiance {
             return;
         }
         (self.width, self.height) = (width, height);
-        self.drawn = None;
+        self.source = None;
         self.stride = width.next_multiple_of(LANES);
         for plane in &mut self.planes {
             plane.clear();

@@ -4,7 +4,7 @@
 //! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
-use crate::film::bloom::{MipLevel, STEP};
+use crate::film::bloom::{CELL_PX, MipLevel};
 use crate::film::tone_map;
 use crate::realtime::joint_upsampling::{Guides, Print};
 use crate::realtime::renderer::drawable;
@@ -87,8 +87,8 @@ impl HalfRenderer {
     /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
     /// any number. The scene is as it was afterwards. What [`Scene::check`] refuses is not drawn; of a view that it refuses
     /// there is no picture.
-    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, film: &mut DisplayBuffer) {
-        self.draw_watched(scene, half, exposure, film, &mut |_| {});
+    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, display: &mut DisplayBuffer) {
+        self.draw_watched(scene, half, exposure, display, &mut |_| {});
     }
 
     /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
@@ -97,21 +97,21 @@ impl HalfRenderer {
         scene: &mut Scene<'a>,
         half: &'a Floor,
         exposure: f32,
-        film: &mut DisplayBuffer,
+        display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
         let View { width, height, .. } = scene.view;
         if width == 0 || height == 0 {
-            return film.resize(width, height);
+            return display.resize(width, height);
         }
         let cleaned = match drawable(scene) {
-            None => return film.resize(0, 0),
+            None => return display.resize(0, 0),
             Some(Cow::Owned(cleaned)) => Some(cleaned),
             Some(Cow::Borrowed(_)) => None,
         };
         match cleaned {
-            Some(mut cleaned) => self.draw_whole(&mut cleaned, half, exposure, film, done),
-            None => self.draw_whole(scene, half, exposure, film, done),
+            Some(mut cleaned) => self.draw_whole(&mut cleaned, half, exposure, display, done),
+            None => self.draw_whole(scene, half, exposure, display, done),
         }
     }
 
@@ -121,26 +121,26 @@ impl HalfRenderer {
         scene: &mut Scene<'a>,
         half: &'a Floor,
         exposure: f32,
-        film: &mut DisplayBuffer,
+        display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        film.resize(scene.view.width, scene.view.height);
-        let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
+        display.resize(scene.view.width, scene.view.height);
+        let known = display.source == Some((self.lamps.renderer.picture(), exposure));
         self.render_layers(scene, half, done);
         let changed = self.look_for_stale(&scene.view, known);
         if changed {
-            self.take_means(film);
+            self.take_means(display);
         }
         done(RenderStage::Shaded);
-        self.lamps.renderer.render_balls(scene, &mut film.bloom);
+        self.lamps.renderer.render_balls(scene, &mut display.bloom);
         done(RenderStage::Mirrored);
         if changed {
-            film.bloom.gather(self.simd);
+            display.bloom.compute(self.simd);
         }
         done(RenderStage::Glared);
-        self.develop(exposure, film);
+        self.develop(exposure, display);
         done(RenderStage::Developed);
-        film.drawn = Some((self.lamps.renderer.picture(), exposure));
+        display.source = Some((self.lamps.renderer.picture(), exposure));
     }
 
     /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
@@ -232,10 +232,10 @@ impl HalfRenderer {
     }
 
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
-    fn take_means(&self, film: &mut DisplayBuffer) {
+    fn take_means(&self, display: &mut DisplayBuffer) {
         let lamps = &self.lamps.radiance;
         let glows = self.glows.radiance.bloom.means();
-        let (Some((level, means)), Some((_, glows))) = (film.bloom.means_mut(), glows) else { return };
+        let (Some((level, means)), Some((_, glows))) = (display.bloom.means_mut(), glows) else { return };
         means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
             mean_of_four(
                 &lamps.planes[channel],
@@ -248,17 +248,18 @@ impl HalfRenderer {
     }
 
     /// Puts the tiles on film that are not there as they should be.
-    fn develop(&mut self, exposure: f32, film: &mut DisplayBuffer) {
+    fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
         let HalfRenderer { simd, lamps, glows, tiles, .. } = self;
-        let (simd, width, window) = (*simd, film.frame.width, film.window);
-        let (bloom, light, glows, balls) = (&film.bloom, &lamps.radiance, &glows.radiance, lamps.renderer.patches());
-        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        let (simd, width, scissor) = (*simd, display.frame.width, display.scissor);
+        let (bloom, light, glows, balls) =
+            (&display.bloom, &lamps.radiance, &glows.radiance, lamps.renderer.ball_sprites());
+        let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
             let (mut own, mut out, mut developed) = (BLACK, BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
-                tile.stale |= bloom.differs(x, y);
-                if !tile.stale || !DisplayBuffer::wants(window, x, y) {
+                tile.stale |= bloom.has_changed_at(x, y);
+                if !tile.stale || !DisplayBuffer::in_scissor(scissor, x, y) {
                     continue;
                 }
                 tile.stale = false;
@@ -292,7 +293,7 @@ fn mark(number: usize) -> f32 {
 
 /// Writes the means of two by two pixels of a plane, and adds what is in `more`.
 fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &MipLevel, more: &[f32], means: &mut [f32]) {
-    const { assert!(STEP == 4, "a cell is two half-resolution pixels wide") };
+    const { assert!(CELL_PX == 4, "a cell is two half-resolution pixels wide") };
     for row in 0..level.height {
         let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];
         let (above, below) = (line(2 * row), line(2 * row + 1));

@@ -90,7 +90,7 @@ impl OutlineSdf {
 
     /// Finds distance and direction for the points of a whole tile round `middle_mm`. Beyond `margin_mm` from the
     /// outline only the side is right.
-    pub fn measure(
+    pub fn evaluate(
         &self,
         simd: SimdLevel,
         points: &PackedSamples,

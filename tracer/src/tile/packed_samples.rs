@@ -31,7 +31,7 @@ impl PackedSamples {
     }
 
     /// Every pixel of a tile, in order.
-    pub fn whole_tile(mm_per_px: f64) -> PackedSamples {
+    pub fn full_tile(mm_per_px: f64) -> PackedSamples {
         let mut points = PackedSamples::none();
         for pixel in 0..AREA {
             points.push_pixel(pixel, mm_per_px as f32);

@@ -49,8 +49,8 @@ pub fn run(threads: Option<usize>, json: bool) -> Result<(), Failure> {
 fn rows() -> Result<Vec<Row>, Failure> {
     let mut rows = vec![made_up_table(), played_table()?];
     let (floor, small) = (testing::white(250, 250), testing::white(40, 40));
-    let room = shadow_race::room(1.3, &floor);
-    rows.push(Row::new("room".to_string(), judge(&room, Some(&shadow_race::room(1.3, &small)), MANY, 1)));
+    let room = shadow_race::tracer_scene(1.3, &floor);
+    rows.push(Row::new("room".to_string(), judge(&room, Some(&shadow_race::tracer_scene(1.3, &small)), MANY, 1)));
     let (floor, small) = (testing::white(160, 160), testing::white(16, 16));
     for seed in 0..20 {
         let scene = testing::mixed_jumble(seed, &floor);

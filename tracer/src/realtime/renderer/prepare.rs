@@ -2,7 +2,7 @@
 //! new since the last picture.
 
 use super::Renderer;
-use crate::cache::frame_history::{MOST_GLOWS, MOST_LAMPS};
+use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
 use crate::realtime::schedule::BLOCK;
 use crate::realtime::tile_renderer::Lit;
@@ -17,21 +17,21 @@ use rayon::prelude::*;
 impl Renderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
-    pub(super) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
+    pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
         self.disc_chains.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);
         let count = self.prepare_lamps(scene);
-        let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
+        let remembered = count <= MAX_LAMPS && scene.glows.len() <= MAX_GLOWS;
         if remembered {
             self.number_lamps();
         }
         self.prepare_tops(&scene.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
-        if self.whole_tile.0 != scene.view.mm_per_px {
-            self.whole_tile = (scene.view.mm_per_px, PackedSamples::whole_tile(scene.view.mm_per_px));
+        if self.full_tile.0 != scene.view.mm_per_px {
+            self.full_tile = (scene.view.mm_per_px, PackedSamples::full_tile(scene.view.mm_per_px));
         }
         if self.changes.repainted {
             self.art.set(self.simd, scene);
@@ -77,12 +77,12 @@ impl Renderer {
             lit.potential_occluders.set(&lit.lamp, disc_chains);
             lit.things.set(&known.moved);
             ShadowBounds::of_all(&lit.lamp, &lit.things, &mut lit.moved);
-            lit.floating.clear();
-            lit.floating.extend(
+            lit.airborne.clear();
+            lit.airborne.extend(
                 occluding_balls(&scene.balls, &lit.lamp, None).map(|ball| AirborneShadow::new(&lit.lamp, ball)),
             );
-            let floated = occluding_balls(&known.floated, &lit.lamp, None);
-            lit.moved.extend(floated.map(|ball| ShadowBounds::of_floating(&lit.lamp, ball)));
+            let moved_balls = occluding_balls(&known.moved_balls, &lit.lamp, None);
+            lit.moved.extend(moved_balls.map(|ball| ShadowBounds::of_airborne(&lit.lamp, ball)));
         });
         count
     }

@@ -170,10 +170,10 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
                 other.tops.pop();
                 other.lamps[3].color = [0.0; 3];
                 other.glows.pop();
-                film.look_at(0, 0, 60, 60);
+                film.set_scissor(0, 0, 60, 60);
                 renderer.draw(&mut other, &set.half, 1.5, &mut film);
                 renderer.draw(&mut scene, &set.half, 1.0, &mut film);
-                film.look_at(0, 0, 251, 501);
+                film.set_scissor(0, 0, 251, 501);
                 renderer.draw(&mut scene, &set.half, 1.0, &mut film);
             });
             assert!(expected == *film.frame(), "{} with {threads} threads", path.name());

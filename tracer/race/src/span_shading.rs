@@ -1,22 +1,25 @@
-//! A run of pixels that the same lamps reach, lit and written.
+//! A span of pixels that the same lamps reach, shaded and written.
 //!
-//! Nothing is asked here: there is one loop for each set of lamps, and what does not shine costs nothing. The two lamps
+//! There is one loop for each set of lamps (a const generic), without a branch in it; a hidden lamp costs nothing. The two lamps
 //! of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the division, so
 //! that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until they are a pixel.
 
-use crate::columns::Block;
-use crate::moment::{COLORS, POWER, SIDE_F32};
+use crate::column_terms::ColumnTerms;
+use crate::scene::{COLORS, POWER, SIDE_F32};
 use tracer::Rgb;
 use tracer::simd::dispatch::LANES;
+
+/// 2^23: a single-precision number of this size has no fraction, so adding it rounds to a whole number.
+pub(crate) const ROUNDING: f32 = 8_388_608.0;
 
 /// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
 const WHITE: f32 = 255.0;
 
-/// What is the same along a row, for the upper and the lower pair of lamps.
+/// The terms of the light that depend on the row alone, for the upper and the lower pair of lamps.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Row {
+pub(crate) struct RowTerms {
     /// One and the square of the distance to the pair's wall.
-    near: [f32; 2],
+    wall_square: [f32; 2],
     /// That times both lamps' colours.
     both: [[f32; 3]; 2],
 }
@@ -27,17 +30,17 @@ pub(crate) fn color(lamp: usize, channel: usize) -> f32 {
     COLORS[lamp][channel] * (POWER * WHITE)
 }
 
-impl Row {
+impl RowTerms {
     #[inline(always)]
-    pub fn new(y: f32) -> Row {
-        let near = [1.0 + y * y, 1.0 + (SIDE_F32 - y) * (SIDE_F32 - y)];
+    pub fn new(y: f32) -> RowTerms {
+        let wall_square = [1.0 + y * y, 1.0 + (SIDE_F32 - y) * (SIDE_F32 - y)];
         let mut both = [[0.0; 3]; 2];
         for pair in 0..2 {
             for channel in 0..3 {
-                both[pair][channel] = (color(pair * 2, channel) + color(pair * 2 + 1, channel)) * near[pair];
+                both[pair][channel] = (color(pair * 2, channel) + color(pair * 2 + 1, channel)) * wall_square[pair];
             }
         }
-        Row { near, both }
+        RowTerms { wall_square, both }
     }
 }
 
@@ -45,14 +48,21 @@ impl Row {
 ///
 /// Pixels past `end` may be written too, as far as `pixels` goes: rows and runs are lit in order.
 #[inline(always)]
-pub(crate) fn light(lit: usize, row: &Row, blocks: &[Block], start: usize, end: usize, pixels: &mut [u32]) {
+pub(crate) fn shade_span(
+    lit: usize,
+    row: &RowTerms,
+    blocks: &[ColumnTerms],
+    start: usize,
+    end: usize,
+    pixels: &mut [u32],
+) {
     if start >= end {
         return;
     }
     macro_rules! by {
         ($($set:literal)*) => {
             match lit {
-                $($set => light_by::<$set>(row, blocks, start, end, pixels),)*
+                $($set => shade_blocks::<$set>(row, blocks, start, end, pixels),)*
                 _ => pixels[start..end].fill(0),
             }
         };
@@ -62,14 +72,20 @@ pub(crate) fn light(lit: usize, row: &Row, blocks: &[Block], start: usize, end: 
 
 /// Lights whole blocks, and puts back what was in the first of them before `start`.
 #[inline(always)]
-fn light_by<const LIT: usize>(row: &Row, blocks: &[Block], start: usize, end: usize, pixels: &mut [u32]) {
+fn shade_blocks<const LIT: usize>(
+    row: &RowTerms,
+    blocks: &[ColumnTerms],
+    start: usize,
+    end: usize,
+    pixels: &mut [u32],
+) {
     let (first, kept) = (start / LANES, start % LANES);
     let blocks = &blocks[first..end.div_ceil(LANES)];
     let (whole, rest) = pixels[first * LANES..].as_chunks_mut::<LANES>();
     let before = whole.first().copied().unwrap_or_default();
     let mut last = [0; LANES];
     for (number, block) in blocks.iter().enumerate() {
-        *whole.get_mut(number).unwrap_or(&mut last) = chunk::<LIT>(row, block);
+        *whole.get_mut(number).unwrap_or(&mut last) = shade_block::<LIT>(row, block);
     }
     if let Some(chunk) = whole.first_mut() {
         for i in 0..LANES {
@@ -85,14 +101,14 @@ fn light_by<const LIT: usize>(row: &Row, blocks: &[Block], start: usize, end: us
 
 /// A block of pixels, lit by the lamps of `LIT`.
 #[inline(always)]
-fn chunk<const LIT: usize>(row: &Row, block: &Block) -> [u32; LANES] {
+fn shade_block<const LIT: usize>(row: &RowTerms, block: &ColumnTerms) -> [u32; LANES] {
     let mut pixels = [0; LANES];
     for i in 0..LANES {
         // A pair's light is its colors over its below.
         let mut below = [1.0; 2];
         let mut colors = [[0.0; 3]; 2];
         for pair in 0..2 {
-            let (p, q) = (row.near[pair] + block.left[i], row.near[pair] + block.right[i]);
+            let (p, q) = (row.wall_square[pair] + block.left_square[i], row.wall_square[pair] + block.right_square[i]);
             below[pair] = [1.0, p, q, p * q][LIT >> (pair * 2) & 3];
             for channel in 0..3 {
                 let both = row.both[pair][channel] + block.crossed[pair][channel][i];
@@ -124,20 +140,19 @@ fn add(a: Rgb, b: Rgb) -> Rgb {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// Levels as a pixel. They need no clamp: no place in the room is lit beyond 255 (a test below).
+/// Levels as a pixel. They need no clamp: no point is lit beyond 255 (a test below).
 ///
-/// 2^23 leaves no room for a fraction: adding it rounds, and the byte is in the lowest bits. What is left of 2^23 is
-/// shifted out of red and green.
+/// After [`ROUNDING`] the byte is in the lowest bits; what is left of 2^23 is shifted out of red and green.
 #[inline(always)]
 pub(crate) fn pack(red: f32, green: f32, blue: f32) -> u32 {
-    let bits = |level: f32| (level + 8_388_608.0).to_bits();
+    let bits = |level: f32| (level + ROUNDING).to_bits();
     bits(red) << 16 | bits(green) << 8 | bits(blue) & 0xff
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::moment::corner;
+    use crate::scene::corner;
 
     /// The brightest places are at the lamps: on a grid of 1 / 200 with the corners in it, four lamps stay below full.
     #[test]

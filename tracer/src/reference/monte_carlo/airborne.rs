@@ -1,7 +1,6 @@
 //! Shadow rays past floating balls: in space, to places all over a lamp.
 
-use super::{Rays, Sampling, TilePixels};
-use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::reference::monte_carlo::rays::Rays;
 use crate::visibility::sphere_shadow::{self, Sphere};
 use crate::{Ball, Group, Lamp};
 use geometry::{DVec2, trig};
@@ -9,31 +8,13 @@ use geometry::{DVec2, trig};
 /// The part of a turn between a seed of a sunflower and the next.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-impl Sampling {
-    /// Takes what floating balls hide of `lamp`, but for those of the points' own group.
-    pub(crate) fn attenuate(
-        &self,
-        balls: &[Ball],
-        lamp: &Lamp,
-        points: &PackedSamples,
-        at: TilePixels,
-        own: Option<Group>,
-        fraction: &mut Plane,
-    ) {
-        self.each_point(lamp, points, &at, |rays, block, lane| {
-            let open = rays.map_or(0.0, |rays| rays.unoccluded_fraction(balls, lamp, own));
-            fraction[block][lane] *= open as f32;
-        });
-    }
-}
-
 impl Rays {
     /// How much of a lamp floating balls leave, but for those of a group: rays in space to places all over the lamp.
-    pub(super) fn unoccluded_fraction(&self, balls: &[Ball], lamp: &Lamp, without: Option<Group>) -> f64 {
-        sphere_shadow::occluding_balls(balls, lamp, without).map(|ball| self.past(ball, lamp)).product()
+    pub fn unoccluded_fraction(&self, balls: &[Ball], lamp: &Lamp, without: Option<Group>) -> f64 {
+        sphere_shadow::occluding_balls(balls, lamp, without).map(|ball| self.behind(ball, lamp)).product()
     }
 
-    fn past(&self, ball: &Ball, lamp: &Lamp) -> f64 {
+    fn behind(&self, ball: &Ball, lamp: &Lamp) -> f64 {
         let sphere = Sphere::new(ball, self.point);
         let place = |target: DVec2| [target.x - self.point.x, target.y - self.point.y, lamp.height_mm()];
         if !sphere.may_hide(place(lamp.center_mm), lamp.radius_mm()) {

@@ -130,7 +130,7 @@ fn a_part_is_drawn_as_if_it_were_all() {
             play(&mut scene, number);
         }
         let (x, y) = (number * 5, number * 13);
-        seen.look_at(x, y, 70, 110);
+        seen.set_scissor(x, y, 70, 110);
         part.draw(&scene, 1.0, &mut seen);
         whole.draw(&scene, 1.0, &mut all);
         for y in y..y + 110 {
