@@ -15,16 +15,17 @@ mod album;
 
 use album::Album;
 use game::Table;
-use game::frame_composer::{Moment, Picture};
-use game::hud::Chrome;
+use game::frame_composer::{FrameComposer, Interpolation};
+use game::hud::UiState;
 use game::recording::Replay;
+use game::screen::Size;
 use shadow_race::{Method, RaceRenderer, Threads};
 use std::path::Path;
 use tracer::scenes::{self, Props};
 use tracer::{DisplayBuffer, Frame, Renderer, View};
 
 /// The size of the frames of the drawn table, in pixels.
-const SIZE: (usize, usize) = (216, 432);
+const SIZE: Size = Size { width: 216, height: 432 };
 
 #[cfg_attr(not(target_arch = "x86_64"), ignore = "art is the same to the bit on x86-64 only")]
 #[test]
@@ -73,13 +74,13 @@ fn quilted(mut props: Props) -> Props {
 fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
     let file = root().join("assets/demos").join(demo).with_extension("caustic");
     let mut replay = Replay::open(&file).unwrap();
-    let mut picture = picture_of(&replay);
+    let mut composer = composer_of(&replay);
     let frame = |&second: &u64| {
         let tick = second * u64::from(physics::TICKS_PER_SECOND);
         replay.seek(tick);
         assert_eq!(replay.tick(), tick, "{} is shorter", file.display());
         let snapshot = replay.simulation().snapshot();
-        let frame = picture.draw(Moment::at(&snapshot), SIZE.0, SIZE.1, &Chrome::default()).unwrap();
+        let frame = composer.draw(Interpolation::at(&snapshot), SIZE, &UiState::default()).unwrap();
         (format!("{demo}-{second}s"), frame.clone())
     };
     seconds.iter().map(frame).collect()
@@ -94,18 +95,18 @@ fn on_the_ramp() -> Frame {
         while replay.step() {
             if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {
                 let snapshot = replay.simulation().snapshot();
-                let mut picture = picture_of(&replay);
-                return picture.draw(Moment::at(&snapshot), SIZE.0, SIZE.1, &Chrome::default()).unwrap().clone();
+                let mut composer = composer_of(&replay);
+                return composer.draw(Interpolation::at(&snapshot), SIZE, &UiState::default()).unwrap().clone();
             }
         }
     }
     panic!("no ball comes to the ramp in the demonstrations: record others");
 }
 
-fn picture_of(replay: &Replay) -> Picture {
+fn composer_of(replay: &Replay) -> FrameComposer {
     let table: &std::sync::Arc<Table> = replay.simulation().table();
     let pool = rayon::ThreadPoolBuilder::new().build().expect("threads");
-    Picture::new(table.clone(), pool).expect("a picture")
+    FrameComposer::new(table.clone(), pool).expect("a picture")
 }
 
 fn root() -> &'static Path {

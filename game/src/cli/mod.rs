@@ -4,7 +4,7 @@ mod measure;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
-use crate::frame_composer::Light;
+use crate::frame_composer::LightResolution;
 use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::error::ErrorKind;
@@ -290,8 +290,8 @@ impl Cli {
 
 impl LightChoice {
     /// What it is where nobody waits for a picture.
-    pub fn at_rest(self) -> Light {
-        if self == LightChoice::Half { Light::Half } else { Light::Full }
+    pub fn at_rest(self) -> LightResolution {
+        if self == LightChoice::Half { LightResolution::Half } else { LightResolution::Full }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
-use crate::frame_composer::{Moment, Picture, save_png};
-use crate::hud::Chrome;
+use crate::frame_composer::{FrameComposer, Interpolation, save_png};
+use crate::hud::UiState;
 use crate::recording::Replay;
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
@@ -19,17 +19,17 @@ const LIT_S: f64 = 2.0;
 /// # Errors
 /// If the table or the recording cannot be read, or the file cannot be written.
 pub fn run(args: &FrameArgs) -> Result<(), Failure> {
-    let (table, moments) = match &args.replay {
+    let (table, snapshot) = match &args.replay {
         Some(file) => of_recording(file, args.at)?,
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
-    let mut picture = Picture::new(table, parallel::pool(args.threads)?)?;
-    picture.set_light(args.light.at_rest());
-    picture.set_zoom(args.zoom);
+    let mut composer = FrameComposer::new(table, parallel::pool(args.threads)?)?;
+    composer.set_light(args.light.at_rest());
+    composer.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
-        picture.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
+        composer.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
     }
-    let frame = picture.draw(Moment::at(&moments), args.size.width, args.size.height, &Chrome::default())?;
+    let frame = composer.draw(Interpolation::at(&snapshot), args.size, &UiState::default())?;
     save_png(frame, &args.out)
 }
 

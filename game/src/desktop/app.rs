@@ -5,10 +5,10 @@ use super::screenshot::Screenshot;
 use super::surface::Surface;
 use super::table_reload::Reload;
 use super::{Look, Wake, opening};
-use crate::frame_composer::{Picture, Quality};
-use crate::hud::Times;
+use crate::frame_composer::{DynamicResolution, FrameComposer};
+use crate::hud::FrameTimes;
 use crate::input::{Act, Held, Meaning, meaning};
-use crate::session::{Clock, Cover, Session, Speed, complaint, title, zoom};
+use crate::session::{Modal, PlaybackSpeed, Session, TickClock, zoom};
 use crate::{Buttons, Failure, Table};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -31,20 +31,20 @@ pub struct App {
     session: Session,
     look: Look,
     /// Which light holds the monitor's rate.
-    quality: Quality,
+    quality: DynamicResolution,
     proxy: EventLoopProxy<Wake>,
     /// Until there is a window to paint for.
-    picture: Option<Picture>,
+    picture: Option<FrameComposer>,
     painter: Option<Painter>,
     window: Option<Arc<Window>>,
     surface: Option<Surface>,
     reload: Option<Reload>,
     new_table: Option<Arc<Table>>,
     held: Held,
-    clock: Clock,
+    clock: TickClock,
     clock_at: Instant,
     started: Instant,
-    cover: Cover,
+    modal: Modal,
     overlay: bool,
     hidden: bool,
     /// The keyboard is ours.
@@ -55,7 +55,7 @@ pub struct App {
     saving: Screenshot,
     shown: Frame,
     used: Frame,
-    times: Times,
+    times: FrameTimes,
     shown_at: Instant,
     next_frame: Instant,
     interval: Duration,
@@ -64,16 +64,16 @@ pub struct App {
 
 impl App {
     /// An application that has no window yet.
-    pub fn new(session: Session, picture: Picture, look: Look, proxy: EventLoopProxy<Wake>) -> App {
+    pub fn new(session: Session, picture: FrameComposer, look: Look, proxy: EventLoopProxy<Wake>) -> App {
         let now = now();
         let reload = match &session {
-            Session::Game(game) if !game.is_bound_to_table() => Some(Reload::new(&picture.table().dir)),
+            Session::Live(game) if !game.is_bound_to_table() => Some(Reload::new(&picture.table().dir)),
             _ => None,
         };
         App {
             session,
             look,
-            quality: Quality::default(),
+            quality: DynamicResolution::default(),
             proxy,
             picture: Some(picture),
             painter: None,
@@ -82,10 +82,10 @@ impl App {
             reload,
             new_table: None,
             held: Held::default(),
-            clock: Clock::default(),
+            clock: TickClock::default(),
             clock_at: now,
             started: now,
-            cover: Cover::None,
+            modal: Modal::None,
             overlay: false,
             hidden: false,
             focused: false,
@@ -94,7 +94,7 @@ impl App {
             saving: Screenshot::default(),
             shown: Frame::default(),
             used: Frame::default(),
-            times: Times::default(),
+            times: FrameTimes::default(),
             shown_at: now,
             next_frame: now,
             interval: opening::interval(None),
@@ -108,14 +108,14 @@ impl App {
     /// What made the window close, if it was not the player.
     pub fn finish(mut self) -> Result<(), Failure> {
         let recorded = match &mut self.session {
-            Session::Game(game) => game.finish(),
-            Session::Viewing(_) => Ok(()),
+            Session::Live(game) => game.finish(),
+            Session::Replay(_) => Ok(()),
         };
         self.failure.map_or(recorded, Err)
     }
 
     fn open(&mut self, events: &ActiveEventLoop) -> Result<(), Failure> {
-        let title = title(&self.session, self.picture.as_ref().map_or("", |picture| &picture.table().title));
+        let title = self.session.title(self.picture.as_ref().map_or("", |picture| &picture.table().title));
         let window = Arc::new(opening::window(events, self.look, &title)?);
         self.surface = Some(Surface::new(events.owned_display_handle(), window.clone())?);
         self.interval = opening::interval(window.current_monitor());
@@ -130,10 +130,10 @@ impl App {
 
     fn is_running(&self) -> bool {
         let moves = match &self.session {
-            Session::Game(_) => true,
-            Session::Viewing(viewing) => !viewing.paused,
+            Session::Live(_) => true,
+            Session::Replay(replay) => !replay.paused,
         };
-        moves && self.cover == Cover::None
+        moves && self.modal == Modal::None
     }
 
     /// Plays the ticks that are due: called before anything that may change what they are played with.
@@ -145,14 +145,14 @@ impl App {
             return;
         }
         let ticks = match &mut self.session {
-            Session::Game(game) => {
-                let ticks = self.clock.ticks(elapsed_ns, Speed::REAL);
+            Session::Live(game) => {
+                let ticks = self.clock.ticks(elapsed_ns, PlaybackSpeed::REAL);
                 game.play(ticks, self.held.buttons());
                 ticks
             }
-            Session::Viewing(viewing) => {
-                let ticks = self.clock.ticks(elapsed_ns, viewing.speed);
-                viewing.play(ticks);
+            Session::Replay(replay) => {
+                let ticks = self.clock.ticks(elapsed_ns, replay.speed);
+                replay.play(ticks);
                 ticks
             }
         };
@@ -162,13 +162,13 @@ impl App {
 
     /// What the session has come to by itself.
     fn follow_session(&mut self) {
-        if let Session::Game(game) = &mut self.session
+        if let Session::Live(game) = &mut self.session
             && game.has_watched()
         {
             game.return_to_game();
-            self.cover = Cover::Paused;
+            self.modal = Modal::Paused;
         }
-        let complaint = complaint(&mut self.session);
+        let complaint = self.session.complaint();
         if let Some(complaint) = complaint {
             self.tell(complaint);
         }
@@ -186,15 +186,15 @@ impl App {
             return;
         }
         self.dirty = true;
-        if let Session::Viewing(viewing) = &mut self.session
-            && self.cover == Cover::None
+        if let Session::Replay(replay) = &mut self.session
+            && self.modal == Modal::None
         {
             match key {
-                KeyCode::Space => return viewing.toggle_pause(),
-                KeyCode::ArrowLeft => return viewing.seek(false),
-                KeyCode::ArrowRight => return viewing.seek(true),
-                KeyCode::ArrowUp => return viewing.speed = viewing.speed.faster(),
-                KeyCode::ArrowDown => return viewing.speed = viewing.speed.slower(),
+                KeyCode::Space => return replay.toggle_pause(),
+                KeyCode::ArrowLeft => return replay.seek(false),
+                KeyCode::ArrowRight => return replay.seek(true),
+                KeyCode::ArrowUp => return replay.speed = replay.speed.faster(),
+                KeyCode::ArrowDown => return replay.speed = replay.speed.slower(),
                 _ => {}
             }
         }
@@ -215,28 +215,28 @@ impl App {
             return;
         }
         self.held.release_all();
-        let plays = matches!(&self.session, Session::Game(game) if game.badge().is_none());
-        if plays && self.cover == Cover::None {
-            self.cover_with(Cover::Paused);
+        let plays = matches!(&self.session, Session::Live(game) if game.badge().is_none());
+        if plays && self.modal == Modal::None {
+            self.cover_with(Modal::Paused);
         }
     }
 
     fn plunge(&mut self, key: KeyCode) {
         match &self.session {
             // A card goes away without a ball being shot.
-            _ if self.cover != Cover::None => self.uncover(),
-            Session::Game(game) if game.is_on() => self.held.press(key, Buttons::PLUNGER),
-            Session::Game(_) => self.held.press(key, Buttons::START),
-            Session::Viewing(_) => {}
+            _ if self.modal != Modal::None => self.uncover(),
+            Session::Live(game) if game.is_on() => self.held.press(key, Buttons::PLUNGER),
+            Session::Live(_) => self.held.press(key, Buttons::START),
+            Session::Replay(_) => {}
         }
     }
 
     fn act(&mut self, events: &ActiveEventLoop, act: Act) {
         match act {
             Act::Pause => self.pause_key(events),
-            Act::Help if self.cover == Cover::Help => self.uncover(),
-            Act::Help => self.cover_with(Cover::Help),
-            Act::Quit if self.cover != Cover::None || matches!(self.session, Session::Viewing(_)) => events.exit(),
+            Act::Help if self.modal == Modal::Help => self.uncover(),
+            Act::Help => self.cover_with(Modal::Help),
+            Act::Quit if self.modal != Modal::None || matches!(self.session, Session::Replay(_)) => events.exit(),
             Act::Quit => {}
             Act::Fullscreen => self.toggle_fullscreen(),
             Act::Overlay => self.overlay = !self.overlay,
@@ -249,33 +249,33 @@ impl App {
 
     fn pause_key(&mut self, events: &ActiveEventLoop) {
         match &mut self.session {
-            Session::Viewing(_) if self.cover == Cover::None => events.exit(),
-            Session::Game(game) if game.is_watching() => {
+            Session::Replay(_) if self.modal == Modal::None => events.exit(),
+            Session::Live(game) if game.is_watching() => {
                 game.return_to_game();
-                self.cover_with(Cover::Paused);
+                self.cover_with(Modal::Paused);
             }
-            _ if self.cover != Cover::None => self.uncover(),
-            _ => self.cover_with(Cover::Paused),
+            _ if self.modal != Modal::None => self.uncover(),
+            _ => self.cover_with(Modal::Paused),
         }
     }
 
-    fn cover_with(&mut self, cover: Cover) {
+    fn cover_with(&mut self, modal: Modal) {
         self.held.release_all();
-        self.cover = cover;
+        self.modal = modal;
         self.dirty = true;
     }
 
     fn uncover(&mut self) {
         self.held.release_all();
-        self.cover = Cover::None;
+        self.modal = Modal::None;
         self.clock_at = now();
     }
 
     fn last_ball(&mut self) {
-        let Session::Game(game) = &mut self.session else { return };
+        let Session::Live(game) = &mut self.session else { return };
         if game.is_watching() {
             game.return_to_game();
-            self.cover_with(Cover::Paused);
+            self.cover_with(Modal::Paused);
         } else if game.watch_last_ball() {
             self.uncover();
         } else {

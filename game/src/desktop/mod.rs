@@ -14,10 +14,10 @@ mod surface;
 mod table_reload;
 
 use crate::cli::LightChoice;
-use crate::frame_composer::Picture;
+use crate::frame_composer::FrameComposer;
 use crate::recording::Replay;
 use crate::screen::Size;
-use crate::session::{Game, Session, Viewing};
+use crate::session::{LiveGame, ReplaySession, Session};
 use crate::{Failure, Table};
 use app::App;
 use std::path::PathBuf;
@@ -60,9 +60,9 @@ struct Wake;
 /// If there is no display, or the game cannot be started.
 pub fn play(play: &Play, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
     let events = open_display()?;
-    let picture = Picture::new(play.table.clone(), pool)?;
-    let game = Game::new(play.table.clone(), play.seed, play.record.as_deref(), play.bot)?;
-    run(events, Session::Game(Box::new(game)), picture, look)
+    let picture = FrameComposer::new(play.table.clone(), pool)?;
+    let game = LiveGame::new(play.table.clone(), play.seed, play.record.as_deref(), play.bot)?;
+    run(events, Session::Live(Box::new(game)), picture, look)
 }
 
 /// Opens a window and shows a recording in it until it is closed.
@@ -71,9 +71,9 @@ pub fn play(play: &Play, look: Look, pool: rayon::ThreadPool) -> Result<(), Fail
 /// If there is no display.
 pub fn watch(replay: Replay, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
     let events = open_display()?;
-    let viewing = Viewing::new(replay);
-    let picture = Picture::new(viewing.table().clone(), pool)?;
-    run(events, Session::Viewing(Box::new(viewing)), picture, look)
+    let replay = ReplaySession::new(replay);
+    let picture = FrameComposer::new(replay.table().clone(), pool)?;
+    run(events, Session::Replay(Box::new(replay)), picture, look)
 }
 
 fn open_display() -> Result<EventLoop<Wake>, Failure> {
@@ -85,7 +85,7 @@ fn open_display() -> Result<EventLoop<Wake>, Failure> {
     })
 }
 
-fn run(events: EventLoop<Wake>, session: Session, picture: Picture, look: Look) -> Result<(), Failure> {
+fn run(events: EventLoop<Wake>, session: Session, picture: FrameComposer, look: Look) -> Result<(), Failure> {
     let mut app = App::new(session, picture, look, events.create_proxy());
     let ended = events.run_app(&mut app);
     app.finish()?;

@@ -3,8 +3,9 @@
 //! It works on one picture at a time from snapshots that nobody changes. The main thread hands it the newest moment when
 //! it is idle and is woken when the picture is done; what happens in between is simply never drawn.
 
-use crate::frame_composer::{Light, Moment, Picture};
-use crate::hud::{Chrome, Times};
+use crate::frame_composer::{FrameComposer, Interpolation, LightResolution};
+use crate::hud::{FrameTimes, UiState};
+use crate::screen::Size;
 use crate::{Failure, Snapshot, Table};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -18,16 +19,14 @@ pub struct Order {
     pub current: Arc<Snapshot>,
     /// How far from the earlier to the later, 0 to 1.
     pub alpha: f64,
-    /// Pixels across.
-    pub width: usize,
-    /// Pixels down.
-    pub height: usize,
+    /// The frame's size.
+    pub size: Size,
     /// At which resolution light is found.
-    pub light: Light,
+    pub light: LightResolution,
     /// How much larger than the window the table is drawn.
     pub zoom: f64,
     /// What the window adds.
-    pub chrome: Chrome,
+    pub ui_state: UiState,
     /// The table, if it is another than the last time.
     pub table: Option<Arc<Table>>,
     /// A picture that is not needed any more: its memory is used again.
@@ -39,7 +38,7 @@ pub struct Done {
     /// The picture, or why there is none.
     pub frame: Result<Frame, Failure>,
     /// What its parts cost.
-    pub times: Times,
+    pub times: FrameTimes,
 }
 
 /// The thread's two ends.
@@ -54,12 +53,12 @@ impl Painter {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub fn start(mut picture: Picture, wake: impl Fn() + Send + 'static) -> Result<Painter, Failure> {
+    pub fn start(mut composer: FrameComposer, wake: impl Fn() + Send + 'static) -> Result<Painter, Failure> {
         let (orders, inbox) = channel::<Order>();
         let (outbox, done) = channel();
         let work = move || {
             for order in inbox {
-                if outbox.send(paint(&mut picture, order)).is_err() {
+                if outbox.send(paint(&mut composer, order)).is_err() {
                     return;
                 }
                 wake();
@@ -90,19 +89,19 @@ impl Painter {
     }
 }
 
-fn paint(picture: &mut Picture, order: Order) -> Done {
+fn paint(composer: &mut FrameComposer, order: Order) -> Done {
     if let Some(table) = order.table {
-        picture.set_table(table);
+        composer.set_table(table);
     }
-    picture.set_light(order.light);
-    picture.set_zoom(order.zoom);
-    let moment = Moment { previous: &order.previous, current: &order.current, alpha: order.alpha };
+    composer.set_light(order.light);
+    composer.set_zoom(order.zoom);
+    let interpolation = Interpolation { previous: &order.previous, current: &order.current, alpha: order.alpha };
     let mut copy = order.used;
-    let frame = picture.draw(moment, order.width, order.height, &order.chrome).map(|frame| {
+    let frame = composer.draw(interpolation, order.size, &order.ui_state).map(|frame| {
         (copy.width, copy.height) = (frame.width, frame.height);
         copy.pixels.clear();
         copy.pixels.extend_from_slice(&frame.pixels);
         copy
     });
-    Done { frame, times: picture.times() }
+    Done { frame, times: composer.times() }
 }

@@ -1,9 +1,9 @@
 //! A game that is being played: the simulation, who plays it, and what is written down of it.
 
-use super::contact_trail::Touches;
+use super::contact_trail::ContactTrail;
 use super::last_ball::{LastBall, Rerun};
 use crate::bot::Bot;
-use crate::hud::{Badge, Touch};
+use crate::hud::{Badge, TrailContact};
 use crate::recording::{Recorder, library};
 use crate::{Buttons, Failure, Simulation, Snapshot, Table};
 use std::fs::File;
@@ -15,7 +15,7 @@ use std::time::SystemTime;
 const OPENING_TICKS: u64 = 300;
 
 /// A game in play.
-pub struct Game {
+pub struct LiveGame {
     simulation: Simulation,
     seed: u64,
     previous: Arc<Snapshot>,
@@ -29,22 +29,22 @@ pub struct Game {
     broken_off: Option<Failure>,
     last_ball: LastBall,
     rerun: Option<Rerun>,
-    touches: Touches,
+    contact_trail: ContactTrail,
     complaints: Vec<String>,
 }
 
-impl Game {
+impl LiveGame {
     /// Switches the machine on.
     ///
     /// # Errors
     /// If the rules do not run, or the recording that was asked for cannot be written.
-    pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<Game, Failure> {
+    pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<LiveGame, Failure> {
         let simulation = Simulation::new(table, seed)?;
         let asked = record.map(|path| Recorder::create(path, &simulation, seed)).transpose()?;
         let mut complaints = Vec::new();
         let library = begin_in_library(&simulation, seed, &mut complaints);
         let current = Arc::new(simulation.snapshot());
-        Ok(Game {
+        Ok(LiveGame {
             last_ball: LastBall::new(&simulation),
             simulation,
             seed,
@@ -55,7 +55,7 @@ impl Game {
             asked,
             broken_off: None,
             rerun: None,
-            touches: Touches::default(),
+            contact_trail: ContactTrail::default(),
             complaints,
         })
     }
@@ -66,7 +66,7 @@ impl Game {
             return;
         }
         if let Some(rerun) = &mut self.rerun {
-            (self.previous, self.current) = rerun.play(ticks, &mut self.touches);
+            (self.previous, self.current) = rerun.play(ticks, &mut self.contact_trail);
             return;
         }
         for tick in 0..ticks {
@@ -89,7 +89,7 @@ impl Game {
             None => self.opening(buttons),
         };
         self.simulation.tick(buttons);
-        self.touches.add(self.simulation.ticks(), self.simulation.contacts());
+        self.contact_trail.add(self.simulation.ticks(), self.simulation.contacts());
         self.last_ball.push(buttons);
         if let Some(failure) = keep_recording(&mut self.library, &self.simulation, buttons) {
             failure.tell();
@@ -127,8 +127,8 @@ impl Game {
     }
 
     /// The last impacts.
-    pub fn touches(&self) -> Vec<Touch> {
-        self.touches.shown(self.current.tick)
+    pub fn contact_trail(&self) -> Vec<TrailContact> {
+        self.contact_trail.shown(self.current.tick)
     }
 
     /// What went wrong since the last call.
@@ -173,7 +173,7 @@ impl Game {
             self.simulation = Simulation::restore(table, &self.simulation.save())?;
             return Ok(());
         }
-        let game = Game::new(table, self.seed, None, self.bot.is_some())?;
+        let game = LiveGame::new(table, self.seed, None, self.bot.is_some())?;
         // A game that must be recorded keeps its table; what is lost here is told and no more.
         self.finish().unwrap_or_else(|failure| failure.tell());
         *self = game;

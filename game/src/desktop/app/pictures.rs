@@ -4,8 +4,9 @@ use super::{App, milliseconds, now, wake};
 use crate::cli::LightChoice;
 use crate::desktop::painter::{Order, Painter};
 use crate::desktop::surface;
-use crate::hud::Times;
-use crate::session::{Session, chrome, snapshots};
+use crate::hud::FrameTimes;
+use crate::screen::Size;
+use crate::session::Session;
 
 impl App {
     /// Takes what other threads have done.
@@ -19,7 +20,8 @@ impl App {
         }
         self.collect_table();
         if let Some(done) = self.painter.as_mut().and_then(Painter::take) {
-            self.times = Times { present_ms: self.times.present_ms, between_ms: self.times.between_ms, ..done.times };
+            self.times =
+                FrameTimes { present_ms: self.times.present_ms, between_ms: self.times.between_ms, ..done.times };
             match done.frame {
                 Ok(frame) => {
                     self.judge();
@@ -46,7 +48,7 @@ impl App {
         reload.look(now().duration_since(self.started), move || wake(&proxy));
         let Some(loaded) = reload.take() else { return };
         let taken = loaded.and_then(|table| {
-            if let Session::Game(game) = &mut self.session {
+            if let Session::Live(game) = &mut self.session {
                 game.set_table(table.clone())?;
             }
             Ok(table)
@@ -84,18 +86,17 @@ impl App {
         // What stands still is a tick itself, so that it can be found again in the recording.
         let alpha = if running { self.clock.alpha() } else { 1.0 };
         self.next_frame = (self.next_frame + self.interval).max(now + self.interval / 2);
-        let (previous, current) = snapshots(&self.session);
+        let (previous, current) = self.session.snapshots();
         let notice = self.notice.as_ref().map(|(text, _)| text.clone());
-        let chrome = chrome(&self.session, self.cover, notice, self.overlay.then_some(self.times));
+        let ui_state = self.session.ui_state(self.modal, notice, self.overlay.then_some(self.times));
         painter.order(Order {
             previous: previous.clone(),
             current: current.clone(),
             alpha,
-            width: size.width as usize,
-            height: size.height as usize,
+            size: Size { width: size.width as usize, height: size.height as usize },
             light: if self.look.light == LightChoice::Auto { self.quality.light() } else { self.look.light.at_rest() },
             zoom: self.look.zoom,
-            chrome,
+            ui_state,
             table: self.new_table.take(),
             used: std::mem::take(&mut self.used),
         });
