@@ -22,7 +22,7 @@ use game::screen::Size;
 use game::storage::recordings;
 use shadow_race::{Method, RaceRenderer, Threads};
 use std::path::Path;
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{DisplayBuffer, Frame, Renderer, View};
 
 /// The size of the frames of the drawn table, in pixels.
@@ -48,10 +48,10 @@ fn golden_frame_of_a_ball_on_the_ramp() {
 
 #[test]
 fn golden_frame_of_the_generated_table() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let props = quilted(testing::props(&view));
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let props = quilted(scenes::props(&view));
     let mut film = DisplayBuffer::default();
-    Renderer::new().draw(&testing::table(view, &props), 1.0, &mut film);
+    Renderer::new().draw(&scenes::table(view, &props), 1.0, &mut film);
     compare(&[("generated-table".to_string(), film.frame().clone())]);
 }
 
