@@ -19,9 +19,10 @@ use game::frame_composer::{FrameComposer, Interpolation};
 use game::hud::UiState;
 use game::recording::Replay;
 use game::screen::Size;
+use game::storage::recordings;
 use shadow_race::{Method, RaceRenderer, Threads};
 use std::path::Path;
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{DisplayBuffer, Frame, Renderer, View};
 
 /// The size of the frames of the drawn table, in pixels.
@@ -47,10 +48,10 @@ fn golden_frame_of_a_ball_on_the_ramp() {
 
 #[test]
 fn golden_frame_of_the_generated_table() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let props = quilted(testing::props(&view));
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let props = quilted(scenes::props(&view));
     let mut film = DisplayBuffer::default();
-    Renderer::new().draw(&testing::table(view, &props), 1.0, &mut film);
+    Renderer::new().draw(&scenes::table(view, &props), 1.0, &mut film);
     compare(&[("generated-table".to_string(), film.frame().clone())]);
 }
 
@@ -73,7 +74,7 @@ fn quilted(mut props: Props) -> Props {
 /// Frames of a demonstration after so many seconds, as `caustic frame --replay` draws them.
 fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
     let file = root().join("assets/demos").join(demo).with_extension("caustic");
-    let mut replay = Replay::open(&file).unwrap();
+    let mut replay = recordings::open(&file).unwrap();
     let mut composer = composer_of(&replay);
     let frame = |&second: &u64| {
         let tick = second * u64::from(physics::TICKS_PER_SECOND);
@@ -90,7 +91,7 @@ fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
 fn on_the_ramp() -> Frame {
     for demo in 1..=5 {
         let file = root().join(format!("assets/demos/bot-{demo}.caustic"));
-        let mut replay = Replay::open(&file).unwrap();
+        let mut replay = recordings::open(&file).unwrap();
         let ramp = replay.simulation().table().part("ramp").expect("Spectrum has a ramp");
         while replay.step() {
             if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {

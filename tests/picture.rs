@@ -8,7 +8,9 @@ use std::sync::{Arc, OnceLock};
 
 fn table() -> Arc<Table> {
     static TABLE: OnceLock<Arc<Table>> = OnceLock::new();
-    TABLE.get_or_init(|| Arc::new(Table::load("spectrum").expect("the table of the project is whole"))).clone()
+    TABLE
+        .get_or_init(|| Arc::new(game::storage::tables::load("spectrum").expect("the table of the project is whole")))
+        .clone()
 }
 
 fn composer_on(threads: usize) -> FrameComposer {

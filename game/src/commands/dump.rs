@@ -6,8 +6,8 @@ use crate::Failure;
 use crate::cli::DumpArgs;
 use crate::frame_composer::{FrameComposer, Interpolation, save_png};
 use crate::hud::UiState;
-use crate::recording::Replay;
 use crate::screen::Size;
+use crate::storage::recordings;
 use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -21,7 +21,7 @@ use tracer::Frame;
 /// # Errors
 /// If the recording cannot be played again or a frame cannot be written.
 pub fn run(args: &DumpArgs) -> Result<(), Failure> {
-    let mut replay = Replay::open(&args.file)?;
+    let mut replay = recordings::open(&args.file)?;
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut composer = FrameComposer::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;

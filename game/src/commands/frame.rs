@@ -4,7 +4,7 @@ use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
 use crate::frame_composer::{FrameComposer, Interpolation, save_png};
 use crate::hud::UiState;
-use crate::recording::Replay;
+use crate::storage::{recordings, tables};
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;
@@ -34,7 +34,7 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
 }
 
 fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
-    let table = Arc::new(Table::load(name).map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load(name).map_err(Failure::of_many)?);
     let mut simulation = Simulation::new(table.clone(), 0)?;
     let ticks = (at_s * f64::from(TICKS_PER_SECOND)) as u64;
     let bar = parallel::progress_bar(ticks, "ticks");
@@ -47,7 +47,7 @@ fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
 }
 
 fn of_recording(file: &Path, at_s: Option<f64>) -> Result<(Arc<Table>, Snapshot), Failure> {
-    let mut replay = Replay::open(file)?;
+    let mut replay = recordings::open(file)?;
     let end = replay.recording().ticks();
     let tick = at_s.map_or(end, |at_s| (at_s * f64::from(TICKS_PER_SECOND)) as u64);
     if tick > end {

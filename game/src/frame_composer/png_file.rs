@@ -1,6 +1,7 @@
 //! A picture as a PNG file.
 
-use crate::{Failure, new_file};
+use crate::Failure;
+use crate::storage::{file_failure, new_file};
 use std::io::{self, Write};
 use std::path::Path;
 use tracer::Frame;
@@ -10,8 +11,7 @@ use tracer::Frame;
 /// # Errors
 /// If the file cannot be written.
 pub fn save_png(frame: &Frame, path: &Path) -> Result<(), Failure> {
-    new_file::write(path, |file| encode(frame, file))
-        .map_err(|error| Failure::of_file("write the picture", path, &error))
+    new_file::write(path, |file| encode(frame, file)).map_err(|error| file_failure("write the picture", path, &error))
 }
 
 fn encode(frame: &Frame, file: &mut impl Write) -> io::Result<()> {

@@ -1,8 +1,8 @@
 //! The assets that depend on the frame's size and zoom: placement, printed art, and the playfield's display buffer.
 
+use crate::art;
 use crate::scene_builder::Printed;
 use crate::screen::{Placement, Rect, ScreenFromTable, Size};
-use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;
 use tracer::{DisplayBuffer, Floor, View};

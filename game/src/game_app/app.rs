@@ -9,7 +9,7 @@ use crate::hud::FrameTimes;
 use crate::input::HeldKeys;
 use crate::screen::Size;
 use crate::session::{Modal, Session, TickClock};
-use crate::{Failure, Table};
+use crate::{Failure, Table, tell};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -160,7 +160,7 @@ impl GameApp {
                 self.tell("The table was read again.".to_string(), commands);
             }
             Err(failure) => {
-                failure.tell();
+                tell(&failure);
                 self.tell(failure.to_string(), commands);
             }
         }

@@ -66,7 +66,7 @@ pub fn watch(replay: Replay, look: Look, pool: rayon::ThreadPool) -> Result<(), 
 fn run(display: Display, session: Session, composer: FrameComposer, look: Look) -> Result<(), Failure> {
     let title = session.title(&composer.table().title);
     let options = WindowOptions { title, size: look.size, fullscreen: look.fullscreen };
-    let mut app = GameApp::new(session, look, &composer.table().dir);
+    let mut app = GameApp::new(session, look, composer.table().origin.as_ref());
     let shown = display.run(&mut app, options, painter::painter(composer));
     let recorded = app.finish();
     shown.and(recorded)

@@ -93,7 +93,7 @@ impl ReplaySession {
     fn look_for_difference(&mut self) {
         if let Some(difference) = self.replay.difference().filter(|_| !self.told) {
             let sentence = format!("This replay is not what was recorded: it {difference}.");
-            Failure::new(&sentence).tell();
+            crate::tell(&Failure::new(&sentence));
             self.complaint = Some(sentence);
             self.told = true;
         }

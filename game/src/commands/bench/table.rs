@@ -7,6 +7,7 @@ use crate::commands::parallel;
 use crate::frame_composer::{FrameComposer, Interpolation, LightResolution};
 use crate::hud::UiState;
 use crate::screen::Size;
+use crate::storage::tables;
 use crate::{Failure, Simulation, Snapshot, Table};
 use std::sync::Arc;
 use tracer::monte_carlo::Sampling;
@@ -25,7 +26,7 @@ const SEEDS: [u64; 3] = [1, 2, 3];
 
 /// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
-    let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
     let moments = moments(&table, FRAMES)?;
     let sizes = size.map_or(SIZES.to_vec(), |size| vec![size]);
     let mut rows = Vec::new();
