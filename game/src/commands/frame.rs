@@ -2,9 +2,9 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
-use crate::frame_composer::{FrameComposer, Interpolation, save_png};
+use crate::frame_composer::{FrameComposer, Interpolation};
 use crate::hud::UiState;
-use crate::storage::{recordings, tables};
+use crate::storage::{recordings, save_png, tables};
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use super::Waker;
 use crate::Failure;
-use crate::frame_composer::save_png;
+use crate::storage::save_png;
 use std::path::PathBuf;
 use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;

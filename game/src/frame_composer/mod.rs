@@ -6,11 +6,9 @@
 mod camera;
 mod dynamic_resolution;
 mod exposure;
-mod png_file;
 mod size_dependent_assets;
 
 pub use dynamic_resolution::DynamicResolution;
-pub use png_file::save_png;
 
 use crate::hud::{FrameTimes, Hud, UiState};
 use crate::scene_builder::{self, SceneBuilder};
