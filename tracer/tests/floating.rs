@@ -251,7 +251,7 @@ fn light_of_half_the_resolution_has_floating_balls() {
     let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
         let mut film = DisplayBuffer::default();
         let mut scene = scene.clone();
-        renderer.draw(&mut scene, &half, 1.0, &mut film);
+        renderer.draw(&scene, &half, 1.0, &mut film);
         film.frame().clone()
     };
     let mut renderer = HalfRenderer::new();
