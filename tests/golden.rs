@@ -15,11 +15,11 @@ mod album;
 
 use album::Album;
 use game::Table;
+use game::frame_composer::{Moment, Picture};
 use game::hud::Chrome;
-use game::picture::{Moment, Picture};
 use game::recording::Replay;
+use shadow_race::{Room, Threads, Way};
 use std::path::Path;
-use tracer::room::{Room, Threads, Way};
 use tracer::testing::{self, Props};
 use tracer::{DisplayBuffer, Frame, Renderer, View};
 

@@ -1,8 +1,8 @@
 //! Pictures: the same bytes on any number of threads, at every size, of every moment.
 
+use game::frame_composer::{Light, Moment, Picture};
 use game::hud::Chrome;
-use game::picture::placement::Placement;
-use game::picture::{Light, Moment, Picture};
+use game::screen::Placement;
 use game::{Buttons, Simulation, Snapshot, Table};
 use std::sync::{Arc, OnceLock};
 

@@ -34,7 +34,7 @@ fn reachable(machine: &Machine) -> Vec<DVec2> {
     let size = machine.layout().size_m;
     let (columns, rows) = ((size.x / STEP_M) as usize, (size.y / STEP_M) as usize);
     let place = |at: usize| DVec2::new((at % columns) as f64 + 0.5, (at / columns) as f64 + 0.5) * STEP_M + ASIDE_M;
-    let is_free = |at: usize| with_ball(machine, place(at)).overlap_m() < 0.0;
+    let is_free = |at: usize| with_ball(machine, place(at)).penetration_m() < 0.0;
     let start = rows / 2 * columns + columns / 2;
     let (mut seen, mut found) = (vec![false; columns * rows], vec![start]);
     seen[start] = true;

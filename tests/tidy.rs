@@ -50,9 +50,9 @@ fn light_and_ball_never_name_each_other() {
 #[test]
 fn each_library_is_named_in_its_own_room_only() {
     let rooms: [(&str, &[&str]); 7] = [
-        ("winit", &["game/src/window/"]),
-        ("softbuffer", &["game/src/window/"]),
-        ("tiny_skia", &["game/src/hud/", "game/src/table/"]),
+        ("winit", &["game/src/desktop/"]),
+        ("softbuffer", &["game/src/desktop/"]),
+        ("tiny_skia", &["game/src/screen/", "game/src/table/"]),
         ("resvg", &["game/src/table/"]),
         ("plotters", &["game/src/commands/plot/"]),
         ("rhai", &["game/src/rules/"]),

@@ -2,8 +2,8 @@
 //!
 //! The data's way, each arrow one function and each noun plain data:
 //!
-//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> stage -> [`tracer::Scene`] -> radiance -> frame ->
-//! HUD -> window or PNG
+//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> scene builder -> [`tracer::Scene`] -> radiance ->
+//! frame -> HUD -> window or PNG
 //!
 //! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
 
@@ -12,17 +12,20 @@ pub mod bot;
 pub mod buttons;
 pub mod cli;
 pub mod commands;
+pub mod desktop;
 pub mod failure;
+pub mod frame_composer;
 pub mod hud;
+pub mod input;
 pub mod lamps;
 pub mod new_file;
-pub mod picture;
 pub mod recording;
 pub mod rules;
+pub mod scene_builder;
+pub mod screen;
+pub mod session;
 pub mod simulation;
-pub mod stage;
 pub mod table;
-pub mod window;
 
 pub use buttons::Buttons;
 pub use failure::Failure;

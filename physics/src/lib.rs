@@ -12,48 +12,22 @@
 //! and asks no random number.
 
 mod ball;
-mod cabinet;
-mod captive;
-mod check;
-mod clear;
-mod command;
-mod controls;
-mod event;
-mod fingerprint;
-mod flipper;
-mod grid;
-mod jam;
+mod collision;
 mod layout;
-mod levels;
 mod machine;
-mod magnet;
-mod meet;
-mod moment;
-mod motion;
-mod plan;
-mod plates;
-mod pose;
-mod respond;
-mod rod;
-mod save;
-mod settle;
-mod state;
-mod sweep;
-mod touch;
-mod track;
-mod watch;
-mod works;
-mod zones;
+mod mechanisms;
+mod part;
+mod solver;
 
-pub use controls::{Command, Controls};
-pub use event::{Contact, Event, EventKind};
-pub use fingerprint::{Fingerprint, fingerprint};
 pub use layout::{
-    Bumper, CaptiveBall, Drain, DropTarget, Flipper, Gate, Kickback, Kind, Layout, Leg, Magnet, Material, Part, PartId,
-    Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Trigger, Wall,
+    Bumper, CaptiveBall, Drain, DropTarget, Flipper, FlipperControl, Gate, Kickback, Kind, Layout, Leg, Magnet,
+    Material, Part, PartId, Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Wall,
 };
+pub use machine::fingerprint::{Fingerprint, fingerprint};
 pub use machine::{Error, Hashes, Machine};
-pub use pose::{BallPose, Pose};
+pub use mechanisms::controls::{Command, Controls};
+pub use mechanisms::pose::{BallPose, Pose};
+pub use part::event::{Contact, Event, EventKind};
 
 /// Ticks in a second of play.
 pub const TICKS_PER_SECOND: u32 = 1000;

@@ -14,11 +14,10 @@ mod cache;
 mod film;
 mod realtime;
 mod reference;
-pub mod room;
 mod scene;
 pub mod scenes;
 mod shading;
-mod simd;
+pub mod simd;
 mod tile;
 mod visibility;
 

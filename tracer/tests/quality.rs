@@ -24,13 +24,6 @@ fn the_table_passes() {
     passes("table", judge(&scene, Some(&testing::table(small, &small_props)), 60, 1));
 }
 
-#[test]
-fn the_room_passes() {
-    let (floor, small) = (testing::white(200, 200), testing::white(20, 20));
-    let scene = testing::room(1.3, &floor);
-    passes("room", judge(&scene, Some(&testing::room(1.3, &small)), 120, 2));
-}
-
 /// Balls in the air: low and high on the table, and of all sizes among lamps and walls.
 #[test]
 fn floating_balls_pass() {

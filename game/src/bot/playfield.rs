@@ -1,7 +1,7 @@
 //! What a player sees at a glance: where the flippers are, and whether a ball is safe, in reach or lost.
 
 use geometry::{DVec2, trig};
-use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, Trigger};
+use physics::{BALL_RADIUS_M, BallPose, FlipperControl, Kind, Layout};
 
 /// Fastest ball that lies, m/s.
 const LYING_M_S: f64 = 0.06;
@@ -101,10 +101,10 @@ impl Flipper {
     fn new(flipper: &physics::Flipper) -> Option<Flipper> {
         let pivot = flipper.base.center;
         let tip = |angle_rad| pivot + trig::direction(angle_rad) * flipper.length_m;
-        let left = match flipper.trigger {
-            Trigger::Left => true,
-            Trigger::Right => false,
-            Trigger::Rules => return None,
+        let left = match flipper.control {
+            FlipperControl::Left => true,
+            FlipperControl::Right => false,
+            FlipperControl::Rules => return None,
         };
         Some(Flipper {
             left,
@@ -135,7 +135,7 @@ mod tests {
 
     /// Two flippers with a gap of 50 mm between their tips.
     fn playfield() -> Playfield {
-        let flipper = |x: f64, rest_deg: f64, up_deg: f64, trigger| {
+        let flipper = |x: f64, rest_deg: f64, up_deg: f64, control| {
             let rubber = Material { restitution: 0.8, falloff_s_per_m: 0.1, friction: 0.5 };
             Kind::Flipper(physics::Flipper {
                 base: Circle { center: DVec2::new(x, 0.9), radius: 0.011 },
@@ -143,7 +143,7 @@ mod tests {
                 tip_radius_m: 0.007,
                 rest_rad: rest_deg.to_radians(),
                 up_rad: up_deg.to_radians(),
-                trigger,
+                control,
                 material: rubber,
                 coil_torque_n_m: 1.0,
                 hold_torque_n_m: 1.0,
@@ -151,8 +151,12 @@ mod tests {
                 mass_kg: 0.05,
             })
         };
-        let diverter = flipper(0.1, 90.0, 130.0, Trigger::Rules);
-        let kinds = [flipper(0.15, 30.0, -25.0, Trigger::Left), diverter, flipper(0.32, 150.0, 205.0, Trigger::Right)];
+        let diverter = flipper(0.1, 90.0, 130.0, FlipperControl::Rules);
+        let kinds = [
+            flipper(0.15, 30.0, -25.0, FlipperControl::Left),
+            diverter,
+            flipper(0.32, 150.0, 205.0, FlipperControl::Right),
+        ];
         let parts = kinds.map(|kind| Part { name: "flipper".into(), kind }).to_vec();
         let size_m = DVec2::new(0.5, 1.0);
         Playfield::new(&Layout { size_m, slope_rad: 0.1, playfield_friction: 0.1, parts })

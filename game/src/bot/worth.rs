@@ -32,7 +32,7 @@ impl Worth {
             Kind::DropTarget(_) => 12.0,
             Kind::Target(_) => 10.0,
             Kind::Spinner(_) => 8.0,
-            Kind::Rollover(rollover) if rollover.zone.bounds().min.y < line_m - 0.25 => 8.0,
+            Kind::Rollover(rollover) if rollover.shape.bounds().min.y < line_m - 0.25 => 8.0,
             Kind::Bumper(_) => 5.0,
             Kind::Gate(_) => 2.0,
             _ => 0.0,

@@ -2,8 +2,8 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
+use crate::frame_composer::{Moment, Picture, save_png};
 use crate::hud::Chrome;
-use crate::picture::{Moment, Picture, save_png};
 use crate::recording::Replay;
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;

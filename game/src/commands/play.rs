@@ -2,7 +2,7 @@
 
 use super::parallel;
 use crate::cli::PlayArgs;
-use crate::window::{self, Look, Play};
+use crate::desktop::{self, Look, Play};
 use crate::{Failure, Table};
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -16,7 +16,7 @@ pub fn run(args: PlayArgs) -> Result<(), Failure> {
     let seed = args.seed.unwrap_or_else(seed_of_now);
     let play = Play { table, seed, record: args.record, bot: args.bot };
     let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
-    window::play(&play, look, parallel::pool(args.threads)?)
+    desktop::play(&play, look, parallel::pool(args.threads)?)
 }
 
 #[expect(clippy::disallowed_methods, reason = "each game that names no seed is another one")]

@@ -3,8 +3,8 @@
 use super::parallel;
 use crate::Failure;
 use crate::cli::ReplayArgs;
+use crate::desktop::{self, Look};
 use crate::recording::Replay;
-use crate::window::{self, Look};
 
 /// Shows a recording until the window is closed.
 ///
@@ -13,5 +13,5 @@ use crate::window::{self, Look};
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
     let replay = Replay::open(&args.file)?;
     let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
-    window::watch(replay, look, parallel::pool(args.threads)?)
+    desktop::watch(replay, look, parallel::pool(args.threads)?)
 }

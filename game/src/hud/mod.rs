@@ -4,34 +4,25 @@
 //! copied; it is drawn again only when what it says changes. The display is a function of the moment and of what the
 //! window adds; it refuses to know a clock, a key or a file.
 
-mod canvas;
-mod card;
-mod contour;
-mod dots;
-mod keys;
-mod layer;
-mod lettering;
-mod matrix;
-mod overlay;
+mod backdrop;
+mod debug_overlay;
+mod dialog;
+mod dmd;
+mod key_help;
 mod panel;
-mod programme;
-mod surround;
+mod text;
 
-pub use canvas::{Canvas, Rect};
-pub use card::{Card, Seek};
-pub use dots::{HEIGHT as DOTS_DOWN, WIDTH as DOTS_ACROSS};
-pub use keys::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
-pub use layer::Layer;
-pub use overlay::{Debug, Times, Touch};
+pub use debug_overlay::{Debug, Times, Touch};
+pub use dialog::{Card, Seek};
+pub use key_help::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
 
-use crate::picture::placement::{Lens, Placement};
+use crate::screen::{Canvas, Lens, Placement, Rect, Side};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
-use card::Panes;
-use dots::Dots;
-use lettering::Lettering;
-use matrix::Matrix;
+use dialog::Panes;
+use dmd::{Dots, Matrix};
 use panel::{Lines, Words};
+use text::Lettering;
 use tracer::Frame;
 
 const NIGHT: u32 = 0x06_0810;
@@ -74,7 +65,7 @@ pub struct Hud {
     words: Option<Words>,
     lines: Lines,
     panes: Panes,
-    overlay: overlay::Overlay,
+    overlay: debug_overlay::Overlay,
 }
 
 impl Hud {
@@ -92,7 +83,7 @@ impl Hud {
             words: None,
             lines: Lines::default(),
             panes: Panes::default(),
-            overlay: overlay::Overlay::default(),
+            overlay: debug_overlay::Overlay::default(),
         })
     }
 
@@ -102,9 +93,9 @@ impl Hud {
             return;
         }
         self.backdrop = Frame::new(placement.width, placement.height);
-        surround::draw(&mut Canvas::new(&mut self.backdrop), &placement);
+        backdrop::draw(&mut Canvas::new(&mut self.backdrop), &placement);
         frame.clone_from(&self.backdrop);
-        self.overlay = overlay::Overlay::default();
+        self.overlay = debug_overlay::Overlay::default();
         self.matrix = Matrix::new(placement.pitch);
         (self.placement, self.dots, self.words) = (Some(placement), None, None);
     }
@@ -117,7 +108,7 @@ impl Hud {
     /// Draws what has changed around the table.
     pub fn draw_around(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
         let Some(placement) = self.placement else { return };
-        let dots = programme::page(&moment.display, moment.tick);
+        let dots = dmd::page(&moment.display, moment.tick);
         if placement.pitch > 0 && self.dots.as_ref() != Some(&dots) {
             self.matrix.draw(&mut Canvas::new(frame), placement.matrix, &dots);
             self.dots = Some(dots);
@@ -130,7 +121,6 @@ impl Hud {
     }
 
     fn draw_words(&mut self, placement: &Placement, words: &Words, frame: &mut Frame) {
-        use crate::picture::placement::Side;
         let rects = match placement.side {
             Side::Band(left, right) => vec![left, right],
             Side::Panel(panel) => {
@@ -152,17 +142,17 @@ impl Hud {
         let mut canvas = Canvas::new(frame);
         let mut canvas = canvas.within(placement.table);
         if let Some(debug) = &chrome.debug {
-            let subject = overlay::Subject { table, placement: &placement, lens, moment };
+            let subject = debug_overlay::Subject { table, placement: &placement, lens, moment };
             self.overlay.draw(&mut canvas, &mut self.lettering, &subject, debug);
         }
         if let Some(seek) = &chrome.seek {
-            card::seek(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, seek);
+            dialog::seek(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, seek);
         }
         if let Some(card) = chrome.card {
-            card::draw(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, card);
+            dialog::draw(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, card);
         }
         if let Some(text) = &chrome.notice {
-            card::notice(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, text);
+            dialog::notice(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, text);
         }
     }
 }

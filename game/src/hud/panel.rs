@@ -1,12 +1,10 @@
 //! What is written around the dot-matrix display: players, ball, what has been collected, and the keys.
 
-use super::canvas::{Canvas, Color, Rect};
-use super::layer::{Kept, Layer};
-use super::lettering::{Align, Family, Lettering, Style};
-use super::programme::grouped;
-use super::{AMBER, BRASS, Badge, Chrome, IVORY, MIST, keys};
+use super::dmd::grouped;
+use super::text::{Align, Family, Lettering, Style};
+use super::{AMBER, BRASS, Badge, Chrome, IVORY, MIST, key_help};
 use crate::Table;
-use crate::picture::placement::{Placement, Side, title_height};
+use crate::screen::{Canvas, Color, Kept, Layer, Placement, Rect, Side, title_height};
 use crate::simulation::{Display, Snapshot};
 use geometry::DVec2;
 
@@ -34,7 +32,7 @@ impl Words {
         let display = Display { message: Vec::new(), message_tick: 0, ..moment.display.clone() };
         let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| moment.lamps.get(lamp));
         let shoot_again = display.playing && lamp.is_some_and(|lamp| lamp.level > 300);
-        let keys = if chrome.seek.is_some() { keys::REPLAY_HELP } else { keys::HELP };
+        let keys = if chrome.seek.is_some() { key_help::REPLAY_HELP } else { key_help::HELP };
         Words { title: table.title.to_uppercase(), display, shoot_again, badge: chrome.badge, keys }
     }
 }

@@ -1,7 +1,7 @@
 //! The names that a script may use: the parts and lamps of its table.
 
 use crate::Table;
-use physics::{Kind, PartId, Trigger};
+use physics::{FlipperControl, Kind, PartId};
 use std::collections::BTreeMap;
 
 /// The parts and lamps of a table by name.
@@ -114,7 +114,7 @@ impl Names {
     pub fn diverter(&self, name: &str) -> Result<PartId, String> {
         let part = self.part(name)?;
         match self.kind(part) {
-            Some(Kind::Flipper(flipper)) if flipper.trigger == Trigger::Rules => Ok(part),
+            Some(Kind::Flipper(flipper)) if flipper.control == FlipperControl::Rules => Ok(part),
             _ => Err(format!("\"{name}\" is not a diverter")),
         }
     }

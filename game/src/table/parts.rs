@@ -8,7 +8,7 @@ use super::drawing::Thing;
 use super::numbers::Numbers;
 use super::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
-use physics::{Kind, Material, Trigger};
+use physics::{FlipperControl, Kind, Material};
 use std::f64::consts::TAU;
 
 /// Metres in a millimetre.
@@ -48,9 +48,9 @@ pub(super) fn kind(thing: &Thing, numbers: &Numbers) -> Result<Kind, String> {
             material,
             threshold_m_s: number("threshold_m_s"),
         }),
-        Class::Rollover => Kind::Rollover(physics::Rollover { zone: zone(thing)? }),
-        Class::Drain => Kind::Drain(physics::Drain { zone: zone(thing)? }),
-        Class::Gate => Kind::Gate(physics::Gate { segment: line()?, way: way(thing)?, material }),
+        Class::Rollover => Kind::Rollover(physics::Rollover { shape: zone(thing)? }),
+        Class::Drain => Kind::Drain(physics::Drain { shape: zone(thing)? }),
+        Class::Gate => Kind::Gate(physics::Gate { segment: line()?, direction: way(thing)?, material }),
         Class::Spinner => Kind::Spinner(physics::Spinner { segment: line()?, damping_per_s: number("damping_per_s") }),
         Class::Saucer => Kind::Saucer(physics::Saucer {
             circle: circle()?,
@@ -161,9 +161,9 @@ fn flipper(
     material: Material,
     number: impl Fn(&'static str) -> f64,
 ) -> Result<physics::Flipper, String> {
-    let trigger = match thing.data.get("side").map(String::as_str) {
-        Some("left") => Trigger::Left,
-        Some("right") => Trigger::Right,
+    let control = match thing.data.get("side").map(String::as_str) {
+        Some("left") => FlipperControl::Left,
+        Some("right") => FlipperControl::Right,
         _ => return Err("a flipper needs data-side=\"left\" or data-side=\"right\"".to_string()),
     };
     let stroke_deg = data(thing, "up-deg", 10.0, 120.0)?;
@@ -179,8 +179,8 @@ fn flipper(
         length_m,
         tip_radius_m: tip,
         rest_rad,
-        up_rad: if trigger == Trigger::Left { rest_rad - stroke_rad } else { rest_rad + stroke_rad },
-        trigger,
+        up_rad: if control == FlipperControl::Left { rest_rad - stroke_rad } else { rest_rad + stroke_rad },
+        control,
         material,
         coil_torque_n_m: number("coil_torque_n_m"),
         hold_torque_n_m: number("hold_torque_n_m"),
@@ -196,7 +196,7 @@ fn plunger(thing: &Thing, line: Segment, number: impl Fn(&'static str) -> f64) -
         feed: line.a + way * (physics::BALL_RADIUS_M + FEED_GAP_MM * M_PER_MM),
         tip: line.a,
         half_width_m: thing.radius_mm() * M_PER_MM,
-        way,
+        direction: way,
         stroke_m,
         pull_s: number("pull_s"),
         full_speed_m_s: number("full_speed_m_s"),

@@ -1,13 +1,12 @@
 //! Scenes made by a program: for measurements, for tests and to look at.
 
 use crate::{Ball, Emitter, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+
 mod growth;
 mod jumble;
-mod room;
 
 pub use growth::{lift, with_balls, with_lamps, with_posts};
 pub use jumble::{any_shape, floating_jumble, jumble, mixed_jumble};
-pub use room::room;
 
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 

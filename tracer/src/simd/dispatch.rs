@@ -4,10 +4,10 @@
 //! `+ - * / sqrt` and selections are used, and the compiler contracts nothing, so every SIMD level gives the same bits.
 
 /// How many pixels an inner loop takes at a time: one AVX-512 register, two of AVX2, four of SSE2 or NEON.
-pub(crate) const LANES: usize = 16;
+pub const LANES: usize = 16;
 
 /// One number for each of [`LANES`] pixels.
-pub(crate) type Lanes = [f32; LANES];
+pub type Lanes = [f32; LANES];
 
 /// An instruction set that this machine has: a value of this type proves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub struct SimdLevel(InstructionSet);
 
 /// The instruction sets that inner loops are compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum InstructionSet {
+pub enum InstructionSet {
     /// What every machine of the target has.
     Baseline,
     /// 256 bits.
@@ -63,13 +63,14 @@ impl SimdLevel {
         }
     }
 
-    /// The set itself, for the dispatch.
-    pub(crate) fn set(self) -> InstructionSet {
+    /// The set itself, for the dispatch of [`multiversion!`](crate::multiversion).
+    pub fn set(self) -> InstructionSet {
         self.0
     }
 }
 
 /// Declares `fn name(simd, ...)` that runs `body`, an `#[inline(always)]` function, compiled for `simd`.
+#[macro_export]
 macro_rules! multiversion {
     ($(#[$meta:meta])* $vis:vis fn $name:ident($($arg:ident: $type:ty),* $(,)?) = $body:path;) => {
         $(#[$meta])*
@@ -99,7 +100,7 @@ macro_rules! multiversion {
         }
     };
 }
-pub(crate) use multiversion;
+pub use crate::multiversion;
 
 /// Asks the memory for what will be read soon: nothing depends on it but time.
 #[inline(always)]
@@ -129,13 +130,13 @@ pub(crate) fn round_to_u16(value: f32) -> u16 {
 
 /// The smaller number, in one instruction: `f32::min` also has to think about NaN.
 #[inline(always)]
-pub(crate) fn min(a: f32, b: f32) -> f32 {
+pub fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The larger number, in one instruction.
 #[inline(always)]
-pub(crate) fn max(a: f32, b: f32) -> f32 {
+pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 

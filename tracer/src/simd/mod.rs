@@ -2,4 +2,4 @@
 //! bits on each. It knows nothing of light.
 
 pub(crate) mod atan2;
-pub(crate) mod dispatch;
+pub mod dispatch;

@@ -6,8 +6,8 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use geometry::DVec2;
 use rayon::ThreadPool;
 use tracer::testing::{self, Props};

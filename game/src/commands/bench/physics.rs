@@ -85,7 +85,7 @@ fn crowd(fresh: &Machine) -> Row {
             let mut fuller = machine.clone();
             fuller.put_ball(place, DVec2::new(between(chance, -2.0, 2.0), -1.0), [0.0; 3]);
             // A ball in a wall or in another ball would be none that there can be.
-            if fuller.overlap_m() < 0.0 {
+            if fuller.penetration_m() < 0.0 {
                 machine = fuller;
             }
         }

@@ -3,7 +3,7 @@
 use super::table;
 use crate::commands::parallel;
 use crate::commands::print::print;
-use crate::stage::{Printed, Stage};
+use crate::scene_builder::{Printed, SceneBuilder};
 use crate::{Failure, Table};
 use serde::Serialize;
 use std::sync::Arc;
@@ -48,8 +48,8 @@ pub fn run(threads: Option<usize>, json: bool) -> Result<(), Failure> {
 fn rows() -> Result<Vec<Row>, Failure> {
     let mut rows = vec![made_up_table(), played_table()?];
     let (floor, small) = (testing::white(250, 250), testing::white(40, 40));
-    let room = testing::room(1.3, &floor);
-    rows.push(Row::new("room".to_string(), judge(&room, Some(&testing::room(1.3, &small)), MANY, 1)));
+    let room = shadow_race::room(1.3, &floor);
+    rows.push(Row::new("room".to_string(), judge(&room, Some(&shadow_race::room(1.3, &small)), MANY, 1)));
     let (floor, small) = (testing::white(160, 160), testing::white(16, 16));
     for seed in 0..20 {
         let scene = testing::mixed_jumble(seed, &floor);
@@ -75,11 +75,11 @@ fn made_up_table() -> Row {
 fn played_table() -> Result<Row, Failure> {
     let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
     let moment = table::moments(&table, 1)?.pop().ok_or_else(|| Failure::new("the bot has not played"))?;
-    let stage = Stage::new(&table);
+    let builder = SceneBuilder::new(&table);
     let [view, small] = views(table.size_mm);
     let (printed, small_printed) = (Printed::new(&table, &view)?, Printed::new(&table, &small)?);
-    let scene = stage.scene(&table, &moment, view, &printed);
-    let small = stage.scene(&table, &moment, small, &small_printed);
+    let scene = builder.scene(&table, &moment, view, &printed);
+    let small = builder.scene(&table, &moment, small, &small_printed);
     Ok(Row::new("spectrum in play".to_string(), judge(&scene, Some(&small), MANY, 1)))
 }
 

@@ -11,11 +11,11 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use rayon::ThreadPool;
+use shadow_race::{Room, Threads, Way};
 use tracer::Frame;
-use tracer::room::{Room, Threads, Way};
 
 /// The size that is quoted.
 const SIZE: Size = Size { width: 1920, height: 1080 };

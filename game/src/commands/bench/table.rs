@@ -3,10 +3,10 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::bot::Bot;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::frame_composer::{Light, Moment, Picture};
 use crate::hud::Chrome;
-use crate::picture::{Light, Moment, Picture};
+use crate::screen::Size;
 use crate::{Failure, Simulation, Snapshot, Table};
 use std::sync::Arc;
 use tracer::monte_carlo::Sampling;

@@ -4,7 +4,7 @@
 //! than it will be and then shrunk, which is what smooths its edges.
 
 use super::ink;
-use crate::cli::Size;
+use crate::screen::Size;
 use crate::{Failure, assets};
 use plotters::coord::Shift;
 use plotters::prelude::*;

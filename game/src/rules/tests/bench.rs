@@ -7,8 +7,8 @@ use crate::table::{Lamp, LampKind};
 use crate::{Buttons, Failure, Table};
 use geometry::{Circle, DVec2, Shape};
 use physics::{
-    BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, Kickback, Kind, Layout, Magnet, Material, Part,
-    PartId, Plunger, Rollover, Saucer, Trigger,
+    BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, FlipperControl, Kickback, Kind, Layout, Magnet,
+    Material, Part, PartId, Plunger, Rollover, Saucer,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -46,7 +46,7 @@ fn kind(name: &str, row: f64) -> Kind {
     let place = DVec2::new(0.1, 0.1 + 0.02 * row);
     let shape = Shape::capsule(place, place + DVec2::new(0.04, 0.0), 0.002);
     match name.split('-').next() {
-        Some("drain") => Kind::Drain(Drain { zone: shape }),
+        Some("drain") => Kind::Drain(Drain { shape }),
         Some("saucer") => Kind::Saucer(Saucer {
             circle: Circle { center: place, radius: 0.012 },
             capture_m_s: 1.0,
@@ -55,7 +55,7 @@ fn kind(name: &str, row: f64) -> Kind {
         Some("kickback") => Kind::Kickback(Kickback {
             tip: place,
             half_width_m: 0.01,
-            way: DVec2::new(0.0, -1.0),
+            direction: DVec2::new(0.0, -1.0),
             stroke_m: 0.025,
             speed_m_s: 3.5,
         }),
@@ -66,7 +66,7 @@ fn kind(name: &str, row: f64) -> Kind {
             tip_radius_m: 0.0015,
             rest_rad: 0.0,
             up_rad: 0.7,
-            trigger: Trigger::Rules,
+            control: FlipperControl::Rules,
             material: MATERIAL,
             coil_torque_n_m: 1.2,
             hold_torque_n_m: 0.6,
@@ -78,12 +78,12 @@ fn kind(name: &str, row: f64) -> Kind {
             feed: DVec2::new(0.48, 0.9),
             tip: DVec2::new(0.48, 0.93),
             half_width_m: 0.01,
-            way: DVec2::new(0.0, -1.0),
+            direction: DVec2::new(0.0, -1.0),
             stroke_m: 0.06,
             pull_s: 1.0,
             full_speed_m_s: 4.0,
         }),
-        _ => Kind::Rollover(Rollover { zone: shape }),
+        _ => Kind::Rollover(Rollover { shape }),
     }
 }
 

@@ -96,7 +96,7 @@ fn a_ball_that_only_a_coil_can_free_is_freed_wherever_it_lies() {
 
         let tip = place + DVec2::new(0.0, BALL_RADIUS_M);
         let way = DVec2::new(0.0, -1.0);
-        let rod = Kickback { tip, half_width_m: 0.01, way, stroke_m: 0.025, speed_m_s: 3.5 };
+        let rod = Kickback { tip, half_width_m: 0.01, direction: way, stroke_m: 0.025, speed_m_s: 3.5 };
         assert_freed("a kickback", game(Kind::Kickback(rod), chute(place, beside)), place);
 
         let circle = Circle { center: place, radius: 0.014 };

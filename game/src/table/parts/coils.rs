@@ -3,7 +3,7 @@
 use super::{M_PER_MM, data};
 use crate::table::drawing::Thing;
 use geometry::{Circle, Segment, trig};
-use physics::{Material, Trigger};
+use physics::{FlipperControl, Material};
 
 /// Thinnest arm of a diverter, mm: a sheet of steel.
 const THIN_MM: f64 = 1.0;
@@ -14,7 +14,7 @@ pub(super) fn kickback(thing: &Thing, line: Segment, number: impl Fn(&'static st
     physics::Kickback {
         tip: line.a,
         half_width_m: thing.radius_mm() * M_PER_MM,
-        way: line.along() / stroke_m,
+        direction: line.along() / stroke_m,
         stroke_m,
         speed_m_s: number("speed_m_s"),
     }
@@ -51,7 +51,7 @@ pub(super) fn diverter(
         tip_radius_m: radius,
         rest_rad,
         up_rad: rest_rad + turn_deg.to_radians(),
-        trigger: Trigger::Rules,
+        control: FlipperControl::Rules,
         material,
         coil_torque_n_m: number("coil_torque_n_m"),
         hold_torque_n_m: number("hold_torque_n_m"),

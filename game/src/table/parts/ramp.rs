@@ -31,7 +31,7 @@ pub(super) fn ramp(thing: &Thing, material: Material) -> Result<physics::Ramp, S
     if way.iter().any(|leg| matches!(leg, Leg::Turn { arc, .. } if arc.circle().radius / M_PER_MM <= tightest)) {
         return Err(format!("a turn must have a radius of {tightest} or more, half its width and a ball's radius"));
     }
-    Ok(physics::Ramp { way, heights_m, half_width_m: thing.radius_mm() * M_PER_MM, material })
+    Ok(physics::Ramp { path: way, heights_m, half_width_m: thing.radius_mm() * M_PER_MM, material })
 }
 
 fn legs(run: &Run) -> Vec<Leg> {

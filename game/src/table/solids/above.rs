@@ -46,9 +46,9 @@ pub(in crate::table) fn above(
 }
 
 fn sides(ramp: &Ramp, offset_m: f64, radius_mm: f64) -> Vec<Shape> {
-    let beside = |leg: &Leg| [-offset_m, offset_m].map(|offset| leg.beside(offset));
+    let beside = |leg: &Leg| [-offset_m, offset_m].map(|offset| leg.offset(offset));
     let shape = |core| Shape { core, radius: radius_mm / MM_PER_M }.scaled(MM_PER_M);
-    ramp.way.iter().flat_map(beside).map(shape).collect()
+    ramp.path.iter().flat_map(beside).map(shape).collect()
 }
 
 fn hoops(ramp: &Ramp) -> Vec<Shape> {
@@ -57,11 +57,11 @@ fn hoops(ramp: &Ramp) -> Vec<Shape> {
         let leg = *leg;
         (0..=count as usize).map(move |hoop| {
             let along = leg.length() * hoop as f64 / count;
-            let (middle, across) = (leg.at(along), leg.way_at(along).perp() * ramp.half_width_m);
+            let (middle, across) = (leg.at(along), leg.direction_at(along).perp() * ramp.half_width_m);
             Shape::capsule((middle - across) * MM_PER_M, (middle + across) * MM_PER_M, 0.7 * WIRE_MM)
         })
     };
-    ramp.way.iter().flat_map(hoops).collect()
+    ramp.path.iter().flat_map(hoops).collect()
 }
 
 /// The outline of a ramp's floor, mm.
@@ -72,10 +72,10 @@ fn floor(ramp: &Ramp) -> Vec<DVec2> {
             let steps = if matches!(leg, Leg::Line(_)) { 1 } else { (leg.length() / STEP_M).ceil().max(1.0) as usize };
             (0..=steps).map(move |step| {
                 let along = leg.length() * step as f64 / steps as f64;
-                (leg.at(along) + leg.way_at(along).perp() * offset) * MM_PER_M
+                (leg.at(along) + leg.direction_at(along).perp() * offset) * MM_PER_M
             })
         };
-        ramp.way.iter().flat_map(corners).collect::<Vec<DVec2>>()
+        ramp.path.iter().flat_map(corners).collect::<Vec<DVec2>>()
     };
     let mut outline = edge(-ramp.half_width_m);
     outline.extend(edge(ramp.half_width_m).into_iter().rev());

@@ -32,7 +32,7 @@ fn the_small_table_is_what_it_says() {
     assert!((flipper.rest_rad - geometry::trig::angle(DVec2::new(60.0, 35.0))).abs() < 1e-12);
     assert!((flipper.rest_rad - flipper.up_rad - 50.0_f64.to_radians()).abs() < 1e-12);
     let Kind::Plunger(plunger) = kind(&table, "plunger") else { panic!() };
-    assert!(near(plunger.way, 0.0, -1.0) && near(plunger.tip, 0.48, 0.9));
+    assert!(near(plunger.direction, 0.0, -1.0) && near(plunger.tip, 0.48, 0.9));
     assert!((plunger.stroke_m - 0.05).abs() < 1e-12 && (plunger.half_width_m - 0.012).abs() < 1e-12);
     assert!(plunger.feed.y < 0.9 - physics::BALL_RADIUS_M && near(DVec2::new(plunger.feed.x, 0.0), 0.48, 0.0));
 }
@@ -162,14 +162,14 @@ fn switches_and_kickers_become_what_they_are() {
     assert!((target.shape.radius - 0.002).abs() < 1e-15 && (drop.shape.radius - 0.002).abs() < 1e-15);
     let Kind::Rollover(lane) = kind(&table, "lane") else { panic!() };
     assert!(
-        lane.zone.distance(DVec2::new(0.0575, 0.31)).0 < 0.0 && lane.zone.distance(DVec2::new(0.0585, 0.31)).0 > 0.0
+        lane.shape.distance(DVec2::new(0.0575, 0.31)).0 < 0.0 && lane.shape.distance(DVec2::new(0.0585, 0.31)).0 > 0.0
     );
     let Kind::Rollover(star) = kind(&table, "star") else { panic!() };
-    assert_eq!(star.zone, Shape::disc(DVec2::new(80.0, 300.0), 10.0).scaled(0.001));
+    assert_eq!(star.shape, Shape::disc(DVec2::new(80.0, 300.0), 10.0).scaled(0.001));
     let Kind::Gate(gate) = kind(&table, "gate") else { panic!() };
-    assert!(near(gate.way, -1.0, 0.0));
+    assert!(near(gate.direction, -1.0, 0.0));
     let Kind::Gate(slanted) = kind(&table, "slanted") else { panic!() };
-    assert!(near(slanted.way, 1.0, 0.0), "it opens straight, to the side that is named");
+    assert!(near(slanted.direction, 1.0, 0.0), "it opens straight, to the side that is named");
     assert!(matches!(kind(&table, "spin"), Kind::Spinner(spinner) if spinner.damping_per_s > 0.0));
     let Kind::Saucer(saucer) = kind(&table, "hole") else { panic!() };
     assert!(near(saucer.eject_m_s, 0.0, 1.5) && (saucer.circle.radius - 0.014).abs() < 1e-15);
@@ -185,13 +185,13 @@ fn coils_and_captive_balls_become_what_they_are() {
         <circle id="captive" class="captive-ball" cx="200" cy="300" r="13.3"/>"#;
     let table = super::read(drawn, numbers).unwrap();
     let Kind::Kickback(kick) = kind(&table, "kick") else { panic!() };
-    assert!(near(kick.tip, 0.04, 0.9) && near(kick.way, 0.0, -1.0) && kick.speed_m_s == 4.0);
+    assert!(near(kick.tip, 0.04, 0.9) && near(kick.direction, 0.0, -1.0) && kick.speed_m_s == 4.0);
     assert!((kick.stroke_m - 0.024).abs() < 1e-12 && (kick.half_width_m - 0.01).abs() < 1e-12);
     let Kind::Magnet(magnet) = kind(&table, "pull") else { panic!() };
     assert!(near(magnet.circle.center, 0.25, 0.4) && (magnet.circle.radius - 0.045).abs() < 1e-12);
     assert_eq!(magnet.pull_m_s2, 55.0);
     let Kind::Flipper(flap) = kind(&table, "flap") else { panic!() };
-    assert_eq!((flap.trigger, flap.base.radius, flap.tip_radius_m), (physics::Trigger::Rules, 0.0015, 0.0015));
+    assert_eq!((flap.control, flap.base.radius, flap.tip_radius_m), (physics::FlipperControl::Rules, 0.0015, 0.0015));
     let quarter = std::f64::consts::FRAC_PI_2;
     assert!((flap.rest_rad - quarter).abs() < 1e-12 && (flap.up_rad - quarter - 40.0_f64.to_radians()).abs() < 1e-12);
     let end = flap.length_m + flap.tip_radius_m;
@@ -207,7 +207,7 @@ fn coils_and_captive_balls_become_what_they_are() {
         .filter_map(|solid| solid.part)
         .map(|id| table.layout.parts[usize::from(id.0)].name.as_str())
         .collect();
-    assert_eq!(seen, ["flap", "left"], "the stage draws rods and balls, and magnets lie below the floor");
+    assert_eq!(seen, ["flap", "left"], "the scene builder draws rods and balls, and magnets lie below the floor");
 }
 
 #[test]
@@ -218,13 +218,13 @@ fn ramps_have_a_height_at_each_corner_and_wire_forms_have_wires() {
             data-heights-mm="50 20"/>"#;
     let table = super::read(drawn, "").unwrap();
     let Kind::Ramp(up) = kind(&table, "up") else { panic!() };
-    assert_eq!((up.way.len(), up.heights_m.as_slice()), (3, &[0.0, 0.04, 0.05, 0.05][..]));
+    assert_eq!((up.path.len(), up.heights_m.as_slice()), (3, &[0.0, 0.04, 0.05, 0.05][..]));
     assert!((up.half_width_m - 0.022).abs() < 1e-12);
-    let ends: Vec<DVec2> = up.way.iter().flat_map(|leg| [leg.at(0.0), leg.at(leg.length())]).collect();
+    let ends: Vec<DVec2> = up.path.iter().flat_map(|leg| [leg.at(0.0), leg.at(leg.length())]).collect();
     assert!(near(ends[0], 0.2, 0.8) && near(ends[5], 0.3, 0.64), "{ends:?}");
     assert!(ends[1].distance(ends[2]) < 1e-9 && ends[3].distance(ends[4]) < 1e-9, "each leg begins where one ends");
     let Kind::Ramp(down) = kind(&table, "down") else { panic!() };
-    assert!(near(down.way[0].at(0.0), 0.3, 0.64) && near(down.way[0].at(down.way[0].length()), 0.36, 0.58));
+    assert!(near(down.path[0].at(0.0), 0.3, 0.64) && near(down.path[0].at(down.path[0].length()), 0.36, 0.58));
     let solids = |name: &str| {
         let named = |id: physics::PartId| table.layout.parts[usize::from(id.0)].name == name;
         table.solids.iter().filter(|solid| solid.part.is_some_and(named)).collect::<Vec<_>>()
@@ -242,7 +242,7 @@ fn a_drain_may_be_a_rectangle() {
     );
     let table = super::read_files(&svg.replace("{}", ""), "", "").unwrap();
     let Kind::Drain(drain) = kind(&table, "drain") else { panic!() };
-    let Shape { core: Core::Segment(line), radius } = drain.zone else { panic!() };
+    let Shape { core: Core::Segment(line), radius } = drain.shape else { panic!() };
     assert!(
         (radius - 0.01).abs() < 1e-12 && near(line.a.min(line.b), 0.11, 0.98) && near(line.a.max(line.b), 0.39, 0.98)
     );

@@ -1,0 +1,127 @@
+//! A recording that is being watched.
+
+use super::contact_trail::Touches;
+use super::tick_clock::Speed;
+use crate::hud::{Seek, Touch};
+use crate::recording::Replay;
+use crate::{Failure, Snapshot, Table};
+use physics::TICKS_PER_SECOND;
+use std::sync::Arc;
+
+/// How far the arrow keys seek, ticks.
+pub const SEEK_TICKS: u64 = 5 * TICKS_PER_SECOND as u64;
+
+/// A recording that is being watched.
+pub struct Viewing {
+    replay: Replay,
+    previous: Arc<Snapshot>,
+    current: Arc<Snapshot>,
+    touches: Touches,
+    complaint: Option<String>,
+    told: bool,
+    /// How fast it runs.
+    pub speed: Speed,
+    /// It stands still.
+    pub paused: bool,
+}
+
+impl Viewing {
+    /// Watches a recording from its beginning.
+    pub fn new(replay: Replay) -> Viewing {
+        let current = Arc::new(replay.simulation().snapshot());
+        Viewing {
+            replay,
+            previous: current.clone(),
+            current,
+            touches: Touches::default(),
+            complaint: None,
+            told: false,
+            speed: Speed::REAL,
+            paused: false,
+        }
+    }
+
+    /// The table that was played.
+    pub fn table(&self) -> &Arc<Table> {
+        self.replay.simulation().table()
+    }
+
+    /// Plays some ticks; stands still at the end.
+    pub fn play(&mut self, ticks: u64) {
+        for tick in 0..ticks {
+            if tick + 1 == ticks {
+                self.previous = Arc::new(self.replay.simulation().snapshot());
+            }
+            if !self.replay.step() {
+                self.paused = true;
+                self.show();
+                return;
+            }
+            self.touches.add(self.replay.tick(), self.replay.simulation().contacts());
+        }
+        if ticks > 0 {
+            self.current = Arc::new(self.replay.simulation().snapshot());
+        }
+        self.look_for_difference();
+    }
+
+    /// Goes some ticks back or on.
+    pub fn seek(&mut self, forward: bool) {
+        let now = self.replay.tick();
+        let target = if forward { now + SEEK_TICKS } else { now.saturating_sub(SEEK_TICKS) };
+        self.replay.seek(target);
+        self.touches.clear();
+        self.show();
+    }
+
+    /// Stands still, or goes on; from the end, goes back to the beginning.
+    pub fn toggle_pause(&mut self) {
+        if self.replay.tick() >= self.replay.recording().ticks() {
+            self.replay.seek(0);
+            self.touches.clear();
+            self.show();
+        }
+        self.paused = !self.paused;
+    }
+
+    fn show(&mut self) {
+        self.current = Arc::new(self.replay.simulation().snapshot());
+        self.previous = self.current.clone();
+        self.look_for_difference();
+    }
+
+    fn look_for_difference(&mut self) {
+        if let Some(difference) = self.replay.difference().filter(|_| !self.told) {
+            let sentence = format!("This replay is not what was recorded: it {difference}.");
+            Failure::new(&sentence).tell();
+            self.complaint = Some(sentence);
+            self.told = true;
+        }
+    }
+
+    /// The last two ticks.
+    pub fn snapshots(&self) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
+        (&self.previous, &self.current)
+    }
+
+    /// The last impacts.
+    pub fn touches(&self) -> Vec<Touch> {
+        self.touches.shown(self.current.tick)
+    }
+
+    /// What went wrong since the last call.
+    pub fn complaint(&mut self) -> Option<String> {
+        self.complaint.take()
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Seek {
+        let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
+        Seek {
+            at_s: seconds(self.replay.tick()),
+            length_s: seconds(self.replay.recording().ticks()),
+            speed: self.speed.label(),
+            paused: self.paused,
+        }
+    }
+}

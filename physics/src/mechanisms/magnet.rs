@@ -1,0 +1,142 @@
+//! Magnets below the playfield: what they do to a ball, and when they hold one.
+//!
+//! The pull along the playfield is the gradient of the potential `-(1 - (r/R)^2)^3`, the smooth kernel of compact
+//! support of Muller et al., Particle-Based Fluid Simulation for Interactive Applications (2003): nothing in the
+//! middle, most at 0.45 R, nothing at the reach R and beyond, and no edge between. It has the shape of a small coil's
+//! pull on soft steel, `r / (r^2 + h^2)^4`, which is a gradient too but never ends.
+//!
+//! So the magnet itself gives a ball nothing and takes nothing: what flies through leaves as fast as it came. What slows
+//! a ball is friction. The magnet presses it on the playfield, and steel that turns in a field resists the turning: its
+//! magnetisation lags behind (rotational hysteresis; Chikazumi, Physics of Ferromagnetism, 1997), a torque that does not
+//! depend on speed, like that of rolling. A slow ball comes to rest by it, near the middle; a fast one is bent and goes on.
+
+use crate::ball::Ball;
+use crate::ball::motion::Motion;
+use crate::collision::world::Plan;
+use crate::layout::{Magnet, PartId};
+use crate::mechanisms::state::Mechanisms;
+use crate::part::event::{Event, EventKind};
+use geometry::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// One over the most that `x (1 - x^2)^2` comes to, at `x = 1 / sqrt(5)`.
+const PEAK: f64 = 3.493_856_214_843_422;
+/// What presses a ball on the playfield over the middle, over the most that pulls it along: the near pole is below it.
+const PRESS: f64 = 2.0;
+/// Deceleration of a ball that rolls in the field, over what presses it.
+const HYSTERESIS: f64 = 0.08;
+/// A ball lies in the middle when it is no farther from it than this part of the reach...
+const MIDDLE: f64 = 0.15;
+/// ... and no faster than this, m/s; it has left when it is twice as far.
+const LYING_M_S: f64 = 0.05;
+
+/// What a magnet is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Coil {
+    /// The rules have switched it on.
+    pub on: bool,
+    /// A ball lies in its middle: its switch is closed.
+    pub holds: bool,
+}
+
+/// Where a ball is in a magnet's field: from the ball to the middle, over the reach; `None` out of reach.
+fn within(magnet: &Magnet, center: DVec2) -> Option<DVec2> {
+    let inwards = (magnet.circle.center - center) / magnet.circle.radius;
+    (inwards.length_squared() < 1.0).then_some(inwards)
+}
+
+/// What a magnet pulls a ball with, m/s^2: along the playfield, and down.
+fn pull(magnet: &Magnet, center: DVec2) -> (DVec2, f64) {
+    let Some(inwards) = within(magnet, center) else { return (DVec2::ZERO, 0.0) };
+    let fade = 1.0 - inwards.length_squared();
+    let strength = magnet.pull_m_s2 * fade * fade;
+    (inwards * (PEAK * strength), PRESS * strength)
+}
+
+/// Lets the magnets that are on act on a ball in a step of `duration`.
+///
+/// The pull is that half-way through the step. Over a step this is the symplectic midpoint rule, so a ball that swings
+/// through the middle gains nothing from the size of the step.
+pub(crate) fn act(plan: &Plan, own: &Mechanisms, ball: &Ball, duration: f64, motion: &mut Motion) {
+    let half_way = ball.center + ball.velocity * (0.5 * duration);
+    for (coil, (_, magnet)) in own.coils.iter().zip(&plan.magnets) {
+        if coil.on && own.kickers_live && !ball.is_up() {
+            let (along, down) = pull(magnet, half_way);
+            motion.pull += along;
+            motion.floor.press += down;
+            motion.floor.drag += HYSTERESIS * down;
+        }
+    }
+}
+
+/// Whether a magnet holds this ball.
+pub(crate) fn holds(plan: &Plan, own: &Mechanisms, ball: &Ball) -> bool {
+    let mut coils = own.coils.iter().zip(&plan.magnets);
+    coils.any(|(coil, (_, magnet))| coil.holds && lies(magnet, ball, 2.0 * MIDDLE))
+}
+
+fn lies(magnet: &Magnet, ball: &Ball, middle: f64) -> bool {
+    !ball.is_held() && within(magnet, ball.center).is_some_and(|inwards| inwards.length() <= middle)
+}
+
+/// Closes the switches of magnets that have come to hold a ball, and opens those of magnets that it has left.
+pub(crate) fn report(plan: &Plan, balls: &[Ball], own: &mut Mechanisms, events: &mut Vec<Event>) {
+    let live = own.kickers_live;
+    for (coil, (part, magnet)) in own.coils.iter_mut().zip(&plan.magnets) {
+        let rests = |ball: &Ball| lies(magnet, ball, MIDDLE) && ball.velocity.length() < LYING_M_S;
+        let holds = match coil.holds {
+            true => balls.iter().any(|ball| lies(magnet, ball, 2.0 * MIDDLE)),
+            false => coil.on && live && balls.iter().any(rests),
+        };
+        if holds != coil.holds {
+            let kind = if holds { EventKind::Closed } else { EventKind::Opened };
+            events.push(Event { part: Some(PartId(*part)), kind });
+        }
+        coil.holds = holds;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TICK_S;
+    use geometry::Circle;
+
+    const MAGNET: Magnet = Magnet { circle: Circle { center: DVec2::new(0.25, 0.5), radius: 0.045 }, pull_m_s2: 40.0 };
+
+    fn potential(center: DVec2) -> f64 {
+        let fade = within(&MAGNET, center).map_or(0.0, |inwards| 1.0 - inwards.length_squared());
+        -PEAK * MAGNET.pull_m_s2 * MAGNET.circle.radius / 6.0 * fade * fade * fade
+    }
+
+    #[test]
+    fn the_pull_is_the_slope_of_its_potential_and_is_most_where_it_says() {
+        let step = 1e-7;
+        let mut most: f64 = 0.0;
+        for mm in 0..60 {
+            let place = MAGNET.circle.center + DVec2::new(0.6, 0.8) * (f64::from(mm) * 1e-3);
+            let slope = |way: DVec2| (potential(place - way * step) - potential(place + way * step)) / (2.0 * step);
+            let (along, _) = pull(&MAGNET, place);
+            assert!((along - DVec2::new(slope(DVec2::X), slope(DVec2::Y))).length() < 1e-4, "{mm} mm: {along}");
+            most = most.max(along.length());
+        }
+        assert!((most / MAGNET.pull_m_s2 - 1.0).abs() < 1e-3, "{most}");
+        let (middle, edge) = (pull(&MAGNET, MAGNET.circle.center), pull(&MAGNET, DVec2::new(0.2951, 0.5)));
+        assert!(middle.0 == DVec2::ZERO && middle.1 == 80.0 && edge == (DVec2::ZERO, 0.0));
+    }
+
+    #[test]
+    fn half_way_is_where_a_step_keeps_the_energy() {
+        let (mut center, mut velocity) = (MAGNET.circle.center + DVec2::new(0.02, 0.0), DVec2::new(0.0, 0.3));
+        let energy = |center: DVec2, velocity: DVec2| 0.5 * velocity.length_squared() + potential(center);
+        let first = energy(center, velocity);
+        let mut farthest: f64 = 0.0;
+        for _ in 0..60_000 {
+            let (along, _) = pull(&MAGNET, center + velocity * (0.5 * TICK_S));
+            center += (velocity + along * (0.5 * TICK_S)) * TICK_S;
+            velocity += along * TICK_S;
+            farthest = farthest.max((energy(center, velocity) / first - 1.0).abs());
+        }
+        assert!(farthest < 0.01, "a minute changes the energy by {farthest} of itself");
+    }
+}

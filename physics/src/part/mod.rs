@@ -1,0 +1,3 @@
+//! What every part has in common.
+
+pub(crate) mod event;

@@ -1,0 +1,79 @@
+//! The room at one moment, seen on a grid of pixels.
+
+use geometry::{Circle, DVec2, trig};
+use tracer::Rgb;
+
+/// The room's side.
+pub const SIDE: f64 = 5.0;
+
+/// The same in single precision.
+pub(crate) const SIDE_F32: f32 = SIDE as f32;
+
+/// The colours of the lamps: upper left, upper right, lower left, lower right.
+pub(crate) const COLORS: [Rgb; 4] = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0, 0.5], [1.0, 0.3, 0.5]];
+
+/// A lamp's light at no distance.
+pub(crate) const POWER: f32 = 0.9;
+
+/// The circles at a time: they go round the middle, a third of a turn apart.
+///
+/// Their middles stay 1.3 from the room's, so 2.25 from each other, and they stay 0.2 off the walls.
+pub fn circles(seconds: f64) -> [Circle; 3] {
+    [0.0, 1.0, 2.0].map(|number| {
+        let angle = seconds * 0.7 + number * std::f64::consts::TAU / 3.0;
+        Circle { center: DVec2::splat(SIDE * 0.5) + trig::direction(angle) * 1.3, radius: 1.0 }
+    })
+}
+
+/// The corner that a lamp stands in.
+#[inline(always)]
+pub(crate) fn corner(lamp: usize) -> (f32, f32) {
+    ((lamp % 2) as f32 * SIDE_F32, (lamp / 2) as f32 * SIDE_F32)
+}
+
+/// A circle in single precision.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Disc {
+    pub x: f32,
+    pub y: f32,
+    pub radius: f32,
+    /// The square of its radius.
+    pub square: f32,
+}
+
+impl From<Circle> for Disc {
+    fn from(circle: Circle) -> Disc {
+        let radius = circle.radius as f32;
+        Disc { x: circle.center.x as f32, y: circle.center.y as f32, radius, square: radius * radius }
+    }
+}
+
+/// What a picture is made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moment {
+    pub discs: [Disc; 3],
+    pub width: usize,
+    /// The room's length across one pixel.
+    step: f32,
+    /// The same down.
+    step_down: f32,
+}
+
+impl Moment {
+    pub fn new(seconds: f64, width: usize, height: usize) -> Moment {
+        let discs = circles(seconds).map(Disc::from);
+        Moment { discs, width, step: SIDE_F32 / width as f32, step_down: SIDE_F32 / height as f32 }
+    }
+
+    /// Where the middle of a column of pixels is.
+    #[inline(always)]
+    pub fn x(&self, column: usize) -> f32 {
+        (column as u32 as f32 + 0.5) * self.step
+    }
+
+    /// Where the middle of a row of pixels is.
+    #[inline(always)]
+    pub fn y(&self, row: usize) -> f32 {
+        (row as u32 as f32 + 0.5) * self.step_down
+    }
+}

@@ -1,0 +1,36 @@
+//! The classic room as a scene: three circles that turn, and a small lamp in each corner.
+
+use crate::{SIDE, circles};
+use geometry::{DVec2, Shape};
+use tracer::scenes::white_view;
+use tracer::{Emitter, Floor, Group, Lamp, Occluder, Scene};
+
+/// Millimetres in one of the room's units.
+const MM_PER_UNIT: f64 = 100.0;
+
+/// How far the lamps are from the walls, mm.
+const INSET_MM: f64 = 6.0;
+
+/// The room after `seconds`, in as many pixels as `floor` has, with lamps of 4 mm.
+pub fn room<'a>(seconds: f64, floor: &'a Floor) -> Scene<'a> {
+    let side = SIDE * MM_PER_UNIT;
+    let colors = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0, 0.5], [1.0, 0.3, 0.5]];
+    let corner = |at: usize| DVec2::new((at % 2) as f64, (at / 2) as f64) * (side - 2.0 * INSET_MM);
+    let lamp = |(at, color): (usize, [f32; 3])| Lamp {
+        center_mm: corner(at) + DVec2::splat(INSET_MM),
+        emitter: Emitter::Disc { radius_mm: 4.0 },
+        height_mm: 100.0,
+        reach_mm: 1500.0,
+        color: color.map(|channel| 0.9 * channel),
+        inside: None,
+    };
+    let disc = |(group, circle): (u16, geometry::Circle)| Occluder {
+        shape: Shape::disc(circle.center * MM_PER_UNIT, circle.radius * MM_PER_UNIT),
+        group: Group(group),
+    };
+    Scene {
+        lamps: colors.into_iter().enumerate().map(lamp).collect(),
+        occluders: (0..).zip(circles(seconds)).map(disc).collect(),
+        ..white_view(floor, side / floor.width.max(1) as f64)
+    }
+}
