@@ -2,7 +2,10 @@
 
 use geometry::{DVec2, Shape};
 use tracer::testing::{self, Props};
-use tracer::{Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Profile, Radiance, Renderer, Scene, SimdLevel, Top, View, tone};
+use tracer::{
+    Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, HalfRenderer, ItemId, Lamp, Occluder, Outline, Profile,
+    Radiance, Renderer, Scene, SimdLevel, Top, View, tone,
+};
 
 /// A table with the art for both resolutions.
 struct Set {
@@ -116,6 +119,7 @@ fn an_edge_stays_where_it_is_and_light_does_not_bleed() {
         // The wall is the plastic's own: it keeps the lamp from the floor, not from the plastic.
         let wall = Shape::capsule(DVec2::new(edge - 1.0, -20.0), DVec2::new(edge - 1.0, 90.0), 0.5);
         let lamp = Lamp {
+            id: ItemId(0),
             center_mm: DVec2::new(4.0, 32.0),
             emitter: Emitter::Disc { radius_mm: 1.0 },
             height_mm: 40.0,
@@ -126,8 +130,8 @@ fn an_edge_stays_where_it_is_and_light_does_not_bleed() {
         let mut scene = Scene {
             view,
             lamps: vec![lamp],
-            occluders: vec![Occluder { shape: wall, group: Group(1) }],
-            tops: vec![Top { outline: Outline::Polygon(corners), group: Group(1), finish }],
+            occluders: vec![Occluder::opaque(ItemId(0), wall, Group(1))],
+            tops: vec![Top { id: ItemId(0), outline: Outline::Polygon(corners), group: Group(1), finish }],
             ambient: [0.001; 3],
             ..testing::white_view(&floor, 1.0)
         };
@@ -216,6 +220,7 @@ fn many_lamps_are_drawn_too() {
     let mut scene = set.scene();
     let lamp = scene.lamps[0];
     scene.lamps.extend((0..200).map(|n| Lamp {
+        id: ItemId(1000 + n),
         color: [0.002; 3],
         emitter: Emitter::Disc { radius_mm: f64::from(n) * 0.01 },
         ..lamp
@@ -231,8 +236,8 @@ fn what_is_refused_is_not_drawn() {
     let set = Set::new(90, 180);
     let mut scene = set.scene();
     let expected = drawn_half(&scene, &set.half);
-    scene.lamps.push(Lamp { center_mm: DVec2::NAN, ..scene.lamps[0] });
-    scene.balls.push(Ball { radius_mm: f64::INFINITY, ..scene.balls[0] });
+    scene.lamps.push(Lamp { id: ItemId(99), center_mm: DVec2::NAN, ..scene.lamps[0] });
+    scene.balls.push(Ball { id: ItemId(99), radius_mm: f64::INFINITY, ..scene.balls[0] });
     assert!(drawn_half(&scene, &set.half) == expected);
     scene.view.mm_per_px = f64::NAN;
     assert_eq!(drawn_half(&scene, &set.half).pixels.len(), 0);

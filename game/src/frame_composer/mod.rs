@@ -151,9 +151,6 @@ impl Picture {
     fn fit(&mut self, width: usize, height: usize) -> Result<(), Failure> {
         if !self.scenery.as_ref().is_some_and(|scenery| scenery.fits(width, height, self.zoom)) {
             let scenery = Scenery::new(&self.table, width, height, self.zoom)?;
-            // The new art may lie in memory where the old art lay.
-            self.renderer.forget();
-            self.half.forget();
             self.hud.fit(scenery.placement, &mut self.frame);
             self.scenery = Some(scenery);
         }
@@ -198,10 +195,10 @@ impl Picture {
         if light == Light::Half
             && let Some((floor, printed, film)) = scenery.half()
         {
-            let mut scene = self.scene_builder.scene(&self.table, moment, view, printed);
+            let scene = self.scene_builder.scene(&self.table, moment, view, printed);
             clock(None);
             let half = &mut self.half;
-            self.pool.install(|| half.draw_watched(&mut scene, floor, exposure, film, &mut |step| clock(Some(step))));
+            self.pool.install(|| half.draw_watched(&scene, floor, exposure, film, &mut |step| clock(Some(step))));
             return;
         }
         let scene = self.scene_builder.scene(&self.table, moment, view, &scenery.printed);

@@ -1,8 +1,7 @@
 //! What a picture needs that depends on its size: where everything is, the printed art, and the playfield's film.
 
-use crate::scene_builder::Printed;
+use crate::scene_builder::{Printed, print_floor};
 use crate::screen::{Lens, Placement, Rect, Size};
-use crate::table::art;
 use crate::{Failure, Table};
 use geometry::DVec2;
 use tracer::{DisplayBuffer, Floor, View};
@@ -46,7 +45,7 @@ impl Scenery {
     /// If it cannot be printed at this size.
     pub fn print_half(&mut self, table: &Table) -> Result<(), Failure> {
         if self.half.is_none() {
-            self.half = Some(Box::new(art::floor(table, &self.view.halved())?));
+            self.half = Some(Box::new(print_floor(table, &self.view.halved())?));
         }
         Ok(())
     }

@@ -142,6 +142,7 @@ mod tests {
         };
         let lamp = Lamp { name: String::new(), color: [255; 3], power: 2.0, kind };
         let light = tracer::Lamp {
+            id: tracer::ItemId(0),
             center_mm: DVec2::splat(500.0),
             emitter: tracer::Emitter::Disc { radius_mm: 1.0 },
             height_mm: 30.0,

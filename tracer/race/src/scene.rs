@@ -3,7 +3,7 @@
 use crate::{SIDE, circles};
 use geometry::{DVec2, Shape};
 use tracer::scenes::white_view;
-use tracer::{Emitter, Floor, Group, Lamp, Occluder, Scene};
+use tracer::{Emitter, Floor, Group, ItemId, Lamp, Occluder, Scene};
 
 /// Millimetres in one of the room's units.
 const MM_PER_UNIT: f64 = 100.0;
@@ -17,6 +17,7 @@ pub fn room<'a>(seconds: f64, floor: &'a Floor) -> Scene<'a> {
     let colors = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0, 0.5], [1.0, 0.3, 0.5]];
     let corner = |at: usize| DVec2::new((at % 2) as f64, (at / 2) as f64) * (side - 2.0 * INSET_MM);
     let lamp = |(at, color): (usize, [f32; 3])| Lamp {
+        id: ItemId(at as u32),
         center_mm: corner(at) + DVec2::splat(INSET_MM),
         emitter: Emitter::Disc { radius_mm: 4.0 },
         height_mm: 100.0,
@@ -24,9 +25,9 @@ pub fn room<'a>(seconds: f64, floor: &'a Floor) -> Scene<'a> {
         color: color.map(|channel| 0.9 * channel),
         inside: None,
     };
-    let disc = |(group, circle): (u16, geometry::Circle)| Occluder {
-        shape: Shape::disc(circle.center * MM_PER_UNIT, circle.radius * MM_PER_UNIT),
-        group: Group(group),
+    let disc = |(group, circle): (u16, geometry::Circle)| {
+        let shape = Shape::disc(circle.center * MM_PER_UNIT, circle.radius * MM_PER_UNIT);
+        Occluder::opaque(ItemId(group.into()), shape, Group(group))
     };
     Scene {
         lamps: colors.into_iter().enumerate().map(lamp).collect(),

@@ -170,7 +170,7 @@ impl Workspace {
         verdict: VisibilityClass,
     ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
-        let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
+        let (finish, blocks) = (&stage.tops.top(*form).finish, points.blocks_in(rows));
         let fraction = if verdict == VisibilityClass::Lit { &ALL } else { &self.fraction };
         light_top(stage.simd, points, blocks, surface, finish, beam, fraction, &mut self.packed);
         scatter(points, blocks, &self.packed, &mut self.picture);
@@ -204,7 +204,7 @@ impl Workspace {
         let mut own = None;
         let (points, blocks) = if let Some(layer) = layer {
             let TopLayer { form, points, .. } = &self.tops[layer];
-            own = Some(stage.scene.tops[*form].group);
+            own = Some(stage.tops.top(*form).group);
             (points, points.blocks_in(rows))
         } else {
             (if self.whole { stage.whole_tile } else { &self.floor }, self.floor_blocks(rows))

@@ -13,7 +13,7 @@ use crate::shading::chrome_ball::BallSprite;
 use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::packed_samples::TILE;
-use crate::{DisplayBuffer, Finish, Floor, Radiance, RenderStage, Renderer, Scene, View};
+use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
 use rayon::prelude::*;
 
 mod lists;
@@ -35,6 +35,8 @@ pub struct HalfRenderer {
     /// The lists of the layers' scenes.
     lists: Lists,
     tiles: Vec<Tile>,
+    /// Room to check a scene in.
+    ids: Vec<ItemId>,
 }
 
 /// A tile of the picture.
@@ -91,13 +93,14 @@ impl HalfRenderer {
             glows: layer(),
             lists: Lists::default(),
             tiles: Vec::new(),
+            ids: Vec::new(),
         }
     }
 
     /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
     /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         let known = radiance.drawn == Some(self.lamps.renderer.picture());
         self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
@@ -119,7 +122,7 @@ impl HalfRenderer {
         film: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene) else { return film.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return film.resize(0, 0) };
         film.resize(scene.view.width, scene.view.height);
         let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
         self.find_light(scene, half, known, &mut film.bloom, done);
@@ -165,8 +168,8 @@ impl HalfRenderer {
         let mut layer = self.lists.surfaces_of(scene);
         self.glows.render(&layer);
         layer.glows.clear();
-        for (number, (top, original)) in layer.tops.iter_mut().zip(&scene.tops).enumerate() {
-            top.finish = Finish { emission: [mark(number), 0.0, 0.0], art: false, ..original.finish };
+        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+            top.finish = Finish { emission: [mark(top.id), 0.0, 0.0], art: false, ..original.finish };
         }
         let [half_marks, full_marks] = &mut self.marks;
         full_marks.render_at(full, &mut layer);
@@ -312,10 +315,14 @@ fn add(more: &RgbTile, light: &mut RgbTile) {
     }
 }
 
-/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of the tops
-/// before and after it (multiples of the golden ratio are as far from each other as they can be).
-fn mark(number: usize) -> f32 {
-    let turns = number as f32 * 0.618_034;
+/// The ids that marks tell apart; single precision has no finer turns for more.
+const MARKS: u32 = 4096;
+
+/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of tops of
+/// neighbouring ids (multiples of the golden ratio are as far from each other as they can be). Tops whose ids are
+/// [`MARKS`] apart have the same one: where they meet, light bleeds from one to the other.
+fn mark(id: ItemId) -> f32 {
+    let turns = (id.0 % MARKS) as f32 * 0.618_034;
     0.25 + 0.75 * (turns - turns.floor())
 }
 

@@ -1,7 +1,7 @@
 //! The scenes of the half renderer's layers: copies of parts of the caller's scene, in lists that are kept from frame to
 //! frame, so that nothing is allocated once they are long enough.
 
-use crate::{Ball, Filter, Glow, Lamp, Occluder, Outline, Scene, Top, Veil};
+use crate::{Ball, Filter, Glow, Lamp, Occluder, Outline, Overhang, Scene, Top};
 use std::mem::take;
 
 /// The lists of a scene.
@@ -10,7 +10,7 @@ pub(super) struct Lists {
     lamps: Vec<Lamp>,
     occluders: Vec<Occluder>,
     filters: Vec<Filter>,
-    veils: Vec<Veil>,
+    overhangs: Vec<Overhang>,
     tops: Vec<Top>,
     balls: Vec<Ball>,
     /// Empty between pictures.
@@ -28,7 +28,7 @@ impl Lists {
             lamps: take(&mut self.lamps),
             occluders: take(&mut self.occluders),
             filters: take(&mut self.filters),
-            veils: take(&mut self.veils),
+            overhangs: take(&mut self.overhangs),
             tops,
             balls: take(&mut self.balls),
             glows,
@@ -38,15 +38,15 @@ impl Lists {
         layer.lamps.clear();
         layer.occluders.clear();
         layer.filters.clear();
-        layer.veils.clear();
+        layer.overhangs.clear();
         layer.balls.clear();
         layer
     }
 
     /// Takes the lists of a scene.
     pub fn of(scene: Scene) -> Lists {
-        let Scene { lamps, occluders, filters, veils, tops, balls, glows, .. } = scene;
-        Lists { lamps, occluders, filters, veils, tops, balls, glows: emptied(glows) }
+        let Scene { lamps, occluders, filters, overhangs, tops, balls, glows, .. } = scene;
+        Lists { lamps, occluders, filters, overhangs, tops, balls, glows: emptied(glows) }
     }
 }
 
@@ -55,7 +55,7 @@ pub(super) fn add_lamps<'a>(scene: &Scene<'a>, layer: &mut Scene<'a>) {
     layer.lamps.extend_from_slice(&scene.lamps);
     layer.occluders.extend_from_slice(&scene.occluders);
     layer.filters.extend_from_slice(&scene.filters);
-    layer.veils.extend_from_slice(&scene.veils);
+    layer.overhangs.extend_from_slice(&scene.overhangs);
     layer.balls.extend_from_slice(&scene.balls);
     layer.ambient = scene.ambient;
 }
@@ -68,7 +68,7 @@ fn copy_tops(tops: &[Top], copies: &mut Vec<Top>) {
             (Outline::Polygon(copy), Outline::Polygon(corners)) => copy.clone_from(corners),
             (copy, outline) => copy.clone_from(outline),
         }
-        (copy.group, copy.finish) = (top.group, top.finish);
+        (copy.id, copy.group, copy.finish) = (top.id, top.group, top.finish);
     }
     let known = copies.len();
     copies.extend_from_slice(&tops[known..]);
