@@ -251,7 +251,7 @@ fn light_of_half_the_resolution_has_floating_balls() {
     let (props, Props { floor: half, .. }) = (testing::props(&view), testing::props(&view.halved()));
     let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
         let mut film = DisplayBuffer::default();
-        let mut scene = scene.clone();
+        let scene = scene.clone();
         renderer.draw(&scene, &half, 1.0, &mut film);
         film.frame().clone()
     };

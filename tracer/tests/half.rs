@@ -62,7 +62,7 @@ fn apart(a: &Frame, b: &Frame) -> Apart {
 #[test]
 fn half_the_resolution_looks_like_all_of_it() {
     let set = Set::new(540, 1080);
-    let mut scene = set.scene();
+    let scene = set.scene();
     let full = drawn_full(&scene);
     let Apart { mean, rmse, far } = apart(&full, &drawn_half(&scene, &set.half));
     assert!(mean < 0.7 && rmse < 5.0 && far < 0.01, "mean {mean}, root mean square {rmse}, far apart {far}");
@@ -127,7 +127,7 @@ fn an_edge_stays_where_it_is_and_light_does_not_bleed() {
             color: [0.1; 3],
             inside: None,
         };
-        let mut scene = Scene {
+        let scene = Scene {
             view,
             lamps: vec![lamp],
             occluders: vec![Occluder::opaque(ItemId(0), wall, Group(1))],

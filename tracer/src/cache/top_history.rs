@@ -24,6 +24,8 @@ struct Slot {
     top: Top,
     /// `None` where there is nothing to see.
     outline: Option<OutlineSdf>,
+    /// Whether the top is there.
+    taken: bool,
 }
 
 impl TopHistory {
@@ -49,13 +51,13 @@ impl TopHistory {
         relit.clear();
         self.find_slots(tops, moved);
         for (&slot, top) in self.order.iter().zip(tops) {
-            let Some(Slot { top: old, outline }) = self.slots.get_mut(slot) else {
+            let Some(Slot { top: old, outline, taken }) = self.slots.get_mut(slot) else {
                 let outline = OutlineSdf::new(top);
                 moved.extend(outline.iter().map(|outline| outline.bounds));
-                self.slots.push(Slot { top: top.clone(), outline });
+                self.slots.push(Slot { top: top.clone(), outline, taken: true });
                 continue;
             };
-            if stands(old, top) {
+            if *taken && stands(old, top) {
                 if old.finish.emission != top.finish.emission {
                     relit.extend(outline.iter().map(|outline| outline.bounds));
                     old.finish = top.finish;
@@ -63,7 +65,7 @@ impl TopHistory {
             } else {
                 moved.extend(outline.iter().map(|outline| outline.bounds));
                 old.clone_from(top);
-                *outline = OutlineSdf::new(top);
+                (*outline, *taken) = (OutlineSdf::new(top), true);
                 moved.extend(outline.iter().map(|outline| outline.bounds));
             }
         }
@@ -92,7 +94,10 @@ impl TopHistory {
                 known[at].2 = true;
             }
         }
-        free.extend(known.iter().filter(|known| !known.2).map(|known| known.1));
+        for &(_, slot, _) in known.iter().filter(|known| !known.2) {
+            slots[slot].taken = false;
+            free.push(slot);
+        }
         ids.clear();
         order.clear();
         let mut end = slots.len();
@@ -113,7 +118,7 @@ impl TopHistory {
 /// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.
 fn stands(old: &Top, new: &Top) -> bool {
     let finish = Finish { emission: old.finish.emission, ..new.finish };
-    old.id == new.id && old.outline == new.outline && old.group == new.group && old.finish == finish
+    old.outline == new.outline && old.group == new.group && old.finish == finish
 }
 
 #[cfg(test)]

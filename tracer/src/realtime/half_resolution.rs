@@ -275,8 +275,8 @@ impl HalfRenderer {
                 }
                 tile.stale = false;
                 surfaces.compose(tile, x, y, &mut out);
-                tone_map::develop(simd, &out, bloom, exposure, [x, y], &mut developed);
-                tone_map::put(&developed, x, width, pixels);
+                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
+                tone_map::store_tile(&developed, x, width, pixels);
             }
         });
     }

@@ -207,7 +207,8 @@ impl Workspace {
         let middle = corner + DVec2::splat(half);
         self.block = (middle, half * std::f64::consts::SQRT_2);
         self.entered = false;
-        self.moved.resize_with(stage.lamps.len(), Vec::new);
+        // Never shorter: other renderers share the thread, and what they have grown is not given back.
+        self.moved.resize_with(stage.lamps.len().max(self.moved.len()), Vec::new);
         self.stirred.clear();
         stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
         for (at, Lit { circle, moved, .. }) in stage.lamps.iter().enumerate() {
@@ -234,7 +235,7 @@ impl Workspace {
         self.forms.clear();
         let overlaps = |&slot: &usize| stage.tops.outline(slot).is_some_and(|outline| outline.bounds.overlaps(&bounds));
         self.forms.extend(stage.tops.order().iter().copied().filter(overlaps));
-        self.near.resize_with(stage.lamps.len(), PotentialOccluders::default);
+        self.near.resize_with(stage.lamps.len().max(self.near.len()), PotentialOccluders::default);
         self.is_near.clear();
         self.is_near.resize(stage.lamps.len(), false);
         self.lit.clear();

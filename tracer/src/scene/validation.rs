@@ -199,8 +199,8 @@ fn wrong_with_color(color: &Rgb) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scenes;
-    use crate::{Filter, Group};
+    use super::*;
+    use crate::{Group, scenes};
 
     #[test]
     fn what_is_not_drawn_is_said_in_one_sentence() {
@@ -224,9 +224,9 @@ mod tests {
 
     #[test]
     fn an_id_names_one_item_of_a_kind() {
-        let view = View::fit(16, 32, testing::SIZE_MM);
-        let props = testing::props(&view);
-        let mut scene = testing::table(view, &props);
+        let view = View::fit(16, 32, scenes::SIZE_MM);
+        let props = scenes::props(&view);
+        let mut scene = scenes::table(view, &props);
         scene.lamps.reverse();
         scene.tops.rotate_left(3);
         assert_eq!(scene.check(), Ok(()), "ids may come in any order");
