@@ -17,15 +17,14 @@ pub use blend::blend;
 pub use light::{linear, linear_channel};
 
 use crate::Failure;
+use crate::art;
 use crate::simulation::{LampLight, Snapshot};
-use crate::table::{Lamp, LampKind, Solid, Table, art};
+use crate::table::{Finish, Lamp, LampKind, Solid, Table};
 use geometry::{DVec2, Shape};
 use ids::FirstIds;
 use motion::Motion;
 use physics::{Kind, Leg};
-use tracer::{
-    Filter, Finish, Floor, Glow, Group, ItemId, Mask, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
-};
+use tracer::{Filter, Floor, Glow, Group, ItemId, Mask, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -154,7 +153,7 @@ impl SceneBuilder {
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
             let rotation = pose.rotation.map(|part| part as f32);
             let ball = tracer::Ball { id, center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
-            if !ball.floats() {
+            if !ball.is_airborne() {
                 scene.occluders.push(Occluder::opaque(id, Shape::disc(center_mm, radius_mm), group));
             }
             scene.balls.push(ball);
@@ -195,6 +194,7 @@ impl Actor {
             finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
             finish.gloss *= FROSTED_GLOSS;
         }
+        let finish = light::finish(finish);
         let top = |(number, outline)| Top { id: ids.top(number), outline, group, finish };
         scene.tops.extend(placed.outlines.into_iter().map(top));
     }
@@ -239,10 +239,10 @@ fn outlines(solid: &Solid) -> Vec<Outline> {
 }
 
 fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
-    let bulb = |(id, (lamp, light)): (u32, (&Lamp, &LampLight))| match lamp.kind {
+    let bulb = |(id, (lamp, lit)): (u32, (&Lamp, &LampLight))| match lamp.kind {
         LampKind::Insert { .. } => None,
         LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
-            let color = radiance(lamp, light);
+            let (color, emitter) = (radiance(lamp, lit), light::emitter(emitter));
             let (id, inside) = (ItemId(id), inside.map(Group));
             Some(tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color, inside })
         }

@@ -7,14 +7,14 @@
 use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;
 use crate::scene::id::Item;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
 use crate::{Ball, Filter, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
 /// Room for rounding, mm.
-pub(crate) const MARGIN_MM: f64 = 0.01;
+pub(crate) const DAMAGE_MARGIN_MM: f64 = 0.01;
 
 /// Where the contact shadow ends of a ball that lies on the floor, in the ball's radii.
 const CONTACT_RADII: f64 = 4.0;
@@ -185,7 +185,7 @@ impl Changes {
     /// What may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
     pub fn near(&self, middle_mm: DVec2, radius_mm: f64, moved_tops: &[Bounds], nearby: &mut Nearby) {
         (nearby.repainted, nearby.dawned) = (self.repainted, self.dawned);
-        let room = radius_mm + MARGIN_MM;
+        let room = radius_mm + DAMAGE_MARGIN_MM;
         let bounds = Bounds::of(middle_mm, middle_mm).grown(room);
         let overlapping = |list: &[Bounds], near: &mut Vec<Bounds>| {
             near.clear();
@@ -215,11 +215,11 @@ pub(crate) struct Nearby {
 }
 
 impl Nearby {
-    /// Whether the tile at `place` may look different; `memory`, what it saw in the last picture, forgets what is not so
+    /// Whether the tile at `rect` may look different; `memory`, what it saw in the last picture, forgets what is not so
     /// any more.
-    pub fn reach(&self, place: &TileRect, memory: &mut TileMemory) -> bool {
-        let &TileRect { x, y, middle_mm, radius_mm, ref bounds, .. } = place;
-        let room = radius_mm + MARGIN_MM;
+    pub fn reach(&self, rect: &TileRect, memory: &mut TileMemory) -> bool {
+        let &TileRect { x, y, middle_mm, radius_mm, ref bounds, .. } = rect;
+        let room = radius_mm + DAMAGE_MARGIN_MM;
         if self.repainted || self.moved_tops.iter().any(|moved| moved.overlaps(bounds)) {
             memory.forget();
         }

@@ -6,13 +6,13 @@ use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
-pub(crate) const MOST_LAMPS: usize = 160;
+pub(crate) const MAX_LAMPS: usize = 160;
 
 /// And of inserts.
-pub(crate) const MOST_GLOWS: usize = 1_000;
+pub(crate) const MAX_GLOWS: usize = 1_000;
 
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
-const MOST_MOVES: usize = 200;
+const MAX_MOVES: usize = 200;
 
 /// A lamp that has been seen.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub(crate) struct Known {
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
     /// The same of balls that float.
-    pub floated: Vec<Ball>,
+    pub moved_balls: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
@@ -33,7 +33,7 @@ pub(crate) struct Past {
     view: Option<View>,
     occluders: Vec<Occluder>,
     /// The balls that float, not turned.
-    floating: Vec<Ball>,
+    airborne: Vec<Ball>,
     /// Those of the picture that is to come.
     next: Vec<Ball>,
     /// The lamps, by the numbers that [`TileMemory`] knows them by; and those that have been where they are not any more.
@@ -51,7 +51,7 @@ impl Past {
     /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
     pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
-        if self.view.as_ref() != Some(view) || self.known.len() > MOST_LAMPS {
+        if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
             self.numbers.clear();
@@ -61,17 +61,18 @@ impl Past {
                 band.iter_mut().for_each(TileMemory::forget);
             }
         }
-        let Past { occluders: old, floating, next, known, pairing, .. } = self;
+        let Past { occluders: old, airborne, next, known, pairing, .. } = self;
         pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
         next.clear();
-        next.extend(scene.balls.iter().filter(|ball| ball.floats()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
-        pairing.each_change(floating, next, |ball| known.iter_mut().for_each(|known| known.floated.push(*ball)));
-        std::mem::swap(floating, next);
+        let is_airborne = |ball: &&Ball| ball.is_airborne();
+        next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        pairing.each_change(airborne, next, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
+        std::mem::swap(airborne, next);
         for known in &mut self.known {
-            if known.moved.len() + known.floated.len() > MOST_MOVES {
+            if known.moved.len() + known.moved_balls.len() > MAX_MOVES {
                 known.lost = true;
                 known.moved.clear();
-                known.floated.clear();
+                known.moved_balls.clear();
             }
         }
         self.occluders.clear();
@@ -93,7 +94,7 @@ impl Past {
             return self.numbers[at].1;
         }
         let number = self.known.len();
-        self.known.push(Known { lamp: black, moved: Vec::new(), floated: Vec::new(), lost: true });
+        self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
         match at {
             Ok(at) => self.numbers[at].1 = number,
             Err(at) => self.numbers.insert(at, (lamp.id, number)),
@@ -104,7 +105,7 @@ impl Past {
     /// The lamp of this number has been looked at from everywhere.
     pub fn looked_at(&mut self, number: usize) {
         self.known[number].moved.clear();
-        self.known[number].floated.clear();
+        self.known[number].moved_balls.clear();
         self.known[number].lost = false;
     }
 }

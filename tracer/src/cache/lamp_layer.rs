@@ -3,11 +3,8 @@
 use crate::cache::cell_means::Gist;
 use crate::cache::packed_planes::{Half, Pair, encode_rows};
 use crate::cache::weighted_sum::scale_of;
-use crate::realtime::direct_light::ALL;
-use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::SimdLevel;
-use crate::tile::packed_samples::Plane;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, RowMask};
 use crate::{Group, Rgb};
 
 /// What is known of a tile in the light of one lamp.
@@ -98,9 +95,9 @@ impl<const CHANNELS: usize> Pool<CHANNELS> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Planes {
     /// Of what arrives at the floor.
-    pub arriving: Pool<1>,
+    pub irradiance: Pool<1>,
     /// Of what shines there.
-    pub shine: Pool<1>,
+    pub specular: Pool<1>,
     /// Red, green, blue.
     pub colors: Pool<3>,
 }
@@ -108,8 +105,8 @@ pub(crate) struct Planes {
 impl Planes {
     /// Nothing is given away any more.
     pub fn clear(&mut self) {
-        self.arriving.given = 0;
-        self.shine.given = 0;
+        self.irradiance.given = 0;
+        self.specular.given = 0;
         self.colors.given = 0;
     }
 }
@@ -156,7 +153,7 @@ impl Kept {
 
     /// Says the same of a floor with nothing in the way.
     pub fn gauge_floor(&mut self, simd: SimdLevel, floor: &Bare) {
-        self.scales = [floor.arriving, floor.shine].map(|plane| scale_of(simd, std::slice::from_ref(plane)));
+        self.scales = [floor.irradiance, floor.specular].map(|plane| scale_of(simd, std::slice::from_ref(plane)));
         self.form = if self.scales[1] > 0.0 { LayerFormat::GlossyFloor } else { LayerFormat::Floor };
     }
 
@@ -165,7 +162,7 @@ impl Kept {
         let scale = self.scales[0];
         let (pairs, half) = planes.colors.take(&mut self.halves[2]);
         for (plane, pair) in light.iter().zip(&mut *pairs) {
-            encode_rows(simd, plane, &ALL, rows, scale, half, pair);
+            encode_rows(simd, plane, &FULLY_VISIBLE, rows, scale, half, pair);
         }
         self.gist.keep_colors(simd, pairs, half, scale, rows);
         self.is_lit = !pairs.iter().all(|pair| pair.is_dark(half));
@@ -174,13 +171,13 @@ impl Kept {
     /// Keeps some rows of a floor, which was gauged.
     pub fn keep_floor(&mut self, simd: SimdLevel, floor: &Bare, rows: RowMask, planes: &mut Planes) {
         let scales = self.scales;
-        let ([matt], matt_half) = planes.arriving.take(&mut self.halves[0]);
-        encode_rows(simd, floor.arriving, floor.seen, rows, scales[0], matt_half, matt);
+        let ([matt], matt_half) = planes.irradiance.take(&mut self.halves[0]);
+        encode_rows(simd, floor.irradiance, floor.seen, rows, scales[0], matt_half, matt);
         self.is_lit = !matt.is_dark(matt_half);
         let matt = (&*matt, matt_half);
         let gloss = if self.form == LayerFormat::GlossyFloor {
-            let ([gloss], half) = planes.shine.take(&mut self.halves[1]);
-            encode_rows(simd, floor.shine, floor.seen, rows, scales[1], half, gloss);
+            let ([gloss], half) = planes.specular.take(&mut self.halves[1]);
+            encode_rows(simd, floor.specular, floor.seen, rows, scales[1], half, gloss);
             self.is_lit |= !gloss.is_dark(half);
             (&*gloss, half)
         } else {
@@ -223,9 +220,9 @@ pub(crate) struct Bare<'a> {
     /// Its reflectance.
     pub albedo: &'a RgbTile,
     /// What arrives, and is reflected in the floor's colours.
-    pub arriving: &'a Plane,
+    pub irradiance: &'a Plane,
     /// What is reflected in the lamp's own colour.
-    pub shine: &'a Plane,
+    pub specular: &'a Plane,
     /// How much of both is not in shadow.
     pub seen: &'a Plane,
 }

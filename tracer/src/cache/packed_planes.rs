@@ -4,16 +4,15 @@
 //! add up to the same in any order: what was kept first does not show. This module refuses to know what the numbers are.
 
 use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion, round_to_u16, set_bits};
-use crate::tile::packed_samples::{AREA, Plane};
-use crate::visibility::shadow_bounds::RowMask;
+use crate::tile::planes::{AREA, Plane, RowMask};
 use std::num::NonZeroU16;
 
 /// The largest number of a plane.
-pub(crate) const STEPS: f32 = 32_767.0;
+pub(crate) const PLANE_MAX: f32 = 32_767.0;
 
 /// Gains are at most this together, so that no sum of 15-bit numbers times them is beyond 31 bits; each is at most
-/// [`STEPS`].
-pub(crate) const MOST_GAIN: u32 = 65_535;
+/// [`PLANE_MAX`].
+pub(crate) const MAX_TOTAL_WEIGHT: u32 = 65_535;
 
 /// Two planes of a tile, row by row: one in the lower halves of the words, one in the upper.
 #[derive(Clone, Debug)]
@@ -76,17 +75,17 @@ fn encode_lanes(plane: &Plane, seen: &Plane, rows: RowMask, scale: f32, half: Ha
     for row in set_bits(rows) {
         let (line, seen, words) = (&plane[row], &seen[row], &mut pair.0[row * LANES..][..LANES]);
         for i in 0..LANES {
-            let number = round_to_u16(min(max(line[i], 0.0) * seen[i] * steps, STEPS));
+            let number = round_to_u16(min(max(line[i], 0.0) * seen[i] * steps, PLANE_MAX));
             words[i] = words[i] & other | u32::from(number) << shift;
         }
     }
 }
 
 /// Rows that are summed up in registers.
-pub(crate) const ROWS: usize = 2;
+pub(crate) const ROWS_AT_ONCE: usize = 2;
 
 /// Sums of two rows of three channels.
-pub(crate) type Sums = [[[i32; LANES]; ROWS]; 3];
+pub(crate) type Sums = [[[i32; LANES]; ROWS_AT_ONCE]; 3];
 
 /// The gains of a pair's halves, one in the lower half of each word, one in the upper: red, green, blue.
 pub(crate) type Gains = [u32; 3];
@@ -106,7 +105,8 @@ impl<const CHANNELS: usize> Terms<'_, CHANNELS> {
     pub fn add<M: Madd>(&self, row: usize, sums: &mut Sums) {
         for (pair, gains) in self.pairs.iter().zip(self.gains) {
             for (channel, (sums, gains)) in sums.iter_mut().zip(gains).enumerate() {
-                let words = &pair[if CHANNELS == 1 { 0 } else { channel }].0.as_chunks::<LANES>().0[row..row + ROWS];
+                let words =
+                    &pair[if CHANNELS == 1 { 0 } else { channel }].0.as_chunks::<LANES>().0[row..row + ROWS_AT_ONCE];
                 for (sums, words) in sums.iter_mut().zip(words) {
                     M::madd(sums, words, *gains);
                 }
@@ -195,7 +195,7 @@ mod tests {
         let mut random = Random(7);
         let mut number = |most: f64| random.between(0.0, most + 0.999) as u32;
         for round in 0..2_000 {
-            let most = f64::from(STEPS);
+            let most = f64::from(PLANE_MAX);
             let words: [u32; LANES] = std::array::from_fn(|_| match round {
                 0 => 0x7fff_7fff,
                 _ => number(most) << 16 | number(most),

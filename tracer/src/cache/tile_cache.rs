@@ -5,16 +5,15 @@
 //! picture has the same bits whatever came before it. A lamp is known by where it is, not by its colour or its place in
 //! a list: one that flashes is remembered while it is dark.
 
-use crate::cache::cell_means::{CELLS, Gist, Means, add_gists, means_of};
+use crate::cache::cell_means::{CELLS_PER_TILE, Gist, Means, add_gists, means_of};
 use crate::cache::g_buffer::Surfaces;
 use crate::cache::lamp_layer::{Bare, Kept, LayerFormat, Part, Planes, Sight};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::packed_planes::{Gains, Terms};
-use crate::cache::weighted_sum::{AlbedoTile, Steps, Sum, put_together, scale_of};
+use crate::cache::weighted_sum::{Steps, Sum, put_together, scale_of};
 use crate::scene::GlowKey;
-use crate::shading::surface::RgbTile;
 use crate::simd::dispatch::prefetch;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
+use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
 use crate::{Group, Rgb, SimdLevel};
 
 /// The light that a tile is put in.
@@ -108,7 +107,7 @@ impl TileMemory {
     /// Keeps in mind that all of the tile is floor of this reflectance.
     pub fn keep_floor_base(&mut self, simd: SimdLevel, albedo: &RgbTile) {
         self.is_floor = true;
-        let mut means = [[0.0; CELLS]; 3];
+        let mut means = [[0.0; CELLS_PER_TILE]; 3];
         means_of(simd, albedo, &mut means);
         self.kept_base.gist = Gist::of(&means);
         self.base.renew(false, None);
@@ -216,7 +215,7 @@ impl TileMemory {
         parts.clear();
         self.pictures(light, glows.clone()).for_each(|(kept, color)| kept.push_parts(color, parts));
         let steps = Steps::of(parts.iter().map(|part| part.gain));
-        let mut sums = [[0; CELLS]; 3];
+        let mut sums = [[0; CELLS_PER_TILE]; 3];
         let gists = self
             .pictures(light, glows)
             .map(|(kept, color)| (&kept.gist, steps.whole(color.map(|channel| channel * kept.gist.scale))));
@@ -229,8 +228,8 @@ impl TileMemory {
         if self.is_floor {
             self.kept_base.gist.add_light(light.ambient, means);
         }
-        let Planes { arriving, shine, colors } = &self.planes;
-        let lengths = [arriving.pairs().len(), shine.pairs().len(), colors.pairs().len()];
+        let Planes { irradiance, specular, colors } = &self.planes;
+        let lengths = [irradiance.pairs().len(), specular.pairs().len(), colors.pairs().len()];
         for (gains, length) in self.gains.iter_mut().zip(lengths) {
             gains.clear();
             gains.resize(length, [0; 3]);
@@ -246,8 +245,8 @@ impl TileMemory {
     /// Asks for what [`TileMemory::compose`] will read.
     fn fetch_planes(&self) {
         self.gains.iter().for_each(|gains| prefetch(gains));
-        prefetch(self.planes.arriving.pairs());
-        prefetch(self.planes.shine.pairs());
+        prefetch(self.planes.irradiance.pairs());
+        prefetch(self.planes.specular.pairs());
         prefetch(self.planes.colors.pairs());
     }
 
@@ -265,11 +264,11 @@ impl TileMemory {
         shade: Option<impl FnOnce(&mut RgbTile)>,
         out: &mut RgbTile,
     ) {
-        let [arriving, shine, colors] = &self.gains;
+        let [irradiance, specular, colors] = &self.gains;
         let everywhere = if self.is_floor { self.ambient } else { [0.0; 3] };
         let lamps = Sum {
-            arriving: Terms { pairs: self.planes.arriving.pairs(), gains: arriving },
-            shine: Terms { pairs: self.planes.shine.pairs(), gains: shine },
+            irradiance: Terms { pairs: self.planes.irradiance.pairs(), gains: irradiance },
+            specular: Terms { pairs: self.planes.specular.pairs(), gains: specular },
             colors: Terms { pairs: self.planes.colors.pairs(), gains: colors },
             worth: self.worth,
             everywhere: [0.0; 3],

@@ -4,17 +4,17 @@
 //! above on the way back. Wide, soft and cheap: the levels together are a twelfth of the picture.
 
 use crate::simd::dispatch::{LANES, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use rayon::prelude::*;
 
 /// How many pixels of the picture, across and down, make one of the finest level.
-pub(crate) const STEP: usize = 4;
+pub(crate) const CELL_PX: usize = 4;
 
 /// Cells that can be read from any tile's first on, though the last tiles' rows end sooner.
-pub(crate) const ROOM: usize = 8;
+pub(crate) const READ_AHEAD_CELLS: usize = 8;
 
 /// Rows of cells that one task makes.
-const ROWS: usize = 32;
+const ROWS_PER_TASK: usize = 32;
 
 /// Levels, the finest first.
 const LEVELS: usize = 5;
@@ -69,11 +69,15 @@ impl MipPlanes {
 impl BloomPyramid {
     /// Makes room for the bloom of a picture of this size.
     pub fn resize(&mut self, width: usize, height: usize) {
-        let mut size = (width.div_ceil(STEP).max(1), height.div_ceil(STEP).max(1));
+        let mut size = (width.div_ceil(CELL_PX).max(1), height.div_ceil(CELL_PX).max(1));
         self.levels.clear();
         for _ in 0..LEVELS {
             let (width, height) = size;
-            self.levels.push(MipLevel { width, height, stride: (width + 2 + ROOM).next_multiple_of(LANES) });
+            self.levels.push(MipLevel {
+                width,
+                height,
+                stride: (width + 2 + READ_AHEAD_CELLS).next_multiple_of(LANES),
+            });
             size = (width.div_ceil(2), height.div_ceil(2));
         }
         self.channels = [0; 3].map(|_| self.levels.iter().map(MipPlanes::new).collect());
@@ -104,17 +108,17 @@ impl BloomPyramid {
     }
 
     /// Takes the bloom of the picture whose means were written.
-    pub fn gather(&mut self, simd: SimdLevel) {
+    pub fn compute(&mut self, simd: SimdLevel) {
         let levels = &self.levels;
         self.channels.par_iter_mut().zip(&mut self.previous).for_each(|(channel, previous)| {
             if let (Some(level), Some(planes)) = (levels.first(), channel.first_mut()) {
-                border(&mut planes.means, level);
+                replicate_border(&mut planes.means, level);
                 std::mem::swap(previous, &mut planes.bloom);
             }
             for at in 1..levels.len() {
                 let (finer, coarser) = channel.split_at_mut(at);
                 downsample(simd, &finer[at - 1].means, &levels[at - 1], &mut coarser[0].means, &levels[at]);
-                border(&mut coarser[0].means, &levels[at]);
+                replicate_border(&mut coarser[0].means, &levels[at]);
             }
             for at in (0..levels.len()).rev() {
                 let (finer, coarser) = channel.split_at_mut(at + 1);
@@ -122,9 +126,9 @@ impl BloomPyramid {
                 let level = &levels[at];
                 let coarse = coarser.first().map(|planes| (planes.bloom.as_slice(), &levels[at + 1]));
                 let rows = &mut bloom[level.stride..(level.height + 1) * level.stride];
-                rows.par_chunks_mut(level.stride * ROWS).enumerate().for_each(|(chunk, rows)| {
+                rows.par_chunks_mut(level.stride * ROWS_PER_TASK).enumerate().for_each(|(chunk, rows)| {
                     for (row, out) in rows.chunks_mut(level.stride).enumerate() {
-                        let y = chunk * ROWS + row;
+                        let y = chunk * ROWS_PER_TASK + row;
                         let around = &means[y * level.stride..(y + 3) * level.stride];
                         tent_filter(simd, around, level, WEIGHTS[at], out);
                         if let Some((coarse, size)) = coarse {
@@ -132,16 +136,16 @@ impl BloomPyramid {
                         }
                     }
                 });
-                border(bloom, level);
+                replicate_border(bloom, level);
             }
         });
     }
 
     /// Whether the bloom of a tile, given by its upper left pixel, is another than before it was taken last.
-    pub fn differs(&self, x: usize, y: usize) -> bool {
+    pub fn has_changed_at(&self, x: usize, y: usize) -> bool {
         let Some(level) = self.levels.first() else { return false };
-        let columns = x / STEP..(x / STEP + TILE / STEP + 2).min(level.width + 2);
-        (y / STEP..(y / STEP + TILE / STEP + 2).min(level.height + 2)).any(|row| {
+        let columns = x / CELL_PX..(x / CELL_PX + TILE / CELL_PX + 2).min(level.width + 2);
+        (y / CELL_PX..(y / CELL_PX + TILE / CELL_PX + 2).min(level.height + 2)).any(|row| {
             let cells = row * level.stride + columns.start..row * level.stride + columns.end;
             let same = |(channel, previous): (&Vec<MipPlanes>, &Vec<f32>)| {
                 channel.first().is_some_and(|finest| finest.bloom[cells.clone()] == previous[cells.clone()])
@@ -169,7 +173,7 @@ fn downsample_plane(source: &[f32], finer: &MipLevel, target: &mut [f32], coarse
 }
 
 /// Repeats the edge cells outwards.
-fn border(plane: &mut [f32], &MipLevel { width, height, stride }: &MipLevel) {
+fn replicate_border(plane: &mut [f32], &MipLevel { width, height, stride }: &MipLevel) {
     for y in 1..=height {
         plane[y * stride] = plane[y * stride + 1];
         plane[y * stride + width + 1] = plane[y * stride + width];

@@ -2,7 +2,7 @@
 
 use crate::Frame;
 use crate::film::bloom::BloomPyramid;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 
 /// Pixels, and what they were made of.
 ///
@@ -12,9 +12,9 @@ pub struct DisplayBuffer {
     pub(crate) frame: Frame,
     pub(crate) bloom: BloomPyramid,
     /// The part that is wanted, if it is not all: the first column and row, and those after the last.
-    pub(crate) window: Option<[usize; 4]>,
+    pub(crate) scissor: Option<[usize; 4]>,
     /// Which renderer drew it, which of its pictures it is, and how it was exposed.
-    pub(crate) drawn: Option<((u64, u64), f32)>,
+    pub(crate) source: Option<((u64, u64), f32)>,
 }
 
 impl DisplayBuffer {
@@ -25,13 +25,13 @@ impl DisplayBuffer {
 
     /// From now on, only the pixels from (`x`, `y`) on, `width` x `height` of them, are wanted: all others may be left as
     /// they are. Their light is known all the same, so that the picture does not depend on where one has looked before.
-    pub fn look_at(&mut self, x: usize, y: usize, width: usize, height: usize) {
-        self.window = Some([x, y, x + width, y + height]);
+    pub fn set_scissor(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        self.scissor = Some([x, y, x + width, y + height]);
     }
 
     /// Whether a tile, given by its upper left pixel, is wanted in a window.
-    pub(crate) fn wants(window: Option<[usize; 4]>, x: usize, y: usize) -> bool {
-        window.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
+    pub(crate) fn in_scissor(scissor: Option<[usize; 4]>, x: usize, y: usize) -> bool {
+        scissor.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
     }
 
     /// Makes the picture `width` x `height` pixels; what was in it is lost if that is another size.
@@ -41,7 +41,7 @@ impl DisplayBuffer {
             self.frame.pixels.clear();
             self.frame.pixels.resize(width * height, 0);
             self.bloom.resize(width, height);
-            self.drawn = None;
+            self.source = None;
         }
     }
 }

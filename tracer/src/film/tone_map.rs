@@ -4,19 +4,18 @@
 //! curve looks at the strongest channel and scales all three alike, so that a red lamp stays red however bright; only
 //! far beyond white does it pale.
 
-use crate::film::bloom::{BloomPyramid, MipLevel, ROOM, STEP};
+use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel, READ_AHEAD_CELLS};
 use crate::film::blue_noise;
-use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, clamp, max, multiversion};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{BLACK, RgbTile, TILE};
 use crate::{Frame, Radiance};
 use rayon::prelude::*;
 
 /// How much of the light the eye scatters.
-const BLOOM: f32 = 0.09;
+const BLOOM_STRENGTH: f32 = 0.09;
 
 /// Cells of bloom that a tile's pixels lie between, along a side.
-const CELLS: usize = TILE / STEP + 2;
+const BLOOM_CELLS: usize = TILE / CELL_PX + 2;
 
 /// The pixels of a tile.
 pub(crate) type Pixels = [[u32; LANES]; TILE];
@@ -88,20 +87,20 @@ fn tone_map_lanes(
     pixels: &mut Pixels,
 ) {
     let noise = blue_noise::thresholds();
-    let mut stretched = [[[0.0; LANES]; CELLS]; 3];
+    let mut stretched = [[[0.0; LANES]; BLOOM_CELLS]; 3];
     for (plane, stretched) in bloom.into_iter().zip(&mut stretched) {
         for (row, stretched) in stretched.iter_mut().enumerate() {
-            let row = (y / STEP + row).min(level.height + 1) * level.stride;
-            let mut cells = [0.0; ROOM];
-            cells.copy_from_slice(&plane[row + x / STEP..][..ROOM]);
-            stretch(&cells, exposure * BLOOM, stretched);
+            let row = (y / CELL_PX + row).min(level.height + 1) * level.stride;
+            let mut cells = [0.0; READ_AHEAD_CELLS];
+            cells.copy_from_slice(&plane[row + x / CELL_PX..][..READ_AHEAD_CELLS]);
+            stretch(&cells, exposure * BLOOM_STRENGTH, stretched);
         }
     }
     for row in 0..TILE {
         // Half a cell down from the border's middle: between which cells, and how far.
-        let (near, part) = ((row + 2) / STEP, PARTS[row]);
+        let (near, part) = ((row + 2) / CELL_PX, CELL_FRACTIONS[row]);
         // Channel by channel and not in a loop, which the compiler would turn round and gather from memory.
-        let gain = exposure * (1.0 - BLOOM);
+        let gain = exposure * (1.0 - BLOOM_STRENGTH);
         let mut red = expose(&light[0][row], &stretched[0], near, part, gain);
         let mut green = expose(&light[1][row], &stretched[1], near, part, gain);
         let mut blue = expose(&light[2][row], &stretched[2], near, part, gain);
@@ -110,8 +109,8 @@ fn tone_map_lanes(
             (red[i], green[i], blue[i]) = (srgb(r), srgb(g), srgb(b));
         }
         let noise = |channel: usize| {
-            let line = (y + row + 21 * channel) % blue_noise::SIZE * blue_noise::SIZE;
-            &noise[line + (x + LANES * channel) % blue_noise::SIZE..][..LANES]
+            let line = (y + row + 21 * channel) % blue_noise::MATRIX_SIDE * blue_noise::MATRIX_SIDE;
+            &noise[line + (x + LANES * channel) % blue_noise::MATRIX_SIDE..][..LANES]
         };
         let (red_noise, green_noise, blue_noise) = (noise(0), noise(1), noise(2));
         let mut packed = [0u32; LANES];
@@ -126,7 +125,7 @@ fn tone_map_lanes(
 
 /// A row of light, times `gain`, and the bloom, which lies `part` of the way from the row of cells `near` to the next.
 #[inline(always)]
-fn expose(light: &Lanes, bloom: &[Lanes; CELLS], near: usize, part: f32, gain: f32) -> Lanes {
+fn expose(light: &Lanes, bloom: &[Lanes; BLOOM_CELLS], near: usize, part: f32, gain: f32) -> Lanes {
     let (above, below) = (&bloom[near], &bloom[near + 1]);
     let mut out = [0.0; LANES];
     for i in 0..LANES {
@@ -137,22 +136,22 @@ fn expose(light: &Lanes, bloom: &[Lanes; CELLS], near: usize, part: f32, gain: f
 
 /// A row of cells, of which the first is left of the tile, at the picture's resolution, times `gain`.
 #[inline(always)]
-fn stretch(cells: &[f32; ROOM], gain: f32, out: &mut Lanes) {
+fn stretch(cells: &[f32; READ_AHEAD_CELLS], gain: f32, out: &mut Lanes) {
     let (mut near, mut far) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
-        (near[i], far[i]) = (cells[(i + 2) / STEP], cells[(i + 2) / STEP + 1]);
+        (near[i], far[i]) = (cells[(i + 2) / CELL_PX], cells[(i + 2) / CELL_PX + 1]);
     }
     for i in 0..LANES {
-        out[i] = gain * (near[i] + (far[i] - near[i]) * PARTS[i]);
+        out[i] = gain * (near[i] + (far[i] - near[i]) * CELL_FRACTIONS[i]);
     }
 }
 
 /// How far each pixel of a row is from the middle of one cell to that of the next.
-const PARTS: Lanes = {
+const CELL_FRACTIONS: Lanes = {
     let mut parts = [0.0; LANES];
     let mut i = 0;
     while i < LANES {
-        parts[i] = ((i + 2) % STEP) as f32 * 0.25 + 0.125;
+        parts[i] = ((i + 2) % CELL_PX) as f32 * 0.25 + 0.125;
         i += 1;
     }
     parts

@@ -4,14 +4,14 @@
 use crate::cache::weighted_sum::scale_of;
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::{BLACK, RgbTile, apply_visibility, light_floor, light_top, paint_floor};
+use crate::shading::surface::{apply_visibility, floor_irradiance, shade_floor, shade_top};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, Lanes, SimdLevel, set_bits};
-use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::simd::dispatch::{LANES, SimdLevel, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, RgbTile, RowMask};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
 use crate::visibility::query::VisibilityQuery;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
 use crate::visibility::shaft::Shaft;
 use crate::visibility::transmission;
 use crate::{Group, Rgb};
@@ -29,53 +29,46 @@ pub(crate) enum Lighted {
 
 impl Workspace {
     /// Puts some rows of the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is
-    /// all floor, into [`Workspace::arriving`] and [`Workspace::shine`], before what is in the way, which is in
+    /// all floor, into [`Workspace::irradiance`] and [`Workspace::specular`], before what is in the way, which is in
     /// [`Workspace::fraction`].
-    pub(crate) fn light(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        place: &TileRect,
-        layers: usize,
-        rows: RowMask,
-    ) -> Lighted {
-        self.look_at(stage, at, place);
+    pub(crate) fn light(&mut self, stage: &Stage, at: usize, rect: &TileRect, layers: usize, rows: RowMask) -> Lighted {
+        self.look_at(stage, at, rect);
         let near = &self.near[at];
-        let met = transmission::met(&stage.scene.filters, |group| near.casts(group));
+        let met = transmission::on_path(&stage.scene.filters, |group| near.casts(group));
         if met.as_slice().is_empty() {
             if layers == 0 {
-                let verdict = self.light_floor_past(stage, at, place, &[], rows);
+                let verdict = self.light_floor_past(stage, at, rect, &[], rows);
                 return if verdict == VisibilityClass::Umbra { Lighted::Dark } else { Lighted::Floor(verdict) };
             }
-            let lit = self.light_past(stage, at, place, layers, &[], rows);
+            let lit = self.light_past(stage, at, rect, layers, &[], rows);
             return if lit { Lighted::Colors } else { Lighted::Dark };
         }
         let mut lit = false;
         self.sum = BLACK;
-        transmission::each_set(met.as_slice(), |away, part| {
-            if part != [0.0; 3] && self.light_past(stage, at, place, layers, away, rows) {
+        transmission::each_subset(met.as_slice(), |away, part| {
+            if part != [0.0; 3] && self.light_past(stage, at, rect, layers, away, rows) {
                 lit = true;
                 add(&self.picture, part, &mut self.sum);
             }
         });
         self.picture = self.sum;
         // What hides the lamp with every filter away is more than one group can be blamed for.
-        self.between.hidden_by = None;
+        self.blockers.hidden_by = None;
         if lit { Lighted::Colors } else { Lighted::Dark }
     }
 
     /// What a step is worth where the tile is kept in the light of one lamp: that of all the light that it would show were
     /// nothing in the way.
-    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, place: &TileRect, layers: usize) -> f32 {
+    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, rect: &TileRect, layers: usize) -> f32 {
         std::mem::swap(&mut self.picture, &mut self.sum);
-        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
+        let falloff = Falloff::new(&stage.lamps[at].lamp, rect.middle_mm);
         self.picture = BLACK;
         if self.whole || self.floor.count > 0 {
-            self.light_floor(stage, beam, ALL_ROWS);
+            self.light_floor(stage, falloff, ALL_ROWS);
             self.paint(stage.simd, ALL_ROWS);
         }
         for layer in 0..layers {
-            self.light_top(stage, beam, layer, ALL_ROWS, VisibilityClass::Lit);
+            self.light_top(stage, falloff, layer, ALL_ROWS, VisibilityClass::Lit);
         }
         let scale = scale_of(stage.simd, &self.picture);
         std::mem::swap(&mut self.picture, &mut self.sum);
@@ -83,28 +76,37 @@ impl Workspace {
     }
 
     /// Finds how much of a lamp the floor sees, past everything but some groups, and puts its light into
-    /// [`Workspace::arriving`] and [`Workspace::shine`].
+    /// [`Workspace::irradiance`] and [`Workspace::specular`].
     fn light_floor_past(
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &TileRect,
+        rect: &TileRect,
         away: &[Group],
         rows: RowMask,
     ) -> VisibilityClass {
-        let verdict = self.sees(stage, at, place, None, away, rows);
+        let verdict = self.sees(stage, at, rect, None, away, rows);
         if verdict != VisibilityClass::Umbra {
-            self.light_floor(stage, Falloff::new(&stage.lamps[at].lamp, place.middle_mm), rows);
+            self.light_floor(stage, Falloff::new(&stage.lamps[at].lamp, rect.middle_mm), rows);
         }
         verdict
     }
 
-    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::arriving`] and [`Workspace::shine`].
-    pub(crate) fn light_floor(&mut self, stage: &Stage, beam: Falloff, rows: RowMask) {
+    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::irradiance`] and [`Workspace::specular`].
+    pub(crate) fn light_floor(&mut self, stage: &Stage, falloff: Falloff, rows: RowMask) {
         let blocks = self.floor_blocks(rows);
-        let points = if self.whole { stage.whole_tile } else { &self.floor };
-        let (arriving, shine) = (&mut self.arriving, &mut self.shine);
-        light_floor(stage.simd, points, blocks, &self.ground, beam, stage.scene.floor.gloss, arriving, shine);
+        let points = if self.whole { stage.full_tile } else { &self.floor };
+        let (irradiance, specular) = (&mut self.irradiance, &mut self.specular);
+        floor_irradiance(
+            stage.simd,
+            points,
+            blocks,
+            &self.ground,
+            falloff,
+            stage.scene.floor.gloss,
+            irradiance,
+            specular,
+        );
     }
 
     /// The blocks of the floor's points that are in some rows.
@@ -112,10 +114,10 @@ impl Workspace {
         if self.whole { rows } else { self.floor.blocks_in(rows) }
     }
 
-    /// Takes from [`Workspace::arriving`] and [`Workspace::shine`] what is in the way.
+    /// Takes from [`Workspace::irradiance`] and [`Workspace::specular`] what is in the way.
     pub(crate) fn veil(&mut self, simd: SimdLevel, verdict: VisibilityClass, rows: RowMask) {
         if verdict == VisibilityClass::Partial {
-            apply_visibility(simd, self.floor_blocks(rows), &self.fraction, &mut self.arriving, &mut self.shine);
+            apply_visibility(simd, self.floor_blocks(rows), &self.fraction, &mut self.irradiance, &mut self.specular);
         }
     }
 
@@ -124,9 +126,9 @@ impl Workspace {
     pub(crate) fn paint(&mut self, simd: SimdLevel, rows: RowMask) {
         let (blocks, albedo) = (self.floor_blocks(rows), &self.ground.albedo);
         if self.whole {
-            paint_floor(simd, blocks, albedo, &self.arriving, &self.shine, &mut self.picture);
+            shade_floor(simd, blocks, albedo, &self.irradiance, &self.specular, &mut self.picture);
         } else {
-            paint_floor(simd, blocks, albedo, &self.arriving, &self.shine, &mut self.packed);
+            shade_floor(simd, blocks, albedo, &self.irradiance, &self.specular, &mut self.packed);
             scatter(&self.floor, blocks, &self.packed, &mut self.picture);
         }
     }
@@ -136,25 +138,25 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &TileRect,
+        rect: &TileRect,
         layers: usize,
         away: &[Group],
         rows: RowMask,
     ) -> bool {
         self.picture = BLACK;
         let bare = self.whole || self.floor.count > 0;
-        let floor = if bare { self.light_floor_past(stage, at, place, away, rows) } else { VisibilityClass::Umbra };
+        let floor = if bare { self.light_floor_past(stage, at, rect, away, rows) } else { VisibilityClass::Umbra };
         let mut lit = floor != VisibilityClass::Umbra;
         if lit {
             self.veil(stage.simd, floor, rows);
             self.paint(stage.simd, rows);
         }
-        let beam = Falloff::new(&stage.lamps[at].lamp, place.middle_mm);
+        let falloff = Falloff::new(&stage.lamps[at].lamp, rect.middle_mm);
         for layer in 0..layers {
-            let verdict = self.sees(stage, at, place, Some(layer), away, rows);
+            let verdict = self.sees(stage, at, rect, Some(layer), away, rows);
             if verdict != VisibilityClass::Umbra {
                 lit = true;
-                self.light_top(stage, beam, layer, rows, verdict);
+                self.light_top(stage, falloff, layer, rows, verdict);
             }
         }
         lit
@@ -164,20 +166,20 @@ impl Workspace {
     pub(crate) fn light_top(
         &mut self,
         stage: &Stage,
-        beam: Falloff,
+        falloff: Falloff,
         layer: usize,
         rows: RowMask,
         verdict: VisibilityClass,
     ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
         let (finish, blocks) = (&stage.tops.top(*form).finish, points.blocks_in(rows));
-        let fraction = if verdict == VisibilityClass::Lit { &ALL } else { &self.fraction };
-        light_top(stage.simd, points, blocks, surface, finish, beam, fraction, &mut self.packed);
+        let fraction = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &self.fraction };
+        shade_top(stage.simd, points, blocks, surface, finish, falloff, fraction, &mut self.packed);
         scatter(points, blocks, &self.packed, &mut self.picture);
     }
 
     /// Finds what may stand between a lamp and the tile.
-    fn look_at(&mut self, stage: &Stage, at: usize, place: &TileRect) {
+    fn look_at(&mut self, stage: &Stage, at: usize, rect: &TileRect) {
         let Lit { lamp, potential_occluders, .. } = &stage.lamps[at];
         let near = &mut self.near[at];
         if !self.is_near[at] {
@@ -185,7 +187,7 @@ impl Workspace {
             potential_occluders.narrow(stage.simd, &around, near, Some((lamp, stage.disc_chains)));
             self.is_near[at] = true;
         }
-        near.classify(stage.simd, &Shaft::new(lamp, place.middle_mm, place.radius_mm));
+        near.classify(stage.simd, &Shaft::new(lamp, rect.middle_mm, rect.radius_mm));
     }
 
     /// Finds how much of a lamp that was looked at each point of the floor or of a top sees, past everything but some
@@ -194,12 +196,12 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &TileRect,
+        rect: &TileRect,
         layer: Option<usize>,
         away: &[Group],
         rows: RowMask,
     ) -> VisibilityClass {
-        let mut without = [Group(0); transmission::MOST + 1];
+        let mut without = [Group(0); transmission::MAX_FILTERS + 1];
         without[..away.len()].copy_from_slice(away);
         let mut own = None;
         let (points, blocks) = if let Some(layer) = layer {
@@ -207,20 +209,22 @@ impl Workspace {
             own = Some(stage.tops.top(*form).group);
             (points, points.blocks_in(rows))
         } else {
-            (if self.whole { stage.whole_tile } else { &self.floor }, self.floor_blocks(rows))
+            (if self.whole { stage.full_tile } else { &self.floor }, self.floor_blocks(rows))
         };
         let count = away.len() + own.iter().len();
         without[away.len()..count].copy_from_slice(own.as_slice());
-        let mut gaze = VisibilityQuery {
-            stage,
-            near: &self.near[at],
-            lit: &stage.lamps[at],
-            place,
-            between: &mut self.between,
-            room: &mut self.room,
+        let mut query = VisibilityQuery {
+            simd: stage.simd,
+            disc_chains: stage.disc_chains,
+            lamp: &stage.lamps[at].lamp,
+            airborne: &stage.lamps[at].airborne,
+            occluders: &self.near[at],
+            rect,
+            blockers: &mut self.blockers,
+            scratch: &mut self.intervals,
             fraction: &mut self.fraction,
         };
-        gaze.sees(points, blocks, &without[..count], own)
+        query.evaluate(points, blocks, &without[..count], own)
     }
 }
 
@@ -247,6 +251,3 @@ pub(crate) fn scatter(points: &PackedSamples, blocks: u16, packed: &RgbTile, pic
         }
     }
 }
-
-/// All of a lamp, for every point.
-pub(crate) static ALL: [Lanes; TILE] = [[1.0; LANES]; TILE];

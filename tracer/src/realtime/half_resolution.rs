@@ -4,15 +4,14 @@
 //! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
-use crate::film::bloom::{BloomPyramid, MipLevel, STEP};
+use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
 use crate::realtime::joint_upsampling::{Guides, Print};
 use crate::realtime::renderer::drawable;
 use crate::realtime::schedule::write_planes;
 use crate::shading::chrome_ball::BallSprite;
-use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::{LANES, SimdLevel};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{BLACK, RgbTile, TILE};
 use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
 use rayon::prelude::*;
 
@@ -109,8 +108,8 @@ impl HalfRenderer {
     }
 
     /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go.
-    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, film: &mut DisplayBuffer) {
-        self.draw_watched(scene, half, exposure, film, &mut |_| {});
+    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, display: &mut DisplayBuffer) {
+        self.draw_watched(scene, half, exposure, display, &mut |_| {});
     }
 
     /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
@@ -119,16 +118,16 @@ impl HalfRenderer {
         scene: &Scene,
         half: &Floor,
         exposure: f32,
-        film: &mut DisplayBuffer,
+        display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return film.resize(0, 0) };
-        film.resize(scene.view.width, scene.view.height);
-        let known = film.drawn == Some((self.lamps.renderer.picture(), exposure));
-        self.find_light(scene, half, known, &mut film.bloom, done);
-        self.develop(exposure, film);
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        display.resize(scene.view.width, scene.view.height);
+        let known = display.source == Some((self.lamps.renderer.picture(), exposure));
+        self.find_light(scene, half, known, &mut display.bloom, done);
+        self.develop(exposure, display);
         done(RenderStage::Developed);
-        film.drawn = Some((self.lamps.renderer.picture(), exposure));
+        display.source = Some((self.lamps.renderer.picture(), exposure));
     }
 
     /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
@@ -260,17 +259,17 @@ impl HalfRenderer {
         });
     }
 
-    /// Tone-maps the tiles that are not on film as they should be.
-    fn develop(&mut self, exposure: f32, film: &mut DisplayBuffer) {
-        let (simd, width, window, bloom) = (self.simd, film.frame.width, film.window, &film.bloom);
+    /// Tone-maps the tiles that are not on display as they should be.
+    fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
+        let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
         let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
-        let bands = film.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
             let (mut out, mut developed) = (BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
-                tile.stale |= bloom.differs(x, y);
-                if !tile.stale || !DisplayBuffer::wants(window, x, y) {
+                tile.stale |= bloom.has_changed_at(x, y);
+                if !tile.stale || !DisplayBuffer::in_scissor(scissor, x, y) {
                     continue;
                 }
                 tile.stale = false;
@@ -328,7 +327,7 @@ fn mark(id: ItemId) -> f32 {
 
 /// Writes the means of two by two pixels of a plane, and adds what is in `more`.
 fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &MipLevel, more: &[f32], means: &mut [f32]) {
-    const { assert!(STEP == 4, "a cell is two half-resolution pixels wide") };
+    const { assert!(CELL_PX == 4, "a cell is two half-resolution pixels wide") };
     for row in 0..level.height {
         let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];
         let (above, below) = (line(2 * row), line(2 * row + 1));

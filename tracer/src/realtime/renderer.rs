@@ -1,7 +1,7 @@
 //! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
 //! then the balls that mirror them, then the bloom, then the tiles themselves.
 
-use crate::cache::cell_means::{CELLS, means_of};
+use crate::cache::cell_means::{CELLS_PER_TILE, means_of};
 use crate::cache::damage::Changes;
 use crate::cache::frame_history::Past;
 use crate::cache::lamp_set::Numbers;
@@ -15,7 +15,8 @@ use crate::scene::validation;
 use crate::shading::albedo_map::AlbedoMap;
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
-use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::DiscChains;
 use crate::{DisplayBuffer, ItemId, Radiance, RenderStage, Rgb, Scene};
@@ -43,8 +44,8 @@ pub struct Renderer {
     /// The lamps of which nothing is remembered.
     lost: Numbers,
     tops: TopHistory,
-    whole_tile: (f64, PackedSamples),
-    patches: Vec<BallSprite>,
+    full_tile: (f64, PackedSamples),
+    ball_sprites: Vec<BallSprite>,
     art: AlbedoMap,
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
@@ -66,7 +67,7 @@ macro_rules! stage {
             moved_tops: &$renderer.past.moved_tops,
             changes: &$renderer.changes,
             tops: &$renderer.tops,
-            whole_tile: &$renderer.whole_tile.1,
+            full_tile: &$renderer.full_tile.1,
             art: &$renderer.art,
         }
     };
@@ -104,8 +105,8 @@ impl Renderer {
             places: Vec::new(),
             lost: Numbers::default(),
             tops: TopHistory::default(),
-            whole_tile: (0.0, PackedSamples::none()),
-            patches: Vec::new(),
+            full_tile: (0.0, PackedSamples::none()),
+            ball_sprites: Vec::new(),
             art: AlbedoMap::default(),
             radiance: Radiance::default(),
             ids: Vec::new(),
@@ -117,22 +118,22 @@ impl Renderer {
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
+        if !self.prepare(scene, radiance.source == Some(self.picture)) {
             return self.render_afresh(scene, true, radiance);
         }
         self.leave_still_balls();
         self.look(scene, &mut radiance.bloom);
         if self.past.is_fresh() {
             self.render_balls(scene, &mut radiance.bloom);
-            radiance.bloom.gather(self.simd);
+            radiance.bloom.compute(self.simd);
         }
-        self.compose(scene, &self.patches, radiance);
+        self.compose(scene, &self.ball_sprites, radiance);
         self.picture.1 += 1;
-        radiance.drawn = Some(self.picture);
+        radiance.source = Some(self.picture);
     }
 
     /// Puts together the tiles that are not in `radiance` as they should be.
-    fn compose(&self, scene: &Scene, patches: &[BallSprite], radiance: &mut Radiance) {
+    fn compose(&self, scene: &Scene, ball_sprites: &[BallSprite], radiance: &mut Radiance) {
         let stride = radiance.stride();
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
@@ -141,10 +142,10 @@ impl Renderer {
         bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut planes = [red, green, blue];
-                each_tile(scene, at, memory.iter(), |place, memory| {
+                each_tile(scene, at, memory.iter(), |rect, memory| {
                     if memory.fresh {
-                        workspace.compose(&stage, place, memory, patches);
-                        write_planes(&workspace.out, place.x, place.y - at * BLOCK, stride, &mut planes);
+                        workspace.compose(&stage, rect, memory, ball_sprites);
+                        write_planes(&workspace.out, rect.x, rect.y - at * BLOCK, stride, &mut planes);
                     }
                 });
             });
@@ -153,8 +154,8 @@ impl Renderer {
 
     /// Renders `scene` and develops it ([`crate::film::tone_map::map`]) in one go: the same pixels, several times as fast, since
     /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
-    pub fn draw(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
-        self.draw_watched(scene, exposure, film, &mut |_| {});
+    pub fn draw(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
+        self.draw_watched(scene, exposure, display, &mut |_| {});
     }
 
     /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
@@ -162,34 +163,34 @@ impl Renderer {
         &mut self,
         scene: &Scene,
         exposure: f32,
-        film: &mut DisplayBuffer,
+        display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return film.resize(0, 0) };
-        film.resize(scene.view.width, scene.view.height);
-        let known = film.drawn == Some((self.picture, exposure));
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        display.resize(scene.view.width, scene.view.height);
+        let known = display.source == Some((self.picture, exposure));
         if !self.prepare(scene, known) {
-            return self.draw_afresh(scene, exposure, film);
+            return self.draw_afresh(scene, exposure, display);
         }
         self.leave_still_balls();
         done(RenderStage::Prepared);
-        self.look(scene, &mut film.bloom);
+        self.look(scene, &mut display.bloom);
         done(RenderStage::Shaded);
         let fresh = self.past.is_fresh();
         if fresh {
-            self.render_balls(scene, &mut film.bloom);
+            self.render_balls(scene, &mut display.bloom);
         }
         done(RenderStage::Mirrored);
         if fresh {
-            film.bloom.gather(self.simd);
+            display.bloom.compute(self.simd);
         }
         done(RenderStage::Glared);
-        if fresh || film.window.is_some() {
-            self.develop(scene, exposure, film);
+        if fresh || display.scissor.is_some() {
+            self.develop(scene, exposure, display);
         }
         done(RenderStage::Developed);
         self.picture.1 += 1;
-        film.drawn = Some((self.picture, exposure));
+        display.source = Some((self.picture, exposure));
     }
 
     /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
@@ -227,7 +228,7 @@ impl Renderer {
         render: impl Fn(&mut Workspace, &Stage, &TileRect) + Sync,
     ) {
         radiance.resize(scene.view.width, scene.view.height);
-        radiance.drawn = None;
+        radiance.source = None;
         let stride = radiance.stride();
         let [red, green, blue] = &mut radiance.planes;
         let band = stride * BLOCK;
@@ -238,15 +239,15 @@ impl Renderer {
             |(at, (((red, green), blue), mut means))| {
                 WORKSPACE.with_borrow_mut(|workspace| {
                     let mut planes = [red, green, blue];
-                    let mut found = [[0.0; CELLS]; 3];
+                    let mut found = [[0.0; CELLS_PER_TILE]; 3];
                     let mut block = None;
-                    each_tile(scene, at, std::iter::repeat(()), |place, ()| {
-                        workspace.enter_block_at(&stage, place, &mut block);
-                        render(workspace, &stage, place);
-                        let y = place.y - at * BLOCK;
-                        write_planes(&workspace.out, place.x, y, stride, &mut planes);
+                    each_tile(scene, at, std::iter::repeat(()), |rect, ()| {
+                        workspace.enter_block_at(&stage, rect, &mut block);
+                        render(workspace, &stage, rect);
+                        let y = rect.y - at * BLOCK;
+                        write_planes(&workspace.out, rect.x, y, stride, &mut planes);
                         means_of(stage.simd, &workspace.out, &mut found);
-                        write_means(&found, place.x, y, &level, &mut means);
+                        write_means(&found, rect.x, y, &level, &mut means);
                     });
                 });
             },
@@ -254,12 +255,12 @@ impl Renderer {
     }
 
     /// Draws a scene that was prepared, and forgets it.
-    fn draw_afresh(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
+    fn draw_afresh(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
         let mut radiance = std::mem::take(&mut self.radiance);
         self.render_afresh(scene, true, &mut radiance);
-        tone_map::map_on(self.simd, &radiance, exposure, &mut film.frame);
+        tone_map::map_on(self.simd, &radiance, exposure, &mut display.frame);
         self.radiance = radiance;
-        film.drawn = None;
+        display.source = None;
     }
 
     /// Makes every tile's memory true, and takes the means of those that have changed.
@@ -271,13 +272,13 @@ impl Renderer {
                 |(at, (memory, mut means))| {
                     WORKSPACE.with_borrow_mut(|workspace| {
                         let mut block = None;
-                        each_tile(scene, at, to_be_lit(memory), |place, memory| {
-                            workspace.enter_block_at(&stage, place, &mut block);
-                            memory.fresh = workspace.differs(&stage, place, memory);
+                        each_tile(scene, at, to_be_lit(memory), |rect, memory| {
+                            workspace.enter_block_at(&stage, rect, &mut block);
+                            memory.fresh = workspace.differs(&stage, rect, memory);
                             if memory.fresh {
                                 memory.developed = false;
-                                workspace.remember(&stage, place, memory);
-                                write_means(&workspace.means, place.x, place.y - at * BLOCK, &level, &mut means);
+                                workspace.remember(&stage, rect, memory);
+                                write_means(&workspace.means, rect.x, rect.y - at * BLOCK, &level, &mut means);
                             }
                         });
                     });
@@ -289,25 +290,25 @@ impl Renderer {
     }
 
     /// Puts the tiles on film that are not there as they should be.
-    fn develop(&mut self, scene: &Scene, exposure: f32, film: &mut DisplayBuffer) {
+    fn develop(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
         let mut bands = std::mem::take(&mut self.past.bands);
         let stage = stage!(self, scene);
-        let (width, simd, patches, bloom) = (scene.view.width, self.simd, &self.patches, &film.bloom);
-        let window = film.window;
-        let wants = |x, y| DisplayBuffer::wants(window, x, y);
-        let pixels = film.frame.pixels.par_chunks_mut(width * BLOCK);
+        let (width, simd, ball_sprites, bloom) = (scene.view.width, self.simd, &self.ball_sprites, &display.bloom);
+        let scissor = display.scissor;
+        let wants = |x, y| DisplayBuffer::in_scissor(scissor, x, y);
+        let pixels = display.frame.pixels.par_chunks_mut(width * BLOCK);
         bands.par_iter_mut().zip(pixels).enumerate().with_max_len(1).for_each(|(at, (memory, pixels))| {
             WORKSPACE.with_borrow_mut(|workspace| {
                 let mut tile = [[0; LANES]; TILE];
-                each_tile(scene, at, to_be_composed(memory), |place, memory| {
-                    memory.developed = memory.developed && !bloom.differs(place.x, place.y);
-                    if memory.developed || !wants(place.x, place.y) {
+                each_tile(scene, at, to_be_composed(memory), |rect, memory| {
+                    memory.developed = memory.developed && !bloom.has_changed_at(rect.x, rect.y);
+                    if memory.developed || !wants(rect.x, rect.y) {
                         return;
                     }
                     memory.developed = true;
-                    workspace.compose(&stage, place, memory, patches);
-                    tone_map::tone_map_tile(simd, &workspace.out, bloom, exposure, [place.x, place.y], &mut tile);
-                    tone_map::store_tile(&tile, place.x, width, &mut pixels[(place.y - at * BLOCK) * width..]);
+                    workspace.compose(&stage, rect, memory, ball_sprites);
+                    tone_map::tone_map_tile(simd, &workspace.out, bloom, exposure, [rect.x, rect.y], &mut tile);
+                    tone_map::store_tile(&tile, rect.x, width, &mut pixels[(rect.y - at * BLOCK) * width..]);
                 });
             });
         });

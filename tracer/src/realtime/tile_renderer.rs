@@ -3,31 +3,32 @@
 //! Lamps are the outer loop: what stands between a lamp and the tile is found once, and serves the floor and every top
 //! in the tile.
 
-use crate::cache::cell_means::{CELLS, Means, means_of};
-use crate::cache::damage::{Changes, MARGIN_MM, Nearby, is_near};
+use crate::cache::cell_means::{CELLS_PER_TILE, Means, means_of};
+use crate::cache::damage::{Changes, DAMAGE_MARGIN_MM, Nearby, is_near};
 use crate::cache::g_buffer::Surfaces;
 use crate::cache::lamp_layer::{Bare, Part};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::tile_cache::{Illumination, TileMemory};
 use crate::cache::top_history::TopHistory;
 use crate::realtime::compose::{has_contacts, shade_contacts};
-use crate::realtime::direct_light::{ALL, Lighted, add};
+use crate::realtime::direct_light::{Lighted, add};
 use crate::realtime::schedule::BLOCK;
 use crate::scene::GlowKey;
 use crate::shading::albedo_map::{Albedo, AlbedoMap};
 use crate::shading::chrome_ball;
 use crate::shading::coverage::SignedDistance;
-use crate::shading::surface::{BLACK, Normals, RgbTile, Surface};
+use crate::shading::surface::{Normals, Surface};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, SimdLevel};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::blockers::{Blockers, VisibilityClass};
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::fraction::IntervalScratch;
 use crate::visibility::potential_occluders::PotentialOccluders;
-use crate::visibility::shadow_bounds::{ALL_ROWS, ShadowBounds};
+use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Lamp, Rgb, Scene};
 use geometry::{Bounds, DVec2};
 
@@ -50,7 +51,7 @@ pub(crate) struct Stage<'a> {
     /// The tops and their outlines.
     pub tops: &'a TopHistory,
     /// Every pixel of a tile.
-    pub whole_tile: &'a PackedSamples,
+    pub full_tile: &'a PackedSamples,
     /// The floor's art.
     pub art: &'a AlbedoMap,
 }
@@ -71,7 +72,7 @@ pub(crate) struct Lit {
     /// What may stand in its way.
     pub potential_occluders: PotentialOccluders,
     /// The balls in the air that may hide it.
-    pub floating: Vec<AirborneShadow>,
+    pub airborne: Vec<AirborneShadow>,
     /// What has moved since it was looked at last.
     pub things: DiscChains,
     /// Where the shadows of these may fall.
@@ -91,7 +92,7 @@ impl Lit {
             lamp: *lamp,
             circle,
             potential_occluders,
-            floating: Vec::new(),
+            airborne: Vec::new(),
             things,
             moved: Vec::new(),
             lost: true,
@@ -120,8 +121,8 @@ pub(crate) struct Workspace {
     /// What else is different.
     nearby: Nearby,
     pub(crate) forms: Vec<usize>,
-    pub(crate) between: Blockers,
-    pub(crate) room: IntervalScratch,
+    pub(crate) blockers: Blockers,
+    pub(crate) intervals: IntervalScratch,
     pub(crate) fraction: Plane,
     /// Whether the floor's points are every pixel of the tile.
     pub(crate) whole: bool,
@@ -139,8 +140,8 @@ pub(crate) struct Workspace {
     /// The light of one layer, packed.
     pub(crate) packed: RgbTile,
     /// What arrives at the floor's points of one lamp's light, and what shines there.
-    pub(crate) arriving: Plane,
-    pub(crate) shine: Plane,
+    pub(crate) irradiance: Plane,
+    pub(crate) specular: Plane,
     /// The tile in the light of one lamp.
     pub(crate) picture: RgbTile,
     /// Room to sum up pictures with filters and without.
@@ -168,8 +169,8 @@ impl Workspace {
             stirred: Vec::new(),
             nearby: Nearby::default(),
             forms: Vec::new(),
-            between: Blockers::default(),
-            room: IntervalScratch::default(),
+            blockers: Blockers::default(),
+            intervals: IntervalScratch::default(),
             fraction: zero,
             whole: true,
             floor: PackedSamples::none(),
@@ -178,21 +179,21 @@ impl Workspace {
             edge: SignedDistance::none(),
             remaining: zero,
             art: BLACK,
-            normals: Normals::level(),
+            normals: Normals::flat(),
             printed: Albedo::none(),
             packed: BLACK,
-            arriving: zero,
-            shine: zero,
+            irradiance: zero,
+            specular: zero,
             picture: BLACK,
             sum: BLACK,
-            means: [[0.0; CELLS]; 3],
+            means: [[0.0; CELLS_PER_TILE]; 3],
             out: BLACK,
         }
     }
 
-    /// Makes ready for the block of tiles that `place` is in, unless it is `last` and has been entered.
-    pub fn enter_block_at(&mut self, stage: &Stage, place: &TileRect, last: &mut Option<(usize, usize)>) {
-        let block = (place.x / BLOCK * BLOCK, place.y / BLOCK * BLOCK);
+    /// Makes ready for the block of tiles that `rect` is in, unless it is `last` and has been entered.
+    pub fn enter_block_at(&mut self, stage: &Stage, rect: &TileRect, last: &mut Option<(usize, usize)>) {
+        let block = (rect.x / BLOCK * BLOCK, rect.y / BLOCK * BLOCK);
         if *last != Some(block) {
             *last = Some(block);
             self.enter_block(stage, block.0, block.1, BLOCK);
@@ -239,25 +240,25 @@ impl Workspace {
         self.is_near.clear();
         self.is_near.resize(stage.lamps.len(), false);
         self.lit.clear();
-        let reaches = |lit: &Lit| is_near(&lit.circle, middle, radius + MARGIN_MM);
+        let reaches = |lit: &Lit| is_near(&lit.circle, middle, radius + DAMAGE_MARGIN_MM);
         self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
         self.reaching = Numbers::default();
         self.lit.iter().for_each(|&at| self.reaching.insert(stage.lamps[at].number));
     }
 
     /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
-    pub fn differs(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) -> bool {
-        let mut differs = self.nearby.reach(place, memory) || stage.changes.everything;
+    pub fn differs(&mut self, stage: &Stage, rect: &TileRect, memory: &mut TileMemory) -> bool {
+        let mut differs = self.nearby.reach(rect, memory) || stage.changes.everything;
         for &at in &self.stirred {
             let Lit { lamp, number, .. } = &stage.lamps[at];
             let (sight, moved) = (*memory.sight(*number), &self.moved[at]);
             // What one group hides stays hidden while that group stands still.
             let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|bounds| bounds.group != group));
-            if !sight.holds || hidden || !place.is_reached_by(lamp) {
+            if !sight.holds || hidden || !rect.is_reached_by(lamp) {
                 continue;
             }
-            let reaching = moved.iter().filter(|bounds| bounds.may_reach(place.middle_mm, place.half_mm));
-            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(place, stage.scene.view.mm_per_px));
+            let reaching = moved.iter().filter(|bounds| bounds.may_reach(rect.middle_mm, rect.half_mm));
+            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(rect, stage.scene.view.mm_per_px));
             memory.stir(*number, rows);
             differs |= !sight.is_whole() || rows != 0;
         }
@@ -265,16 +266,16 @@ impl Workspace {
     }
 
     /// Makes anew what is not remembered of the tile, and its means, in [`Workspace::means`].
-    pub fn remember(&mut self, stage: &Stage, place: &TileRect, memory: &mut TileMemory) {
+    pub fn remember(&mut self, stage: &Stage, rect: &TileRect, memory: &mut TileMemory) {
         self.enter(stage);
         let mut layers = None;
         if !memory.base.holds {
-            let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
+            let layers = *layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
             if layers == 0 {
                 memory.keep_floor_base(stage.simd, &self.ground.albedo);
             } else {
                 self.light_from_everywhere(stage, layers);
-                place.clamp_to_edge(&mut self.picture.each_mut());
+                rect.clamp_to_edge(&mut self.picture.each_mut());
                 memory.keep_base(stage.simd, &self.picture);
             }
         }
@@ -282,21 +283,21 @@ impl Workspace {
         self.to_make.extend(memory.to_make(&self.reaching, stage.lost));
         for index in 0..self.to_make.len() {
             let at = stage.places[self.to_make[index]];
-            self.remember_lamp(stage, at, place, memory, &mut layers);
+            self.remember_lamp(stage, at, rect, memory, &mut layers);
         }
-        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
+        for glow in stage.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
             if !memory.glow(glow.key()).holds {
-                layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-                self.glow(place, glow.mask);
-                place.clamp_to_edge(&mut self.picture.each_mut());
+                layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
+                self.glow(rect, glow.mask);
+                rect.clamp_to_edge(&mut self.picture.each_mut());
                 memory.keep_glow(glow.key(), stage.simd, &self.picture);
             }
         }
-        let shaded = has_contacts(stage, place);
+        let shaded = has_contacts(stage, rect);
         let light = Illumination { ambient: stage.scene.ambient, shaded, lamps: stage.colors };
         memory.light(stage.simd, &light, stage.glows(), &mut self.parts, &mut self.means);
         if shaded {
-            self.compose(stage, place, memory, &[]);
+            self.compose(stage, rect, memory, &[]);
             means_of(stage.simd, &self.out, &mut self.means);
         }
     }
@@ -307,7 +308,7 @@ impl Workspace {
         &mut self,
         stage: &Stage,
         at: usize,
-        place: &TileRect,
+        rect: &TileRect,
         memory: &mut TileMemory,
         layers: &mut Option<usize>,
     ) {
@@ -315,63 +316,63 @@ impl Workspace {
         let sight = memory.sight(number);
         sight.holds &= !lost;
         let mut rows = sight.rows_to_make();
-        if !place.is_reached_by(lamp) {
+        if !rect.is_reached_by(lamp) {
             return memory.keep_dark(number, None);
         }
-        if !place.is_whole() {
+        if !rect.is_unclipped() {
             // Beyond the picture's edge rows are repeated.
             rows = ALL_ROWS;
         }
-        let layers = *layers.get_or_insert_with(|| self.recall(stage, place, &mut memory.surfaces));
-        let mut lighted = self.light(stage, at, place, layers, rows);
+        let layers = *layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
+        let mut lighted = self.light(stage, at, rect, layers, rows);
         let colors = lighted == Lighted::Colors;
         let another = lighted != Lighted::Dark && memory.is_another(number, colors);
         if another && rows != ALL_ROWS {
             rows = ALL_ROWS;
-            lighted = self.light(stage, at, place, layers, rows);
+            lighted = self.light(stage, at, rect, layers, rows);
         }
         if colors && (another || !memory.sight(number).gauged) {
-            memory.gauge(number, self.gauge(stage, at, place, layers));
+            memory.gauge(number, self.gauge(stage, at, rect, layers));
         }
         match lighted {
             Lighted::Dark => {
                 let alone = memory.surfaces.tops().is_empty();
-                memory.keep_dark(number, self.between.hidden_by.filter(|_| alone));
+                memory.keep_dark(number, self.blockers.hidden_by.filter(|_| alone));
             }
             Lighted::Floor(verdict) => {
-                let Workspace { arriving, shine, fraction, ground, .. } = self;
-                place.clamp_to_edge(&mut [&mut *arriving, shine, fraction]);
-                let seen = if verdict == VisibilityClass::Lit { &ALL } else { &*fraction };
-                let floor = Bare { albedo: &ground.albedo, arriving, shine, seen };
+                let Workspace { irradiance, specular, fraction, ground, .. } = self;
+                rect.clamp_to_edge(&mut [&mut *irradiance, specular, fraction]);
+                let seen = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &*fraction };
+                let floor = Bare { albedo: &ground.albedo, irradiance, specular, seen };
                 memory.keep_floor(number, stage.simd, &floor, rows);
             }
             Lighted::Colors => {
-                place.clamp_to_edge(&mut self.picture.each_mut());
+                rect.clamp_to_edge(&mut self.picture.each_mut());
                 memory.keep(number, stage.simd, &self.picture, rows);
             }
         }
     }
 
     /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
-    pub fn compose(&mut self, stage: &Stage, place: &TileRect, memory: &TileMemory, balls: &[chrome_ball::BallSprite]) {
-        let paint = stage.art.paint(place.x, place.y);
-        let shade = has_contacts(stage, place).then_some(|out: &mut RgbTile| shade_contacts(stage, place, out));
+    pub fn compose(&mut self, stage: &Stage, rect: &TileRect, memory: &TileMemory, balls: &[chrome_ball::BallSprite]) {
+        let paint = stage.art.tile(rect.x, rect.y);
+        let shade = has_contacts(stage, rect).then_some(|out: &mut RgbTile| shade_contacts(stage, rect, out));
         memory.compose(stage.simd, paint, shade, &mut self.out);
         for ball in balls {
-            ball.blend(place.x, place.y, &mut self.out);
+            ball.blend(rect.x, rect.y, &mut self.out);
         }
     }
 
     /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
-    pub fn render(&mut self, stage: &Stage, place: &TileRect) {
-        let layers = self.render_unlit(stage, place);
+    pub fn render(&mut self, stage: &Stage, rect: &TileRect) {
+        let layers = self.render_unlit(stage, rect);
         for index in 0..self.lit.len() {
             let at = self.lit[index];
             let lamp = &stage.lamps[at].lamp;
-            if !place.is_reached_by(lamp) {
+            if !rect.is_reached_by(lamp) {
                 continue;
             }
-            match self.light(stage, at, place, layers, ALL_ROWS) {
+            match self.light(stage, at, rect, layers, ALL_ROWS) {
                 Lighted::Dark => continue,
                 Lighted::Floor(verdict) => {
                     self.veil(stage.simd, verdict, ALL_ROWS);
@@ -382,25 +383,25 @@ impl Workspace {
             }
             add(&self.picture, lamp.color, &mut self.out);
         }
-        self.render_glows(stage, place);
+        self.render_glows(stage, rect);
     }
 
     /// Makes the tile in the light from everywhere, in [`Workspace::out`]; says how many tops there are.
-    pub fn render_unlit(&mut self, stage: &Stage, place: &TileRect) -> usize {
+    pub fn render_unlit(&mut self, stage: &Stage, rect: &TileRect) -> usize {
         self.enter(stage);
-        let layers = self.recall(stage, place, &mut Surfaces::default());
+        let layers = self.recall(stage, rect, &mut Surfaces::default());
         self.light_from_everywhere(stage, layers);
         self.out = self.picture;
-        shade_contacts(stage, place, &mut self.out);
+        shade_contacts(stage, rect, &mut self.out);
         layers
     }
 
     /// Adds the light of inserts to [`Workspace::out`], which is complete with them.
-    pub fn render_glows(&mut self, stage: &Stage, place: &TileRect) {
-        for glow in stage.scene.glows.iter().filter(|glow| place.overlaps_mask(glow.mask)) {
-            self.glow(place, glow.mask);
+    pub fn render_glows(&mut self, stage: &Stage, rect: &TileRect) {
+        for glow in stage.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
+            self.glow(rect, glow.mask);
             add(&self.picture, glow.color, &mut self.out);
         }
-        place.clamp_to_edge(&mut self.out.each_mut());
+        rect.clamp_to_edge(&mut self.out.each_mut());
     }
 }

@@ -59,7 +59,7 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
         filters: scene.filters.clone(),
         overhangs: scene.overhangs.clone(),
         tops: Vec::new(),
-        balls: scene.balls.iter().copied().filter(Ball::floats).collect(),
+        balls: scene.balls.iter().copied().filter(Ball::is_airborne).collect(),
         glows: Vec::new(),
         floor: &floor,
         ambient: [0.0; 3],

@@ -204,13 +204,13 @@ impl Ball {
     pub const LEAST_HEIGHT_MM: f64 = 0.1;
 
     /// Whether it is in the air: then it needs no occluder.
-    pub fn floats(&self) -> bool {
+    pub fn is_airborne(&self) -> bool {
         self.height_mm > Ball::LEAST_HEIGHT_MM
     }
 
     /// How high it is above the floor that it lies on, mm: 0 if it does not float.
     pub(crate) fn lift_mm(&self) -> f64 {
-        if self.floats() { self.height_mm } else { 0.0 }
+        if self.is_airborne() { self.height_mm } else { 0.0 }
     }
 }
 

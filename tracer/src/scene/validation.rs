@@ -5,7 +5,7 @@
 //! would be.
 //!
 //! What is drawn simpler than it is: occluders are columns that never end, so a lamp's height changes no shadow of theirs.
-//! Only a ball that floats ([`Ball::floats`]) has a height, and is a sphere. What is below it is taken to be floor, tops
+//! Only a ball that floats ([`Ball::is_airborne`]) has a height, and is a sphere. What is below it is taken to be floor, tops
 //! too; itself it is lit, and mirrors, as if it lay on the floor. The part of a lamp that it hides and the part that others
 //! hide are multiplied, as if neither knew of the other: where both hide some of it, that is wrong by a quarter of the lamp
 //! at the worst. A ball that takes off exchanges the shadow of a column for that of a sphere, which may end.

@@ -61,7 +61,7 @@ pub fn lift(scene: &mut Scene, heights_mm: &[f64]) {
         ball.height_mm = height_mm;
     }
     let Scene { balls, occluders, .. } = scene;
-    occluders.retain(|occluder| !balls.iter().any(|ball| ball.floats() && ball.group == occluder.group));
+    occluders.retain(|occluder| !balls.iter().any(|ball| ball.is_airborne() && ball.group == occluder.group));
 }
 
 /// The first number above all ids.

@@ -1,9 +1,8 @@
 //! Art in sRGB bytes as the reflectance that light works with.
 
-use crate::cache::weighted_sum::AlbedoTile;
-use crate::shading::surface::{BLACK, Normals, RgbTile};
+use crate::shading::surface::Normals;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
+use crate::tile::planes::{AREA, AlbedoTile, BLACK, Plane, RgbTile, TILE};
 use crate::{Floor, Scene};
 use rayon::prelude::*;
 
@@ -32,7 +31,7 @@ impl AlbedoMap {
         }
         let across = self.across;
         if !floor.normals.is_empty() {
-            let tile = |at: usize| normals_of(floor, at % across * TILE, at / across * TILE);
+            let tile = |at: usize| normals_of_tile(floor, at % across * TILE, at / across * TILE);
             self.normals.par_extend((0..self.tiles.len()).into_par_iter().map(tile));
         }
         self.tiles.par_iter_mut().enumerate().for_each(|(at, tile)| {
@@ -54,38 +53,38 @@ impl AlbedoMap {
     pub fn read_normals(&self, simd: SimdLevel, x: usize, y: usize, out: &mut Normals) -> bool {
         let tile = self.normals.get(y / TILE * self.across + x / TILE).and_then(|tile| tile.as_deref());
         tile.is_some_and(|tile| {
-            lean(simd, tile, out);
+            decode_normals(simd, tile, out);
             true
         })
     }
 
     /// The paint of the tile whose upper left pixel is (`x`, `y`).
-    pub fn paint(&self, x: usize, y: usize) -> &AlbedoTile {
+    pub fn tile(&self, x: usize, y: usize) -> &AlbedoTile {
         &self.tiles[y / TILE * self.across + x / TILE]
     }
 
     /// The reflectance of the tile whose upper left pixel is (`x`, `y`).
     pub fn read(&self, simd: SimdLevel, x: usize, y: usize, out: &mut RgbTile) {
-        widen(simd, self.paint(x, y), out);
+        decode_albedo(simd, self.tile(x, y), out);
     }
 }
 
 /// The normals of a tile; beyond the picture's edge it leans as it does there.
-fn normals_of(floor: &Floor, x: usize, y: usize) -> Option<Box<[[i8; AREA]; 2]>> {
+fn normals_of_tile(floor: &Floor, x: usize, y: usize) -> Option<Box<[[i8; AREA]; 2]>> {
     let mut tile = Box::new([[0; AREA]; 2]);
     for at in 0..AREA {
         let (row, column) = ((y + at / LANES).min(floor.height - 1), (x + at % LANES).min(floor.width - 1));
         [tile[0][at], tile[1][at]] = floor.normals[row * floor.width + column];
     }
-    tile.as_flattened().iter().any(|&lean| lean != 0).then_some(tile)
+    tile.as_flattened().iter().any(|&decode_normals| decode_normals != 0).then_some(tile)
 }
 
 multiversion! {
-    fn lean(tile: &[[i8; AREA]; 2], out: &mut Normals) = lean_lanes;
+    fn decode_normals(tile: &[[i8; AREA]; 2], out: &mut Normals) = decode_normals_lanes;
 }
 
 #[inline(always)]
-fn lean_lanes([across, down]: &[[i8; AREA]; 2], out: &mut Normals) {
+fn decode_normals_lanes([across, down]: &[[i8; AREA]; 2], out: &mut Normals) {
     for row in 0..TILE {
         let (across, down) = (&across[row * LANES..][..LANES], &down[row * LANES..][..LANES]);
         let (out_x, out_y, out_z) = (&mut out.x[row], &mut out.y[row], &mut out.z[row]);
@@ -97,11 +96,11 @@ fn lean_lanes([across, down]: &[[i8; AREA]; 2], out: &mut Normals) {
 }
 
 multiversion! {
-    fn widen(tile: &AlbedoTile, out: &mut RgbTile) = widen_lanes;
+    fn decode_albedo(tile: &AlbedoTile, out: &mut RgbTile) = decode_albedo_lanes;
 }
 
 #[inline(always)]
-fn widen_lanes(tile: &AlbedoTile, out: &mut RgbTile) {
+fn decode_albedo_lanes(tile: &AlbedoTile, out: &mut RgbTile) {
     for (plane, kept) in out.iter_mut().zip(tile) {
         for (line, kept) in plane.iter_mut().zip(kept.as_chunks::<LANES>().0) {
             for i in 0..LANES {

@@ -4,11 +4,10 @@
 //! lit already; rays that go up meet the lamps, or the room that the machine stands in, so that a ball has a bright spot
 //! and a rim even where no lamp reaches it. Scratches turn with the ball.
 
-use crate::film::bloom::{MipLevel, STEP};
-use crate::shading::environment as room;
-use crate::shading::surface::RgbTile;
+use crate::film::bloom::{CELL_PX, MipLevel};
+use crate::shading::environment;
 use crate::simd::dispatch::{SimdLevel, clamp, max};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RgbTile, TILE};
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
 use crate::visibility::scalar;
@@ -65,7 +64,7 @@ pub(crate) struct BallSprite {
     /// The lamps that the ball sees.
     highlights: Vec<Highlight>,
     /// What arrives from them at its middle.
-    arriving: Rgb,
+    irradiance: Rgb,
     /// What may stand before a lamp, and the parts that it hides: room to work in.
     near: PotentialOccluders,
     /// What hangs above it.
@@ -86,7 +85,7 @@ pub(crate) struct TableImage<'a> {
 
 impl BallSprite {
     /// Finds which lamps the ball sees, past what may stand before each of them.
-    pub fn look<'a>(
+    pub fn find_highlights<'a>(
         &mut self,
         simd: SimdLevel,
         ball: &Ball,
@@ -95,16 +94,16 @@ impl BallSprite {
         all: &DiscChains,
     ) {
         self.highlights.clear();
-        self.arriving = [0.0; 3];
+        self.irradiance = [0.0; 3];
         for (lamp, potential_occluders) in lamps {
             let falloff = lamp.falloff(ball.center_mm) as f32;
             if falloff <= 0.0 {
                 continue;
             }
             potential_occluders.narrow(simd, &Shaft::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
-            let met = transmission::met(filters, |group| self.near.group.contains(&group));
-            let seen = transmission::passed(met.as_slice(), |away| {
-                let mut without = [ball.group; transmission::MOST + 1];
+            let met = transmission::on_path(filters, |group| self.near.group.contains(&group));
+            let seen = transmission::transmitted(met.as_slice(), |away| {
+                let mut without = [ball.group; transmission::MAX_FILTERS + 1];
                 without[1..=away.len()].copy_from_slice(away);
                 let (without, place) = (&without[..=away.len()], ball.center_mm);
                 scalar::visible_fraction_of(all, &self.near, lamp, place, without, &mut self.intervals)
@@ -113,7 +112,7 @@ impl BallSprite {
                 self.highlights.push(Highlight::new(lamp, ball, seen));
             }
             for channel in 0..3 {
-                self.arriving[channel] += lamp.color[channel] * falloff * seen[channel] as f32;
+                self.irradiance[channel] += lamp.color[channel] * falloff * seen[channel] as f32;
             }
         }
     }
@@ -137,12 +136,12 @@ impl BallSprite {
         self.overhangs.clear();
         self.overhangs.extend(table.overhangs.iter().filter(|overhang| ball.below && overhang.is_near(ball)));
         let overhangs = &self.overhangs;
-        let mirror = Mirror { ball, table, highlights: &self.highlights, arriving: self.arriving };
+        let shader = MirrorShader { ball, table, highlights: &self.highlights, irradiance: self.irradiance };
         let (x, y) = (self.x, self.y);
         self.pixels.par_chunks_mut(self.width).with_min_len(4).enumerate().for_each(|(row, pixels)| {
             for (column, pixel) in pixels.iter_mut().enumerate() {
                 let point = view.table_from_pixel(x + column, y + row);
-                *pixel = mirror.pixel(point);
+                *pixel = shader.pixel(point);
                 overhangs.iter().for_each(|overhang| pixel[3] *= overhang.passes_at(point, view.mm_per_px));
             }
         });
@@ -174,11 +173,11 @@ impl BallSprite {
     /// Puts the ball into the means of the picture's cells: rows of cells without the upper border.
     pub fn blend_means(&self, level: &MipLevel, planes: [&mut [f32]; 3]) {
         for (row, pixels) in self.pixels.chunks(self.width.max(1)).enumerate() {
-            let line = (self.y + row) / STEP * level.stride + 1;
+            let line = (self.y + row) / CELL_PX * level.stride + 1;
             for (column, pixel) in pixels.iter().enumerate() {
                 // A pixel is a sixteenth of its cell; pixel after pixel, what is there gives way.
-                let part = pixel[3] * (1.0 / (STEP * STEP) as f32);
-                let at = line + (self.x + column) / STEP;
+                let part = pixel[3] * (1.0 / (CELL_PX * CELL_PX) as f32);
+                let at = line + (self.x + column) / CELL_PX;
                 for channel in 0..3 {
                     planes[channel][at] += (pixel[channel] - planes[channel][at]) * part;
                 }
@@ -187,14 +186,14 @@ impl BallSprite {
     }
 }
 
-struct Mirror<'a> {
+struct MirrorShader<'a> {
     ball: &'a Ball,
     table: TableImage<'a>,
     highlights: &'a [Highlight],
-    arriving: Rgb,
+    irradiance: Rgb,
 }
 
-impl Mirror<'_> {
+impl MirrorShader<'_> {
     /// Light and coverage at a point of the table.
     fn pixel(&self, point_mm: DVec2) -> [f32; 4] {
         let radius = self.ball.radius_mm;
@@ -219,8 +218,8 @@ impl Mirror<'_> {
         let mut pixel = [0.0, 0.0, 0.0, coverage];
         for channel in 0..3 {
             let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
-            let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
-            let rim = 0.20 * grazing * (1.0 + self.arriving[channel]);
+            let matt = 0.25 * (self.irradiance[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
+            let rim = 0.20 * grazing * (1.0 + self.irradiance[channel]);
             pixel[channel] = light[channel] * mirrors * (1.0 - 0.8 * scratch) + matt * scratch * nz + rim;
         }
         pixel
@@ -229,7 +228,7 @@ impl Mirror<'_> {
     /// The floor below or the room above, in the direction `out`.
     fn surroundings(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
         // The cabinet's walls throw back some of what falls on the table.
-        let sky = room::seen(out, self.arriving.map(|light| 0.35 * light));
+        let sky = environment::radiance(out, self.irradiance.map(|light| 0.35 * light));
         if out[2] >= -0.02 {
             return sky;
         }
@@ -247,10 +246,10 @@ impl Mirror<'_> {
     /// The light of the floor at a point, between the four nearest cells.
     fn floor(&self, point_mm: DVec2) -> Rgb {
         let TableImage { view, level, planes, .. } = self.table;
-        let place = view.screen_from_table(point_mm) * (1.0 / STEP as f64) - DVec2::splat(0.5);
+        let place = view.screen_from_table(point_mm) * (1.0 / CELL_PX as f64) - DVec2::splat(0.5);
         let (right, bottom) = ((level.width - 1) as f64, (level.height - 1) as f64);
         let outside = (-place.x).max(place.x - right).max(-place.y).max(place.y - bottom).max(0.0);
-        let fade = (1.0 - outside * STEP as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
+        let fade = (1.0 - outside * CELL_PX as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
         let (x, y) = (place.x.clamp(0.0, right), place.y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
         let (across, down) = ((x - left as f64) as f32, (y - top as f64) as f32);

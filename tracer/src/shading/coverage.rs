@@ -1,7 +1,8 @@
 //! How much of each pixel of a tile the outline of a top covers, and which way its edge looks.
 
 use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 use crate::{Outline, Profile, Top};
 use geometry::{Bounds, Circle, Core, DVec2, Shape, Taper};
 
@@ -90,7 +91,7 @@ impl OutlineSdf {
 
     /// Finds distance and direction for the points of a whole tile round `middle_mm`. Beyond `margin_mm` from the
     /// outline only the side is right.
-    pub fn measure(
+    pub fn evaluate(
         &self,
         simd: SimdLevel,
         points: &PackedSamples,

@@ -4,10 +4,11 @@ use crate::shading::albedo_map::Albedo;
 use crate::shading::coverage::SignedDistance;
 use crate::shading::surface::Surface;
 use crate::simd::dispatch::{LANES, clamp, max};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 
 /// Below this much of a pixel, nobody sees it.
-pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
+pub(crate) const MIN_COVERAGE: f32 = 1.0 / 1024.0;
 
 /// The part of one top that a tile shows.
 pub(crate) struct TopLayer {
@@ -34,7 +35,7 @@ impl TopLayer {
                 let distance = edge.distance[row][i];
                 let coverage = clamp(0.5 - distance * per_mm, 0.0, 1.0) * opacity;
                 let rest = remaining[row][i];
-                if coverage * rest < UNSEEN {
+                if coverage * rest < MIN_COVERAGE {
                     continue;
                 }
                 remaining[row][i] = rest * (1.0 - coverage);
@@ -53,7 +54,7 @@ impl TopLayer {
     }
 
     /// Packs the art at the layer's points: white where nothing is printed.
-    pub fn take_print(&mut self, printed: &Albedo) {
+    pub fn pack_print(&mut self, printed: &Albedo) {
         self.printed = true;
         for point in 0..self.points.count {
             let pixel = usize::from(self.points.pixel[point]);

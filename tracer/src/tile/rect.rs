@@ -1,6 +1,6 @@
 //! Where a tile is: on the screen, and on the table.
 
-use crate::tile::packed_samples::{Plane, TILE};
+use crate::tile::planes::{Plane, TILE};
 use crate::{Lamp, Mask, View};
 use geometry::{Bounds, DVec2};
 
@@ -20,7 +20,7 @@ pub(crate) struct TileRect {
     /// A box around it, mm.
     pub bounds: Bounds,
     /// How many of its columns and rows are in the picture.
-    pub inside: (usize, usize),
+    pub visible_px: (usize, usize),
 }
 
 impl TileRect {
@@ -38,14 +38,14 @@ impl TileRect {
             half_mm,
             radius_mm,
             bounds,
-            inside: (TILE.min(view.width - x), TILE.min(view.height - y)),
+            visible_px: (TILE.min(view.width - x), TILE.min(view.height - y)),
         }
     }
 
     /// Beyond the picture's edge a tile shows what is at the edge, so that the glare there is the picture's own.
     pub fn clamp_to_edge(&self, planes: &mut [&mut Plane]) {
-        let (columns, rows) = self.inside;
-        if self.is_whole() {
+        let (columns, rows) = self.visible_px;
+        if self.is_unclipped() {
             return;
         }
         for plane in planes {
@@ -58,8 +58,8 @@ impl TileRect {
     }
 
     /// Whether all of it is in the picture.
-    pub fn is_whole(&self) -> bool {
-        self.inside == (TILE, TILE)
+    pub fn is_unclipped(&self) -> bool {
+        self.visible_px == (TILE, TILE)
     }
 
     /// Whether a lamp's light may come here.

@@ -12,7 +12,8 @@
 //! larger ones by up to a sixtieth.
 
 use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
-use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
 use crate::tile::rect::TileRect;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Ball, Group, Lamp};
@@ -22,10 +23,10 @@ use lines::{Lines, View};
 mod lines;
 
 /// Into how many strips a lamp's disc is cut.
-const STRIPS: usize = 16;
+const DISC_STRIPS: usize = 16;
 
 /// Less of a lamp is nothing.
-const UNSEEN: f32 = 1e-6;
+const MIN_VISIBLE: f32 = 1e-6;
 
 /// A ball that may hide a lamp.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +67,7 @@ struct Sizes {
 enum Shape {
     Point,
     /// How far each strip of a disc is from its middle, half of its length, and what a millimetre of it counts.
-    Disc([[f32; 3]; STRIPS]),
+    Disc([[f32; 3]; DISC_STRIPS]),
     /// The unit vector along a segment, and the square of its height.
     Tube([f32; 2], f32),
 }
@@ -97,7 +98,7 @@ impl AirborneShadow {
             None if lamp.radius_mm() == 0.0 => Shape::Point,
             None => Shape::Disc(strips(lamp.radius_mm())),
         };
-        let bounds = ShadowBounds::of_floating(lamp, ball);
+        let bounds = ShadowBounds::of_airborne(lamp, ball);
         AirborneShadow { group: ball.group, bounds, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
     }
 
@@ -105,22 +106,22 @@ impl AirborneShadow {
     pub fn attenuate(
         &self,
         simd: SimdLevel,
-        place: &TileRect,
+        rect: &TileRect,
         points: &PackedSamples,
         blocks: u16,
         fraction: &mut Plane,
     ) {
-        let narrow = |at: DVec2| [(at.x - place.middle_mm.x) as f32, (at.y - place.middle_mm.y) as f32];
+        let narrow = |at: DVec2| [(at.x - rect.middle_mm.x) as f32, (at.y - rect.middle_mm.y) as f32];
         let (ball, lamp) = (narrow(self.ball_mm), narrow(self.lamp_mm));
         attenuate(simd, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
     }
 }
 
-fn strips(radius: f64) -> [[f32; 3]; STRIPS] {
-    let step = std::f64::consts::PI / (STRIPS + 1) as f64;
+fn strips(radius: f64) -> [[f32; 3]; DISC_STRIPS] {
+    let step = std::f64::consts::PI / (DISC_STRIPS + 1) as f64;
     std::array::from_fn(|strip| {
         let (sin, cos) = trig::sin_cos(step * (strip + 1) as f64);
-        let weight = 2.0 * sin * sin / (STRIPS + 1) as f64;
+        let weight = 2.0 * sin * sin / (DISC_STRIPS + 1) as f64;
         [radius * cos, radius * sin, weight / (2.0 * radius * sin)].map(|number| number as f32)
     })
 }
@@ -174,7 +175,7 @@ fn attenuate_lanes(
         let seen = &mut fraction[block];
         for i in 0..LANES {
             let open = clamp(1.0 - hidden[i], 0.0, 1.0);
-            seen[i] *= if open < UNSEEN { 0.0 } else { open };
+            seen[i] *= if open < MIN_VISIBLE { 0.0 } else { open };
         }
     }
 }

@@ -78,12 +78,12 @@ pub(crate) enum VisibilityClass {
 }
 
 impl Blockers {
-    /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
+    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
     /// groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
-        near: &PotentialOccluders,
-        all: &DiscChains,
+        occluders: &PotentialOccluders,
+        chains: &DiscChains,
         middle_mm: DVec2,
         axis: DVec2,
         without: &[Group],
@@ -92,42 +92,42 @@ impl Blockers {
         self.ends.clear();
         self.pieces.clear();
         self.hidden_by = None;
-        let place = TileFrame { all, middle_mm, axis };
+        let place = TileFrame { chains, middle_mm, axis };
         let mut chain = 0u16;
-        for at in 0..near.len() {
-            let counts = near.counts(at) && !without.contains(&near.group[at]);
-            let alone = near.link[at] == Link::Start;
+        for at in 0..occluders.len() {
+            let counts = occluders.counts(at) && !without.contains(&occluders.group[at]);
+            let alone = occluders.link[at] == Link::Start;
             let before = if alone { at } else { at - 1 };
-            let codes = (near.code[before], near.code[at]);
+            let codes = (occluders.code[before], occluders.code[at]);
             let easy = counts && codes.0 & codes.1 & BETWEEN != 0;
             let open = self.ends.last().copied().unwrap_or(0) < self.elements.len();
             if open && (!easy || alone) {
                 if dark(chain) {
-                    self.hidden_by = Some(near.group[at - 1]);
+                    self.hidden_by = Some(occluders.group[at - 1]);
                     return VisibilityClass::Umbra;
                 }
                 self.ends.push(self.elements.len());
             }
             if easy {
                 if self.ends.last().copied().unwrap_or(0) == self.elements.len() {
-                    self.elements.push(Element::Disc(place.disc(near.index[before] as usize)));
+                    self.elements.push(Element::Disc(place.disc(occluders.index[before] as usize)));
                     chain = codes.0;
                 }
                 if !alone {
-                    if let Link::Bulge(bulge) = near.link[at] {
-                        self.elements.push(Element::Bulge(place.cap(&all.bulges[bulge as usize])));
+                    if let Link::Bulge(bulge) = occluders.link[at] {
+                        self.elements.push(Element::Bulge(place.cap(&chains.bulges[bulge as usize])));
                     }
-                    self.elements.push(Element::Disc(place.disc(near.index[at] as usize)));
+                    self.elements.push(Element::Disc(place.disc(occluders.index[at] as usize)));
                     chain |= codes.1;
                 }
             } else if counts {
                 let clipped = codes.0 & codes.1 & BEFORE_LAMP == 0;
-                place.push_pieces(near, before, at, clipped, &mut self.pieces);
+                place.push_pieces(occluders, before, at, clipped, &mut self.pieces);
             }
         }
         if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
             if dark(chain) {
-                self.hidden_by = near.group.last().copied();
+                self.hidden_by = occluders.group.last().copied();
                 return VisibilityClass::Umbra;
             }
             self.ends.push(self.elements.len());
@@ -148,7 +148,7 @@ fn dark(chain: u16) -> bool {
 
 /// Brings things from the table into a tile's coordinates.
 struct TileFrame<'a> {
-    all: &'a DiscChains,
+    chains: &'a DiscChains,
     middle_mm: DVec2,
     axis: DVec2,
 }
@@ -164,7 +164,7 @@ impl TileFrame<'_> {
     }
 
     fn disc(&self, index: usize) -> [f32; 3] {
-        let disc = &self.all.discs[index];
+        let disc = &self.chains.discs[index];
         self.circle(Circle { center: disc.center, radius: disc.radius })
     }
 
@@ -177,21 +177,28 @@ impl TileFrame<'_> {
         }
     }
 
-    fn push_pieces(&self, near: &PotentialOccluders, before: usize, at: usize, clipped: bool, pieces: &mut Vec<Piece>) {
+    fn push_pieces(
+        &self,
+        occluders: &PotentialOccluders,
+        before: usize,
+        at: usize,
+        clipped: bool,
+        pieces: &mut Vec<Piece>,
+    ) {
         let circle = |at: usize| {
-            let disc = &self.all.discs[near.index[at] as usize];
+            let disc = &self.chains.discs[occluders.index[at] as usize];
             Circle { center: disc.center, radius: disc.radius }
         };
-        let Link::Bulge(bulge) = near.link[at] else {
+        let Link::Bulge(bulge) = occluders.link[at] else {
             return pieces.push(self.piece(circle(before), circle(at), None, clipped));
         };
-        let bulge = &self.all.bulges[bulge as usize];
+        let bulge = &self.chains.bulges[bulge as usize];
         if bulge.fine.is_empty() {
             return pieces.push(self.piece(circle(before), circle(at), Some(bulge), clipped));
         }
-        for ends in self.all.discs[bulge.fine.clone()].windows(2) {
+        for ends in self.chains.discs[bulge.fine.clone()].windows(2) {
             let Link::Bulge(part) = ends[1].link else { continue };
-            let part = &self.all.bulges[part as usize];
+            let part = &self.chains.bulges[part as usize];
             let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
             pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(part), clipped));
         }

@@ -6,7 +6,7 @@
 use crate::simd::dispatch::SimdLevel;
 use crate::visibility::disc_chain::{DiscChains, Link};
 pub(crate) use crate::visibility::shaft::Shaft;
-use crate::visibility::shaft::{ASIDE, BETWEEN, Discs, MARGIN_MM, OUTSIDE};
+use crate::visibility::shaft::{ASIDE, BETWEEN, Discs, OUTSIDE, SHAFT_MARGIN_MM};
 use crate::{Group, Lamp};
 use geometry::Segment;
 
@@ -50,37 +50,38 @@ impl PotentialOccluders {
     }
 
     /// Everything that can come between `lamp` and what it reaches.
-    pub fn set(&mut self, lamp: &Lamp, all: &DiscChains) {
+    pub fn set(&mut self, lamp: &Lamp, chains: &DiscChains) {
         self.clear();
         let mut open = false;
-        for (at, disc) in all.discs[..all.coarse].iter().enumerate() {
+        for (at, disc) in chains.discs[..chains.coarse].iter().enumerate() {
             let follows = disc.link != Link::Start;
-            let alone = !follows && all.discs[..all.coarse].get(at + 1).is_none_or(|next| next.link == Link::Start);
+            let alone =
+                !follows && chains.discs[..chains.coarse].get(at + 1).is_none_or(|next| next.link == Link::Start);
             let before = if follows { at - 1 } else { at };
             let near = || {
-                let core = Segment { a: all.discs[before].center, b: disc.center };
-                let thick = outer_radius(all, before).max(outer_radius(all, at));
-                let reach = lamp.reach_mm + thick + lamp.radius_mm() + f64::from(MARGIN_MM);
+                let core = Segment { a: chains.discs[before].center, b: disc.center };
+                let thick = outer_radius(chains, before).max(outer_radius(chains, at));
+                let reach = lamp.reach_mm + thick + lamp.radius_mm() + f64::from(SHAFT_MARGIN_MM);
                 core.closest(lamp.center_mm).distance_squared(lamp.center_mm) <= reach * reach
             };
             let counts = (alone || follows) && Some(disc.group) != lamp.inside && near();
             if counts && follows && !open {
-                self.push(lamp, all, before, Link::Start);
+                self.push(lamp, chains, before, Link::Start);
             }
             if counts {
-                self.push(lamp, all, at, disc.link);
+                self.push(lamp, chains, at, disc.link);
             }
             open = counts && follows;
         }
     }
 
-    fn push(&mut self, lamp: &Lamp, all: &DiscChains, at: usize, link: Link) {
-        let disc = &all.discs[at];
+    fn push(&mut self, lamp: &Lamp, chains: &DiscChains, at: usize, link: Link) {
+        let disc = &chains.discs[at];
         let from_lamp = disc.center - lamp.center_mm;
         self.x.push(from_lamp.x as f32);
         self.y.push(from_lamp.y as f32);
-        self.outer.push(outer_radius(all, at) as f32 + MARGIN_MM);
-        self.inner.push(disc.radius as f32 - MARGIN_MM);
+        self.outer.push(outer_radius(chains, at) as f32 + SHAFT_MARGIN_MM);
+        self.inner.push(disc.radius as f32 - SHAFT_MARGIN_MM);
         self.link.push(link);
         self.group.push(disc.group);
         self.index.push(at as u32);
@@ -139,10 +140,10 @@ impl PotentialOccluders {
             if counts {
                 let between = follows && narrower.wider_code[at - 1] & narrower.wider_code[at] & BETWEEN != 0;
                 match (self.link[at], finer) {
-                    (Link::Bulge(bulge), Some((lamp, all))) if !between => {
-                        let fine = all.bulges[bulge as usize].fine.clone();
+                    (Link::Bulge(bulge), Some((lamp, chains))) if !between => {
+                        let fine = chains.bulges[bulge as usize].fine.clone();
                         for at in fine.skip(1) {
-                            narrower.push(lamp, all, at, all.discs[at].link);
+                            narrower.push(lamp, chains, at, chains.discs[at].link);
                         }
                     }
                     (link, _) => narrower.copy(self, at, link),
@@ -164,10 +165,10 @@ impl PotentialOccluders {
 }
 
 /// The radius of a disc, with the bulges of both of its links.
-fn outer_radius(all: &DiscChains, at: usize) -> f64 {
-    let bulge = |at: usize| match all.discs.get(at).map(|disc| disc.link) {
-        Some(Link::Bulge(bulge)) => all.bulges[bulge as usize].sagitta_mm,
+fn outer_radius(chains: &DiscChains, at: usize) -> f64 {
+    let bulge = |at: usize| match chains.discs.get(at).map(|disc| disc.link) {
+        Some(Link::Bulge(bulge)) => chains.bulges[bulge as usize].sagitta_mm,
         _ => 0.0,
     };
-    all.discs[at].radius + bulge(at).max(bulge(at + 1))
+    chains.discs[at].radius + bulge(at).max(bulge(at + 1))
 }

@@ -13,7 +13,7 @@ use geometry::{Circle, DVec2, Taper, trig};
 const TOUCHING_MM: f64 = 1e-9;
 
 /// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
-const PARTS: u32 = 32;
+const ARC_PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; what is of the group `exclude` casts no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb {
@@ -25,8 +25,8 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
             potential_occluders.set(lamp, &disc_chains);
-            let met = transmission::met(&scene.filters, |group| potential_occluders.group.contains(&group));
-            let seen = transmission::passed(met.as_slice(), |removed| {
+            let met = transmission::on_path(&scene.filters, |group| potential_occluders.group.contains(&group));
+            let seen = transmission::transmitted(met.as_slice(), |removed| {
                 let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
                 visible_fraction_of(&disc_chains, &potential_occluders, lamp, point_mm, &without, &mut Vec::new())
             });
@@ -41,7 +41,7 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
 
 /// How much of `lamp` the point sees past `potential_occluders`, but for some groups; `intervals` is room to work in.
 pub(crate) fn visible_fraction_of(
-    all: &DiscChains,
+    chains: &DiscChains,
     potential_occluders: &PotentialOccluders,
     lamp: &Lamp,
     point: DVec2,
@@ -55,17 +55,17 @@ pub(crate) fn visible_fraction_of(
             continue;
         }
         let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
-        let here = circle(&all.discs[potential_occluders.index[at] as usize]);
+        let here = circle(&chains.discs[potential_occluders.index[at] as usize]);
         match potential_occluders.link[at] {
             Link::Start => intervals.extend(chord.covered(here, here)),
             Link::Straight => {
-                intervals.extend(chord.covered(circle(&all.discs[potential_occluders.index[at - 1] as usize]), here))
+                intervals.extend(chord.covered(circle(&chains.discs[potential_occluders.index[at - 1] as usize]), here))
             }
             Link::Bulge(bulge) => {
-                for ends in all.discs[all.bulges[bulge as usize].fine.clone()].windows(2) {
+                for ends in chains.discs[chains.bulges[bulge as usize].fine.clone()].windows(2) {
                     let Link::Bulge(part) = ends[1].link else { continue };
                     let ends = [circle(&ends[0]), circle(&ends[1])];
-                    chord.cover_arc(ends, &all.bulges[part as usize], intervals);
+                    chord.cover_arc(ends, &chains.bulges[part as usize], intervals);
                 }
             }
         }
@@ -132,7 +132,7 @@ impl Chord {
         let thick = ends[0].radius + bulge.sagitta_mm;
         let [near, far] = [ahead(&ends[0]), ahead(&ends[1])];
         let crosses = near.min(far) - thick < self.distance && near.max(far) + thick > self.distance;
-        let parts = if crosses { PARTS } else { 1 };
+        let parts = if crosses { ARC_PARTS } else { 1 };
         let center = bulge.outer.center;
         let [from, to] = ends.map(|disc| disc.center - center);
         let angle = libm::acos(bulge.cos_half.min(1.0)) * 2.0 / f64::from(parts);

@@ -5,27 +5,21 @@
 //! side.
 
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RowMask, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::{Disc, DiscChains, Link};
-use crate::visibility::shaft::MARGIN_MM;
+use crate::visibility::shaft::SHAFT_MARGIN_MM;
 use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
 
-/// Rows of a tile, one bit each, the topmost in the lowest.
-pub(crate) type RowMask = u16;
-
-/// Every row.
-pub(crate) const ALL_ROWS: RowMask = !0;
-
 /// Lines that are kept of one thing.
-const MOST: usize = 4;
+const MAX_LINES: usize = 4;
 
 /// Things of more discs are taken to shadow everything.
-const MOST_DISCS: usize = 8;
+const MAX_DISCS: usize = 8;
 
 /// Room for rounding in what a floating ball hides, mm.
-const FLOATING_MARGIN_MM: f64 = 0.05;
+const AIRBORNE_MARGIN_MM: f64 = 0.05;
 
 /// A thing is where `normal . x <= offset`, the lamp where it is more.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +33,7 @@ struct Line {
 pub(crate) struct ShadowBounds {
     /// What the thing belongs to.
     pub group: Group,
-    lines: [Option<Line>; MOST],
+    lines: [Option<Line>; MAX_LINES],
 }
 
 impl ShadowBounds {
@@ -52,15 +46,15 @@ impl ShadowBounds {
     }
 
     fn of(lamp: &Lamp, things: &DiscChains, chain: &[Disc]) -> ShadowBounds {
-        let mut bounds = ShadowBounds { group: chain[0].group, lines: [None; MOST] };
-        if chain.len() > MOST_DISCS {
+        let mut bounds = ShadowBounds { group: chain[0].group, lines: [None; MAX_LINES] };
+        if chain.len() > MAX_DISCS {
             return bounds;
         }
         let swell = |disc: &Disc| match disc.link {
             Link::Bulge(bulge) => things.bulges[bulge as usize].sagitta_mm,
             _ => 0.0,
         };
-        let swell = chain.iter().map(swell).fold(0.0, f64::max) + f64::from(MARGIN_MM);
+        let swell = chain.iter().map(swell).fold(0.0, f64::max) + f64::from(SHAFT_MARGIN_MM);
         let half = lamp.tube().unwrap_or(DVec2::ZERO);
         let lamp_radius = if lamp.tube().is_some() { 0.0 } else { lamp.radius_mm() };
         let mut room = bounds.lines.iter_mut();
@@ -94,8 +88,8 @@ impl ShadowBounds {
 
     /// That of a ball that floats: of one that is all below the lamp a box round its shadow, else what the shadow of a
     /// column would be, since whatever meets the ball meets the column.
-    pub fn of_floating(lamp: &Lamp, ball: &Ball) -> ShadowBounds {
-        let (height, radius) = (lamp.height_mm(), ball.radius_mm + FLOATING_MARGIN_MM);
+    pub fn of_airborne(lamp: &Lamp, ball: &Ball) -> ShadowBounds {
+        let (height, radius) = (lamp.height_mm(), ball.radius_mm + AIRBORNE_MARGIN_MM);
         let below = height - (ball.radius_mm + ball.lift_mm());
         let (group, link) = (ball.group, Link::Start);
         if below <= 1.01 * radius {
@@ -110,7 +104,7 @@ impl ShadowBounds {
             // Seen along the floor the ball is a circle, and the last ray that it stops its tangent.
             let off = normal.dot(from_lamp) + room;
             let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
-            let margin = FLOATING_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
+            let margin = AIRBORNE_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
             Some(Line { normal, offset: normal.dot(lamp.center_mm) + far - room + margin })
         };
         ShadowBounds { group, lines: [ahead, -ahead, ahead.perp(), -ahead.perp()].map(line) }
@@ -126,15 +120,15 @@ impl ShadowBounds {
     }
 
     /// The rows of pixels of a tile that it may fall on.
-    pub fn rows(&self, place: &TileRect, mm_per_px: f64) -> RowMask {
+    pub fn rows(&self, rect: &TileRect, mm_per_px: f64) -> RowMask {
         let mut clear = [false; LANES];
         for line in self.lines.iter().flatten() {
             let half = (TILE as f64 - 1.0) * 0.5;
             let across = half * mm_per_px * line.normal.x.abs();
-            let first = line.normal.dot(place.middle_mm) - half * mm_per_px * line.normal.y - across - line.offset;
+            let first = line.normal.dot(rect.middle_mm) - half * mm_per_px * line.normal.y - across - line.offset;
             let (first, step) = (first as f32, (line.normal.y * mm_per_px) as f32);
             for row in 0..LANES {
-                clear[row] |= first + step * row as f32 > MARGIN_MM;
+                clear[row] |= first + step * row as f32 > SHAFT_MARGIN_MM;
             }
         }
         clear.iter().rev().fold(0, |rows, &clear| rows << 1 | RowMask::from(!clear))
@@ -146,6 +140,7 @@ mod tests {
     use super::*;
     use crate::scenes::{Random, any_shape};
     use crate::tile::packed_samples::PackedSamples;
+    use crate::tile::planes::ALL_ROWS;
     use crate::visibility::airborne_shadow::AirborneShadow;
     use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;
@@ -182,13 +177,13 @@ mod tests {
             };
             let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
             let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
-            let place = TileRect::new(&view, 0, 0);
-            let bounds = ShadowBounds::of_floating(&lamp, &ball);
-            let reaches = bounds.may_reach(place.middle_mm, place.half_mm);
-            let rows = if reaches { bounds.rows(&place, view.mm_per_px) } else { 0 };
-            let points = PackedSamples::whole_tile(view.mm_per_px);
+            let rect = TileRect::new(&view, 0, 0);
+            let bounds = ShadowBounds::of_airborne(&lamp, &ball);
+            let reaches = bounds.may_reach(rect.middle_mm, rect.half_mm);
+            let rows = if reaches { bounds.rows(&rect, view.mm_per_px) } else { 0 };
+            let points = PackedSamples::full_tile(view.mm_per_px);
             let mut fraction = [[1.0; LANES]; TILE];
-            AirborneShadow::new(&lamp, &ball).attenuate(SimdLevel::best(), &place, &points, ALL_ROWS, &mut fraction);
+            AirborneShadow::new(&lamp, &ball).attenuate(SimdLevel::best(), &rect, &points, ALL_ROWS, &mut fraction);
             for (row, column) in (0..TILE).flat_map(|row| [0, 5, 10, 15].map(|column| (row, column))) {
                 let point = view.origin_mm + (DVec2::new(column as f64, row as f64) + 0.5) * view.mm_per_px;
                 let seen = sphere_shadow::unoccluded_fraction(&[ball], &lamp, point, None);
@@ -212,14 +207,14 @@ mod tests {
             let occluder = Occluder::opaque(ItemId(0), any_shape(&mut random, size, round), Group(1));
             let view =
                 View { origin_mm: random.within(size), mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
-            let place = TileRect::new(&view, 0, 0);
+            let rect = TileRect::new(&view, 0, 0);
             let mut disc_chains = DiscChains::default();
             disc_chains.set(&[occluder]);
             let (mut shadow_bounds, mut potential_occluders) = (Vec::new(), PotentialOccluders::default());
             ShadowBounds::of_all(&lamp, &disc_chains, &mut shadow_bounds);
             potential_occluders.set(&lamp, &disc_chains);
-            let reaching = shadow_bounds.iter().filter(|bounds| bounds.may_reach(place.middle_mm, place.half_mm));
-            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(&place, view.mm_per_px));
+            let reaching = shadow_bounds.iter().filter(|bounds| bounds.may_reach(rect.middle_mm, rect.half_mm));
+            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(&rect, view.mm_per_px));
             for (row, column) in (0..TILE).flat_map(|row| [0, 5, 10, 15].map(|column| (row, column))) {
                 let point = view.origin_mm + (DVec2::new(column as f64, row as f64) + 0.5) * view.mm_per_px;
                 let seen =

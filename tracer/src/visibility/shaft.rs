@@ -7,7 +7,7 @@ use crate::simd::dispatch::{SimdLevel, max, multiversion};
 use geometry::DVec2;
 
 /// Room for rounding in single precision, mm.
-pub(crate) const MARGIN_MM: f32 = 2e-3;
+pub(crate) const SHAFT_MARGIN_MM: f32 = 2e-3;
 
 /// The disc lies beyond one side of the space between tile and lamp.
 const BEYOND_LEFT: u16 = 1;
@@ -83,7 +83,7 @@ impl Shaft {
         let tube = lamp.tube().map(|half| {
             let across = half.perp() / half.length();
             let normal = if across.dot(tile) < 0.0 { -across } else { across };
-            let gap = (normal.dot(tile) - radius_mm) as f32 - MARGIN_MM;
+            let gap = (normal.dot(tile) - radius_mm) as f32 - SHAFT_MARGIN_MM;
             Tube { half: narrow(half), normal: narrow(normal), gap }
         });
         Shaft {
@@ -113,7 +113,7 @@ fn sides(lamp: DVec2, lamp_radius: f64, tile: DVec2, radius: f64) -> [Side; 2] {
     let from_lamp = tile - lamp;
     let distance = from_lamp.length();
     let widen = radius - lamp_radius;
-    if distance > widen.abs() + f64::from(MARGIN_MM) {
+    if distance > widen.abs() + f64::from(SHAFT_MARGIN_MM) {
         let lean = from_lamp * (-widen / (distance * distance));
         let across = from_lamp.perp() * ((distance * distance - widen * widen).sqrt() / (distance * distance));
         [lean + across, lean - across].map(|normal| (normal, normal.dot(lamp) + lamp_radius))

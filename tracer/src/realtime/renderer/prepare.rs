@@ -3,11 +3,12 @@
 
 use super::Renderer;
 use crate::Scene;
-use crate::cache::frame_history::{MOST_GLOWS, MOST_LAMPS};
+use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
 use crate::realtime::schedule::BLOCK;
 use crate::realtime::tile_renderer::Lit;
-use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::TILE;
 use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::visibility::sphere_shadow::occluding_balls;
@@ -22,15 +23,15 @@ impl Renderer {
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);
         let count = self.prepare_lamps(scene);
-        let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
+        let remembered = count <= MAX_LAMPS && scene.glows.len() <= MAX_GLOWS;
         if remembered {
             self.number_lamps();
         }
         self.tops.turn_page(&scene.tops, &mut self.past.moved_tops, &mut self.changes.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
-        if self.whole_tile.0 != scene.view.mm_per_px {
-            self.whole_tile = (scene.view.mm_per_px, PackedSamples::whole_tile(scene.view.mm_per_px));
+        if self.full_tile.0 != scene.view.mm_per_px {
+            self.full_tile = (scene.view.mm_per_px, PackedSamples::full_tile(scene.view.mm_per_px));
         }
         if self.changes.repainted {
             self.art.set(self.simd, scene);
@@ -73,12 +74,12 @@ impl Renderer {
             lit.potential_occluders.set(&lit.lamp, disc_chains);
             lit.things.set(&known.moved);
             ShadowBounds::of_all(&lit.lamp, &lit.things, &mut lit.moved);
-            lit.floating.clear();
-            lit.floating.extend(
+            lit.airborne.clear();
+            lit.airborne.extend(
                 occluding_balls(&scene.balls, &lit.lamp, None).map(|ball| AirborneShadow::new(&lit.lamp, ball)),
             );
-            let floated = occluding_balls(&known.floated, &lit.lamp, None);
-            lit.moved.extend(floated.map(|ball| ShadowBounds::of_floating(&lit.lamp, ball)));
+            let moved_balls = occluding_balls(&known.moved_balls, &lit.lamp, None);
+            lit.moved.extend(moved_balls.map(|ball| ShadowBounds::of_airborne(&lit.lamp, ball)));
         });
         count
     }

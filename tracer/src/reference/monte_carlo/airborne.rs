@@ -11,10 +11,10 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 impl Rays {
     /// How much of a lamp floating balls leave, but for those of a group: rays in space to places all over the lamp.
     pub fn unoccluded_fraction(&self, balls: &[Ball], lamp: &Lamp, without: Option<Group>) -> f64 {
-        sphere_shadow::occluding_balls(balls, lamp, without).map(|ball| self.past(ball, lamp)).product()
+        sphere_shadow::occluding_balls(balls, lamp, without).map(|ball| self.behind(ball, lamp)).product()
     }
 
-    fn past(&self, ball: &Ball, lamp: &Lamp) -> f64 {
+    fn behind(&self, ball: &Ball, lamp: &Lamp) -> f64 {
         let sphere = Sphere::new(ball, self.point);
         let place = |target: DVec2| [target.x - self.point.x, target.y - self.point.y, lamp.height_mm()];
         if !sphere.may_hide(place(lamp.center_mm), lamp.radius_mm()) {

@@ -10,12 +10,11 @@ use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Name, Near, Rays};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::BLACK;
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, Plane, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
-use crate::visibility::shadow_bounds::ALL_ROWS;
 use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
 use geometry::DVec2;
 
@@ -36,7 +35,7 @@ impl Renderer {
         self.render_monte_carlo(scene, sampling, &mut radiance);
         film.resize(radiance.width(), radiance.height());
         tone_map::map(&radiance, exposure, &mut film.frame);
-        film.drawn = None;
+        film.source = None;
     }
 }
 
@@ -76,7 +75,7 @@ impl Workspace {
         let beam = Falloff::new(&lit.lamp, place.middle_mm);
         let view = Look { sampling, stage, lit, place };
         if self.whole || self.floor.count > 0 {
-            let points = if self.whole { stage.whole_tile } else { &self.floor };
+            let points = if self.whole { stage.full_tile } else { &self.floor };
             for (fraction, channels) in view.seen(points, None).planes() {
                 self.light_floor(stage, beam, ALL_ROWS);
                 self.fraction = *fraction;
