@@ -1,103 +1,108 @@
-//! The classic race: a room, a lamp in each corner, three circles that move, everything lit anew for each picture.
+//! The shadow race: a well-known exercise in fast 2D shadows, solved in several ways and to the same picture.
 //!
-//! The room is 5 x 5, the circles have radius 1 and never overlap, and a pixel's light is `0.9 / (1 + d^2)` from each
-//! lamp that no circle hides, each lamp in its own colour. The same picture is made in several ways, from literal loops
-//! to whole runs of pixels. Each of them sums red, green and blue as floats and then rounds them to a 32-bit pixel, and
-//! none keeps anything from the picture before. This module knows nothing of the table's light, and lends it nothing.
+//! The scene is 5 x 5 with a point lamp in each corner and three moving circles of radius 1 that never overlap. A pixel's
+//! light is `0.9 / (1 + d^2)` from each lamp that no circle hides, each lamp in its own colour. [`Method`] names the ways
+//! to render it, from literal loops to spans of pixels. Each of them sums red, green and blue as floats and then rounds
+//! them to a 32-bit pixel, and none keeps anything from the frame before.
+//!
+//! The race shares the crate `tracer`'s frames and its SIMD dispatch, and none of its light. [`tracer_scene`] gives the
+//! same scene to the tracer, with lamps of a size.
 
-mod columns;
-mod lane_wise;
+#![allow(clippy::needless_range_loop, reason = "lanes and channels run in step through several arrays")]
+
+mod column_terms;
 mod literal;
-mod moment;
-mod run;
 mod scene;
-mod shadows;
+mod shadow_edges;
+mod simd;
+mod span_shading;
 mod spans;
+mod tracer_scene;
 
-pub use moment::{SIDE, circles};
-pub use scene::room;
+pub use scene::{SIDE, circles};
+pub use tracer_scene::tracer_scene;
 
-use columns::Block;
-use moment::Moment;
+use column_terms::ColumnTerms;
 use rayon::prelude::*;
-use tracer::{Frame, Path};
+use scene::Scene;
+use tracer::{Frame, SimdLevel};
 
-/// Rows that one task makes when all threads work.
+/// Rows that one task renders when all threads work.
 const ROWS: usize = 24;
 
-/// The ways to make the picture.
+/// The ways to render the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Method {
     /// For each pixel, for each lamp, for each circle: does it hide the lamp?
     Literal,
     /// The same question, asked for 16 pixels at a time.
-    LaneWise,
+    Simd,
     /// A circle's shadow on a row of pixels is one interval, so nothing is asked pixel by pixel.
     Spans,
-    /// Sets the same bytes to zero and computes nothing: what no other way can beat.
-    Fill,
+    /// Sets the same bytes to zero and computes nothing: the lower bound.
+    Memset,
 }
 
-impl Way {
-    /// Every way, the slowest first.
-    pub const ALL: [Way; 4] = [Way::Literal, Way::LaneWise, Way::Spans, Way::Fill];
+impl Method {
+    /// Every method, the slowest first.
+    pub const ALL: [Method; 4] = [Method::Literal, Method::Simd, Method::Spans, Method::Memset];
 
     /// A name for tables.
     pub fn name(self) -> &'static str {
         match self {
-            Way::Literal => "literal loops",
-            Way::LaneWise => "SIMD, 16 pixels at a time",
-            Way::Spans => "spans on each scanline",
-            Way::Fill => "memset of the same bytes",
+            Method::Literal => "literal loops",
+            Method::Simd => "SIMD, 16 pixels at a time",
+            Method::Spans => "spans on each scanline",
+            Method::Memset => "memset of the same bytes",
         }
     }
 }
 
-/// Who makes the picture.
+/// Who renders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Threads {
-    /// The thread that asks for it.
+    /// The calling thread.
     One,
     /// All of the current rayon pool.
     All,
 }
 
-/// What makes pictures of the room: keep one, and it allocates only when a picture is wider than all before.
+/// Renders the scene. Keep one: it allocates only when a frame is wider than all before.
 #[derive(Clone, Debug)]
-pub struct Room {
-    path: Path,
-    blocks: Vec<Block>,
+pub struct RaceRenderer {
+    level: SimdLevel,
+    columns: Vec<ColumnTerms>,
 }
 
-impl Default for Room {
-    fn default() -> Room {
-        Room::on(Path::best())
+impl Default for RaceRenderer {
+    fn default() -> RaceRenderer {
+        RaceRenderer::on(SimdLevel::best())
     }
 }
 
-impl Room {
-    /// One that uses this instruction set; the bits do not depend on it.
-    pub fn on(path: Path) -> Room {
-        Room { path, blocks: Vec::new() }
+impl RaceRenderer {
+    /// A renderer that uses this instruction set; the bits do not depend on it.
+    pub fn on(level: SimdLevel) -> RaceRenderer {
+        RaceRenderer { level, columns: Vec::new() }
     }
 
-    /// Makes the picture of a moment, as wide and as high as `frame` is.
-    pub fn render(&mut self, way: Way, threads: Threads, seconds: f64, frame: &mut Frame) {
+    /// Renders the scene after `seconds`, as wide and as high as `frame` is.
+    pub fn render(&mut self, method: Method, threads: Threads, seconds: f64, frame: &mut Frame) {
         let (width, height) = (frame.width, frame.height);
         frame.pixels.resize(width * height, 0);
         if width == 0 || height == 0 {
             return;
         }
-        let moment = Moment::new(seconds, width, height);
-        if way == Way::Spans {
-            columns::fill(&mut self.blocks, &moment);
+        let scene = Scene::new(seconds, width, height);
+        if method == Method::Spans {
+            column_terms::fill(&mut self.columns, &scene);
         }
-        let (path, blocks) = (self.path, &self.blocks);
-        let band = |first_row: usize, pixels: &mut [u32]| match way {
-            Way::Literal => literal::band(&moment, first_row, pixels),
-            Way::LaneWise => lane_wise::band(path, &moment, first_row, pixels),
-            Way::Spans => spans::band(path, &moment, blocks, first_row, pixels),
-            Way::Fill => pixels.fill(0),
+        let (level, columns) = (self.level, &self.columns);
+        let band = |first_row: usize, pixels: &mut [u32]| match method {
+            Method::Literal => literal::render_band(&scene, first_row, pixels),
+            Method::Simd => simd::render_band(level, &scene, first_row, pixels),
+            Method::Spans => spans::render_band(level, &scene, columns, first_row, pixels),
+            Method::Memset => pixels.fill(0),
         };
         match threads {
             Threads::One => band(0, &mut frame.pixels),

@@ -1,32 +1,32 @@
-//! The literal loops: what the race is about, as a textbook has it. Every other way is judged by this one.
+//! The literal loops, as a textbook has them. Every other method is judged by this one.
 
-use crate::moment::{COLORS, Disc, Moment, POWER, corner};
+use crate::scene::{COLORS, Disc, POWER, Scene, corner};
 
 /// Makes the rows from `first_row` on.
-pub(crate) fn band(moment: &Moment, first_row: usize, pixels: &mut [u32]) {
-    for (row, pixels) in pixels.chunks_mut(moment.width).enumerate() {
-        let y = moment.y(first_row + row);
+pub(crate) fn render_band(scene: &Scene, first_row: usize, pixels: &mut [u32]) {
+    for (row, pixels) in pixels.chunks_mut(scene.width).enumerate() {
+        let y = scene.y(first_row + row);
         for (column, pixel) in pixels.iter_mut().enumerate() {
-            *pixel = self::pixel(moment, moment.x(column), y);
+            *pixel = self::pixel(scene, scene.x(column), y);
         }
     }
 }
 
-/// One pixel, at (x, y) in the room. In line, as a textbook has it: others are measured against these loops.
+/// One pixel, at (x, y) of the scene.
 #[inline(always)]
-pub(crate) fn pixel(moment: &Moment, x: f32, y: f32) -> u32 {
-    let [red, green, blue] = light(moment, x, y).map(byte);
+pub(crate) fn pixel(scene: &Scene, x: f32, y: f32) -> u32 {
+    let [red, green, blue] = light(scene, x, y).map(byte);
     red << 16 | green << 8 | blue
 }
 
 #[inline(always)]
-fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
+fn light(scene: &Scene, x: f32, y: f32) -> [f32; 3] {
     let mut sum = [0.0; 3];
     for (lamp, color) in COLORS.iter().enumerate() {
         let (lx, ly) = corner(lamp);
         let (wx, wy) = (lx - x, ly - y);
         let mut lit = true;
-        for disc in &moment.discs {
+        for disc in &scene.discs {
             if hides(disc, x, y, wx, wy) {
                 lit = false;
                 break;
@@ -42,7 +42,7 @@ fn light(moment: &Moment, x: f32, y: f32) -> [f32; 3] {
     sum
 }
 
-/// Whether the straight way (wx, wy) from a point to a lamp meets a circle, or the point is in it.
+/// Whether the segment (wx, wy) from a point to a lamp meets a circle, or the point is in it.
 #[inline(always)]
 pub(crate) fn hides(disc: &Disc, x: f32, y: f32, wx: f32, wy: f32) -> bool {
     let (cx, cy) = (disc.x - x, disc.y - y);

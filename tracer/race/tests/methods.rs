@@ -1,7 +1,7 @@
-//! The race is fair only if everybody draws the same picture.
+//! The race is fair only if every method draws the same picture.
 
-use shadow_race::{Room, SIDE, Threads, Way, circles};
-use tracer::{Frame, Path};
+use shadow_race::{Method, RaceRenderer, SIDE, Threads, circles};
+use tracer::{Frame, SimdLevel};
 
 /// Moments and sizes: with whole blocks of 16 pixels and without, narrower than one, and a single pixel.
 const PICTURES: [(f64, usize, usize); 8] = [
@@ -16,40 +16,49 @@ const PICTURES: [(f64, usize, usize); 8] = [
 ];
 
 /// A picture, made where another one was.
-fn frame(room: &mut Room, way: Way, threads: Threads, (seconds, width, height): (f64, usize, usize)) -> Frame {
+fn frame(
+    renderer: &mut RaceRenderer,
+    method: Method,
+    threads: Threads,
+    (seconds, width, height): (f64, usize, usize),
+) -> Frame {
     let mut frame = Frame::new(width, height);
     frame.pixels.fill(0xff_00ff);
-    room.render(way, threads, seconds, &mut frame);
+    renderer.render(method, threads, seconds, &mut frame);
     frame
 }
 
-/// To one 8-bit level, every byte: where an edge of a shadow passes within rounding of a pixel's middle, the fast ways
-/// ask as the slow one does.
+/// To one 8-bit level, every byte: where an edge of a shadow passes within rounding of a pixel's middle, the fast methods
+/// ask as the literal loops do.
 #[test]
-fn every_way_draws_the_same_picture() {
+fn every_method_draws_the_same_picture() {
     let moments = (0..40).map(|moment| (f64::from(moment) * 0.731, 640, 480));
     for picture in PICTURES.into_iter().chain(moments) {
-        let expected = frame(&mut Room::default(), Way::Literal, Threads::One, picture).to_rgb8();
-        for way in [Way::LaneWise, Way::Spans] {
-            let got = frame(&mut Room::default(), way, Threads::One, picture).to_rgb8();
+        let expected = frame(&mut RaceRenderer::default(), Method::Literal, Threads::One, picture).to_rgb8();
+        for method in [Method::Simd, Method::Spans] {
+            let got = frame(&mut RaceRenderer::default(), method, Threads::One, picture).to_rgb8();
             let other = expected.iter().zip(&got).filter(|(a, b)| a.abs_diff(**b) > 1).count();
-            assert!(other == 0, "{} at {picture:?}: {other} bytes differ", way.name());
+            assert!(other == 0, "{} at {picture:?}: {other} bytes differ", method.name());
         }
     }
 }
 
 #[test]
 fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
-    for way in Way::ALL {
+    for method in Method::ALL {
         for picture in PICTURES {
-            let expected = frame(&mut Room::default(), way, Threads::One, picture);
-            for path in Path::available() {
+            let expected = frame(&mut RaceRenderer::default(), method, Threads::One, picture);
+            for level in SimdLevel::available() {
                 for count in [1, 2, 3, 5] {
                     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("a pool");
-                    let got = pool.install(|| frame(&mut Room::on(path), way, Threads::All, picture));
-                    assert!(got == expected, "{} at {picture:?} on {}, {count} threads", way.name(), path.name());
+                    let got = pool.install(|| frame(&mut RaceRenderer::on(level), method, Threads::All, picture));
+                    assert!(got == expected, "{} at {picture:?} on {}, {count} threads", method.name(), level.name());
                 }
-                assert!(frame(&mut Room::on(path), way, Threads::One, picture) == expected, "{}", path.name());
+                assert!(
+                    frame(&mut RaceRenderer::on(level), method, Threads::One, picture) == expected,
+                    "{}",
+                    level.name()
+                );
             }
         }
     }
@@ -57,21 +66,21 @@ fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
 
 /// Nothing of a wider, narrower or earlier picture is left.
 #[test]
-fn one_room_makes_pictures_of_any_size_in_turn() {
-    let mut room = Room::default();
+fn one_renderer_makes_pictures_of_any_size_in_turn() {
+    let mut renderer = RaceRenderer::default();
     for picture in PICTURES {
-        let expected = frame(&mut Room::default(), Way::Spans, Threads::One, picture);
-        assert!(frame(&mut room, Way::Spans, Threads::One, picture) == expected, "{picture:?}");
+        let expected = frame(&mut RaceRenderer::default(), Method::Spans, Threads::One, picture);
+        assert!(frame(&mut renderer, Method::Spans, Threads::One, picture) == expected, "{picture:?}");
     }
     for (width, height) in [(0, 0), (0, 5), (5, 0)] {
         for threads in [Threads::One, Threads::All] {
-            assert_eq!(frame(&mut room, Way::Spans, threads, (0.0, width, height)).pixels, [0u32; 0]);
+            assert_eq!(frame(&mut renderer, Method::Spans, threads, (0.0, width, height)).pixels, [0u32; 0]);
         }
     }
 }
 
 #[test]
-fn circles_stay_in_the_room_and_apart() {
+fn circles_stay_within_the_walls_and_apart() {
     for tenth in 0..200 {
         let circles = circles(f64::from(tenth) * 0.1);
         for (at, circle) in circles.iter().enumerate() {

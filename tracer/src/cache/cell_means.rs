@@ -1,36 +1,34 @@
-//! The means of a tile's cells: what the glare, and a ball's mirror, need of a picture.
+//! The means of a tile's cells: what the bloom, and a ball's mirror, need of a picture.
 //!
-//! They are kept beside every picture of a tile and sum up as the pictures do, so the glare of a frame is known before
+//! They are kept beside every picture of a tile and sum up as the pictures do, so the bloom of a frame is known before
 //! the frame is put together.
 
-use crate::cache::packed_planes::{Half, Pair, STEPS};
-use crate::cache::weighted_sum::FAINTEST;
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Lanes, Path, clones, max, min, rounded};
-use crate::tile::packed_samples::TILE;
-use crate::visibility::shadow_bounds::Rows;
+use crate::cache::packed_planes::{Half, PLANE_MAX, Pair};
+use crate::cache::weighted_sum::MIN_LIGHT;
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
+use crate::tile::planes::{RgbTile, RowMask, TILE};
 
 /// Cells of [`CELL`] x [`CELL`] pixels in a tile.
-pub(crate) const CELLS: usize = (TILE / CELL) * (TILE / CELL);
+pub(crate) const CELLS_PER_TILE: usize = (TILE / CELL) * (TILE / CELL);
 
-/// Pixels along the side of a cell: what the glare's finest level is made of.
+/// Pixels along the side of a cell: what the bloom's finest level is made of.
 pub(crate) const CELL: usize = 4;
 
 /// Cells in a row of a tile.
-const ROW: usize = TILE / CELL;
+const CELLS_PER_ROW: usize = TILE / CELL;
 
 /// Three numbers for every cell of a tile, row by row.
-pub(crate) type Means = [[f32; CELLS]; 3];
+pub(crate) type Means = [[f32; CELLS_PER_TILE]; 3];
 
 /// Sums of means in whole numbers.
-pub(crate) type WholeMeans = [[i32; CELLS]; 3];
+pub(crate) type WholeMeans = [[i32; CELLS_PER_TILE]; 3];
 
 /// The means of a picture's cells, in steps as the picture itself.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gist {
     /// What a step is worth.
     pub scale: f32,
-    cells: [[u16; CELLS]; 3],
+    cells: [[u16; CELLS_PER_TILE]; 3],
 }
 
 impl Gist {
@@ -38,32 +36,39 @@ impl Gist {
     pub fn of(means: &Means) -> Gist {
         let most = means.as_flattened().iter().fold(0.0, |a, &b| max(a, b));
         let mut gist = Gist::default();
-        gist.keep_rows(means, if most < FAINTEST { 0.0 } else { most * (1.0 / STEPS) }, !0);
+        gist.keep_rows(means, if most < MIN_LIGHT { 0.0 } else { most * (1.0 / PLANE_MAX) }, !0);
         gist
     }
 
     /// Keeps the means of those cells of a floor that have any of some rows: of what arrives at it, and of what
     /// shines there, of which a step is worth the `scales`.
-    pub fn keep_floor(&mut self, path: Path, albedo: &Light, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: Rows) {
-        let mut means = [[0.0; CELLS]; 3];
-        floor_means(path, albedo, planes, scales, rows, &mut means);
+    pub fn keep_floor(
+        &mut self,
+        simd: SimdLevel,
+        albedo: &RgbTile,
+        planes: [(&Pair, Half); 2],
+        scales: [f32; 2],
+        rows: RowMask,
+    ) {
+        let mut means = [[0.0; CELLS_PER_TILE]; 3];
+        floor_means(simd, albedo, planes, scales, rows, &mut means);
         // No cell is brighter than white where all arrives.
         self.keep_rows(&means, scales[0] + scales[1], rows);
     }
 
     /// Keeps the means of those cells of a picture in colours that have any of some rows.
-    pub fn keep_colors(&mut self, path: Path, planes: &[Pair; 3], half: Half, scale: f32, rows: Rows) {
-        let mut means = [[0.0; CELLS]; 3];
-        color_means(path, planes, half, scale, rows, &mut means);
+    pub fn keep_colors(&mut self, simd: SimdLevel, planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask) {
+        let mut means = [[0.0; CELLS_PER_TILE]; 3];
+        color_means(simd, planes, half, scale, rows, &mut means);
         self.keep_rows(&means, scale, rows);
     }
 
-    fn keep_rows(&mut self, means: &Means, scale: f32, rows: Rows) {
+    fn keep_rows(&mut self, means: &Means, scale: f32, rows: RowMask) {
         self.scale = scale;
         let steps = if scale > 0.0 { 1.0 / scale } else { 0.0 };
         for (cells, means) in self.cells.iter_mut().zip(means) {
-            for at in cells_of(rows).flat_map(|row| row * ROW..(row + 1) * ROW) {
-                cells[at] = rounded(min(means[at] * steps, STEPS));
+            for at in cells_of(rows).flat_map(|row| row * CELLS_PER_ROW..(row + 1) * CELLS_PER_ROW) {
+                cells[at] = round_to_u16(min(means[at] * steps, PLANE_MAX));
             }
         }
     }
@@ -81,7 +86,11 @@ impl Gist {
 const BATCH: usize = 8;
 
 /// Adds gists, each so many times, onto `sums`.
-pub(crate) fn add_gists<'a>(path: Path, mut gists: impl Iterator<Item = (&'a Gist, [u32; 3])>, sums: &mut WholeMeans) {
+pub(crate) fn add_gists<'a>(
+    simd: SimdLevel,
+    mut gists: impl Iterator<Item = (&'a Gist, [u32; 3])>,
+    sums: &mut WholeMeans,
+) {
     while let Some(first) = gists.next() {
         let mut batch = [first; BATCH];
         let mut count = 1;
@@ -89,11 +98,11 @@ pub(crate) fn add_gists<'a>(path: Path, mut gists: impl Iterator<Item = (&'a Gis
             batch[count] = next;
             count += 1;
         }
-        sum_gists(path, &batch[..count], sums);
+        sum_gists(simd, &batch[..count], sums);
     }
 }
 
-clones! {
+multiversion! {
     fn sum_gists(gists: &[(&Gist, [u32; 3])], sums: &mut WholeMeans) = sum_gists_lanes;
 }
 
@@ -109,20 +118,20 @@ fn sum_gists_lanes(gists: &[(&Gist, [u32; 3])], [red, green, blue]: &mut WholeMe
 }
 
 #[inline(always)]
-fn add_channel(cells: &[u16; CELLS], gain: u32, sums: &mut [i32; CELLS]) {
-    for cell in 0..CELLS {
+fn add_channel(cells: &[u16; CELLS_PER_TILE], gain: u32, sums: &mut [i32; CELLS_PER_TILE]) {
+    for cell in 0..CELLS_PER_TILE {
         sums[cell] += i32::from(cells[cell]) * gain as i32;
     }
 }
 
-clones! {
+multiversion! {
     /// The means of the cells of a picture.
-    pub(crate) fn means_of(light: &Light, means: &mut Means) = means_lanes;
+    pub(crate) fn means_of(light: &RgbTile, means: &mut Means) = means_lanes;
 }
 
 #[inline(always)]
-fn means_lanes(light: &Light, means: &mut Means) {
-    for cells in 0..ROW {
+fn means_lanes(light: &RgbTile, means: &mut Means) {
+    for cells in 0..CELLS_PER_ROW {
         let rows = cells * CELL..(cells + 1) * CELL;
         let mut sums = [[0.0; LANES]; 3];
         for row in rows {
@@ -136,44 +145,44 @@ fn means_lanes(light: &Light, means: &mut Means) {
     }
 }
 
-clones! {
+multiversion! {
     /// The means of those cells of a floor that have any of some rows: its reflectance times what arrives, and what
     /// shines on it.
     fn floor_means(
-        albedo: &Light, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: Rows, means: &mut Means,
+        albedo: &RgbTile, planes: [(&Pair, Half); 2], scales: [f32; 2], rows: RowMask, means: &mut Means,
     ) = floor_means_lanes;
 }
 
 #[inline(always)]
 fn floor_means_lanes(
-    albedo: &Light,
+    albedo: &RgbTile,
     [matt, gloss]: [(&Pair, Half); 2],
     scales: [f32; 2],
-    rows: Rows,
+    rows: RowMask,
     means: &mut Means,
 ) {
     for cells in cells_of(rows) {
         let mut sums = [[0.0; LANES]; 3];
         for row in cells * CELL..(cells + 1) * CELL {
-            let (arriving, shine) = (matt.0.row(matt.1, row), gloss.0.row(gloss.1, row));
+            let (irradiance, specular) = (matt.0.row(matt.1, row), gloss.0.row(gloss.1, row));
             for i in 0..LANES {
-                let (arriving, shine) = (arriving[i] * scales[0], shine[i] * scales[1]);
-                sums[0][i] += albedo[0][row][i] * arriving + shine;
-                sums[1][i] += albedo[1][row][i] * arriving + shine;
-                sums[2][i] += albedo[2][row][i] * arriving + shine;
+                let (irradiance, specular) = (irradiance[i] * scales[0], specular[i] * scales[1]);
+                sums[0][i] += albedo[0][row][i] * irradiance + specular;
+                sums[1][i] += albedo[1][row][i] * irradiance + specular;
+                sums[2][i] += albedo[2][row][i] * irradiance + specular;
             }
         }
         put_means(cells, &sums, means);
     }
 }
 
-clones! {
+multiversion! {
     /// The means of those cells of colours that have any of some rows.
-    fn color_means(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, means: &mut Means) = color_means_lanes;
+    fn color_means(planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask, means: &mut Means) = color_means_lanes;
 }
 
 #[inline(always)]
-fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, means: &mut Means) {
+fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: RowMask, means: &mut Means) {
     for cells in cells_of(rows) {
         let mut sums = [[0.0; LANES]; 3];
         for (sums, plane) in sums.iter_mut().zip(planes) {
@@ -190,15 +199,15 @@ fn color_means_lanes(planes: &[Pair; 3], half: Half, scale: f32, rows: Rows, mea
 
 /// The rows of cells that have any of some rows of pixels.
 #[inline(always)]
-fn cells_of(rows: Rows) -> impl Iterator<Item = usize> {
-    (0..ROW).filter(move |cells| rows >> (cells * CELL) & ((1 << CELL) - 1) != 0)
+fn cells_of(rows: RowMask) -> impl Iterator<Item = usize> {
+    (0..CELLS_PER_ROW).filter(move |cells| rows >> (cells * CELL) & ((1 << CELL) - 1) != 0)
 }
 
 /// Writes the means of a row of cells, whose columns were summed up.
 #[inline(always)]
 fn put_means(row: usize, sums: &[Lanes; 3], means: &mut Means) {
     for (sums, means) in sums.iter().zip(means) {
-        for (at, mean) in means[row * ROW..][..ROW].iter_mut().enumerate() {
+        for (at, mean) in means[row * CELLS_PER_ROW..][..CELLS_PER_ROW].iter_mut().enumerate() {
             let [a, b, c, d] = [sums[at * CELL], sums[at * CELL + 1], sums[at * CELL + 2], sums[at * CELL + 3]];
             *mean = ((a + b) + (c + d)) * (1.0 / (CELL * CELL) as f32);
         }

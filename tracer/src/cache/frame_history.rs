@@ -1,17 +1,18 @@
 //! What the last picture was made of, what has moved since, and the tiles that remember it.
 
+use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;
-use crate::{Ball, Group, Lamp, Occluder, Scene, View};
+use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
-pub(crate) const MOST_LAMPS: usize = 160;
+pub(crate) const MAX_LAMPS: usize = 160;
 
 /// And of inserts.
-pub(crate) const MOST_GLOWS: usize = 1_000;
+pub(crate) const MAX_GLOWS: usize = 1_000;
 
 /// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
-const MOST_MOVES: usize = 200;
+const MAX_MOVES: usize = 200;
 
 /// A lamp that has been seen.
 #[derive(Clone, Debug)]
@@ -21,7 +22,7 @@ pub(crate) struct Known {
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
     /// The same of balls that float.
-    pub floated: Vec<Ball>,
+    pub moved_balls: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
@@ -32,11 +33,14 @@ pub(crate) struct Past {
     view: Option<View>,
     occluders: Vec<Occluder>,
     /// The balls that float, not turned.
-    floating: Vec<Ball>,
+    airborne: Vec<Ball>,
     /// Those of the picture that is to come.
     next: Vec<Ball>,
-    /// The lamps, by the numbers that [`TileMemory`] knows them by.
+    /// The lamps, by the numbers that [`TileMemory`] knows them by; and those that have been where they are not any more.
     pub known: Vec<Known>,
+    /// The lamps' numbers, in the order of their ids.
+    numbers: Vec<(ItemId, usize)>,
+    pairing: ItemPairing,
     /// The tiles, band by band.
     pub bands: Vec<Vec<TileMemory>>,
     /// Where tops have moved.
@@ -47,28 +51,28 @@ impl Past {
     /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
     pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
-        if self.view.as_ref() != Some(view) || self.known.len() > MOST_LAMPS {
+        if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
+            self.numbers.clear();
             self.bands.resize_with(bands, Vec::new);
             for band in &mut self.bands {
                 band.resize_with(tiles, TileMemory::default);
                 band.iter_mut().for_each(TileMemory::forget);
             }
         }
-        let Past { occluders: old, floating, next, known, .. } = self;
-        let group = |occluder: &Occluder| occluder.group;
-        each_move(old, occluders, group, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        let Past { occluders: old, airborne, next, known, pairing, .. } = self;
+        pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
         next.clear();
-        next.extend(scene.balls.iter().filter(|ball| ball.floats()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
-        let group = |ball: &Ball| ball.group;
-        each_move(floating, next, group, |ball| known.iter_mut().for_each(|known| known.floated.push(*ball)));
-        std::mem::swap(floating, next);
+        let is_airborne = |ball: &&Ball| ball.is_airborne();
+        next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        pairing.each_change(airborne, next, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
+        std::mem::swap(airborne, next);
         for known in &mut self.known {
-            if known.moved.len() + known.floated.len() > MOST_MOVES {
+            if known.moved.len() + known.moved_balls.len() > MAX_MOVES {
                 known.lost = true;
                 known.moved.clear();
-                known.floated.clear();
+                known.moved_balls.clear();
             }
         }
         self.occluders.clear();
@@ -80,39 +84,28 @@ impl Past {
         self.bands.iter().flatten().any(|tile| tile.fresh)
     }
 
-    /// The number of a lamp, which is given one if it is new.
+    /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
     pub fn number(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
-        self.known.iter().position(|known| known.lamp == black).unwrap_or_else(|| {
-            self.known.push(Known { lamp: black, moved: Vec::new(), floated: Vec::new(), lost: true });
-            self.known.len() - 1
-        })
+        let at = self.numbers.binary_search_by_key(&lamp.id, |&(id, _)| id);
+        if let Ok(at) = at
+            && self.known[self.numbers[at].1].lamp == black
+        {
+            return self.numbers[at].1;
+        }
+        let number = self.known.len();
+        self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
+        match at {
+            Ok(at) => self.numbers[at].1 = number,
+            Err(at) => self.numbers.insert(at, (lamp.id, number)),
+        }
+        number
     }
 
     /// The lamp of this number has been looked at from everywhere.
     pub fn looked_at(&mut self, number: usize) {
         self.known[number].moved.clear();
-        self.known[number].floated.clear();
+        self.known[number].moved_balls.clear();
         self.known[number].lost = false;
     }
-}
-
-/// Calls `moved` for what was in the old list and is not in the new one, and the other way round. What comes and goes
-/// leaves the others where they were, as long as they keep their order.
-fn each_move<T: PartialEq>(mut old: &[T], mut new: &[T], group: impl Fn(&T) -> Group, mut moved: impl FnMut(&T)) {
-    while let (Some((before, older)), Some((now, newer))) = (old.split_first(), new.split_first()) {
-        let changed = before != now;
-        let another = changed && group(before) != group(now);
-        let came = another && newer.iter().any(|other| group(other) == group(before));
-        let gone = another && !came;
-        if changed && !came {
-            moved(before);
-        }
-        if changed && !gone {
-            moved(now);
-        }
-        old = if came { old } else { older };
-        new = if gone { new } else { newer };
-    }
-    old.iter().chain(new).for_each(moved);
 }

@@ -4,7 +4,8 @@
 use crate::shading::surface::{Normals, Surface};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, Lanes};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 
 /// The surfaces of one tile.
 #[derive(Clone, Debug, Default)]
@@ -18,13 +19,13 @@ pub(crate) struct Surfaces {
     /// How much of each pixel of the tile is floor; empty if all of all.
     pub floor_weight: Vec<Lanes>,
     /// The tops, the highest first; there may be more, which are not there any more.
-    tops: Vec<Patch>,
+    tops: Vec<CachedTop>,
     layers: usize,
 }
 
 impl Surfaces {
     /// What the tile shows of tops.
-    pub fn tops(&self) -> &[Patch] {
+    pub fn tops(&self) -> &[CachedTop] {
         &self.tops[..self.layers]
     }
 
@@ -32,7 +33,7 @@ impl Surfaces {
     pub fn keep_tops(&mut self, layers: &[TopLayer]) {
         self.layers = layers.len();
         if self.tops.len() < layers.len() {
-            self.tops.resize_with(layers.len(), Patch::empty);
+            self.tops.resize_with(layers.len(), CachedTop::empty);
         }
         for (patch, layer) in self.tops.iter_mut().zip(layers) {
             patch.keep(layer);
@@ -48,7 +49,7 @@ fn refill<T: Copy>(list: &mut Vec<T>, contents: &[T]) {
 
 /// What a tile shows of a top.
 #[derive(Clone, Debug)]
-pub(crate) struct Patch {
+pub(crate) struct CachedTop {
     form: usize,
     pixel: Vec<u8>,
     weight: Vec<Lanes>,
@@ -57,11 +58,11 @@ pub(crate) struct Patch {
     print: [Vec<Lanes>; 3],
 }
 
-impl Patch {
+impl CachedTop {
     /// Nothing.
-    fn empty() -> Patch {
+    fn empty() -> CachedTop {
         let planes = [const { Vec::new() }; 3];
-        Patch { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: planes.clone(), print: planes }
+        CachedTop { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: planes.clone(), print: planes }
     }
 
     /// Keeps what a layer shows.
@@ -97,7 +98,7 @@ impl Patch {
     }
 }
 
-impl Points {
+impl PackedSamples {
     /// Becomes these pixels of a tile.
     pub fn take(&mut self, pixels: &[u8], mm_per_px: f32) {
         self.count = pixels.len();

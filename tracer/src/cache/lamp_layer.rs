@@ -3,11 +3,8 @@
 use crate::cache::cell_means::Gist;
 use crate::cache::packed_planes::{Half, Pair, encode_rows};
 use crate::cache::weighted_sum::scale_of;
-use crate::realtime::direct_light::ALL;
-use crate::shading::surface::{DARKNESS, Light};
-use crate::simd::dispatch::Path;
-use crate::tile::packed_samples::Plane;
-use crate::visibility::shadow_bounds::{ALL_ROWS, Rows};
+use crate::simd::dispatch::SimdLevel;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, RowMask};
 use crate::{Group, Rgb};
 
 /// What is known of a tile in the light of one lamp.
@@ -20,7 +17,7 @@ pub(crate) struct Sight {
     /// Whether the picture's scales are those of the tile with nothing in the way: then rows can be kept one by one.
     pub gauged: bool,
     /// Rows of which it does not hold.
-    pub stale: Rows,
+    pub stale: RowMask,
     /// What hides the lamp from all of the tile, if it is one group alone.
     pub hidden_by: Option<Group>,
     /// Which of the tile's pictures it is, if there has been one.
@@ -39,7 +36,7 @@ impl Sight {
     }
 
     /// What has to be made anew.
-    pub fn rows_to_make(&self) -> Rows {
+    pub fn rows_to_make(&self) -> RowMask {
         if self.holds && (self.stale == 0 || self.is_lit && self.gauged) { self.stale } else { ALL_ROWS }
     }
 
@@ -51,7 +48,7 @@ impl Sight {
 
 /// How a picture is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum LayerFormat {
     /// Red, green and blue.
     #[default]
     Colors,
@@ -98,9 +95,9 @@ impl<const CHANNELS: usize> Pool<CHANNELS> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Planes {
     /// Of what arrives at the floor.
-    pub arriving: Pool<1>,
+    pub irradiance: Pool<1>,
     /// Of what shines there.
-    pub shine: Pool<1>,
+    pub specular: Pool<1>,
     /// Red, green, blue.
     pub colors: Pool<3>,
 }
@@ -108,13 +105,13 @@ pub(crate) struct Planes {
 impl Planes {
     /// Nothing is given away any more.
     pub fn clear(&mut self) {
-        self.arriving.given = 0;
-        self.shine.given = 0;
+        self.irradiance.given = 0;
+        self.specular.given = 0;
         self.colors.given = 0;
     }
 }
 
-/// A tile's picture: what the glare needs of it, and where the rest is.
+/// A tile's picture: what the bloom needs of it, and where the rest is.
 #[derive(Clone, Debug, Default)]
 #[repr(align(64))]
 pub(crate) struct Kept {
@@ -123,7 +120,7 @@ pub(crate) struct Kept {
     /// Whether there is any light.
     pub is_lit: bool,
     /// In which planes.
-    pub form: Form,
+    pub form: LayerFormat,
     /// What the planes' steps are worth, and those of the gloss; 0 if there is none.
     pub scales: [f32; 2],
     /// Its means.
@@ -151,42 +148,42 @@ impl Kept {
 
     /// Says what steps of colours are worth.
     pub fn gauge(&mut self, scale: f32) {
-        (self.form, self.scales) = (Form::Colors, [scale, 0.0]);
+        (self.form, self.scales) = (LayerFormat::Colors, [scale, 0.0]);
     }
 
     /// Says the same of a floor with nothing in the way.
-    pub fn gauge_floor(&mut self, path: Path, floor: &Bare) {
-        self.scales = [floor.arriving, floor.shine].map(|plane| scale_of(path, std::slice::from_ref(plane)));
-        self.form = if self.scales[1] > 0.0 { Form::GlossyFloor } else { Form::Floor };
+    pub fn gauge_floor(&mut self, simd: SimdLevel, floor: &Bare) {
+        self.scales = [floor.irradiance, floor.specular].map(|plane| scale_of(simd, std::slice::from_ref(plane)));
+        self.form = if self.scales[1] > 0.0 { LayerFormat::GlossyFloor } else { LayerFormat::Floor };
     }
 
     /// Keeps some rows in colours, which were gauged.
-    pub fn keep_colors(&mut self, path: Path, light: &Light, rows: Rows, planes: &mut Planes) {
+    pub fn keep_colors(&mut self, simd: SimdLevel, light: &RgbTile, rows: RowMask, planes: &mut Planes) {
         let scale = self.scales[0];
         let (pairs, half) = planes.colors.take(&mut self.halves[2]);
         for (plane, pair) in light.iter().zip(&mut *pairs) {
-            encode_rows(path, plane, &ALL, rows, scale, half, pair);
+            encode_rows(simd, plane, &FULLY_VISIBLE, rows, scale, half, pair);
         }
-        self.gist.keep_colors(path, pairs, half, scale, rows);
+        self.gist.keep_colors(simd, pairs, half, scale, rows);
         self.is_lit = !pairs.iter().all(|pair| pair.is_dark(half));
     }
 
     /// Keeps some rows of a floor, which was gauged.
-    pub fn keep_floor(&mut self, path: Path, floor: &Bare, rows: Rows, planes: &mut Planes) {
+    pub fn keep_floor(&mut self, simd: SimdLevel, floor: &Bare, rows: RowMask, planes: &mut Planes) {
         let scales = self.scales;
-        let ([matt], matt_half) = planes.arriving.take(&mut self.halves[0]);
-        encode_rows(path, floor.arriving, floor.seen, rows, scales[0], matt_half, matt);
+        let ([matt], matt_half) = planes.irradiance.take(&mut self.halves[0]);
+        encode_rows(simd, floor.irradiance, floor.seen, rows, scales[0], matt_half, matt);
         self.is_lit = !matt.is_dark(matt_half);
         let matt = (&*matt, matt_half);
-        let gloss = if self.form == Form::GlossyFloor {
-            let ([gloss], half) = planes.shine.take(&mut self.halves[1]);
-            encode_rows(path, floor.shine, floor.seen, rows, scales[1], half, gloss);
+        let gloss = if self.form == LayerFormat::GlossyFloor {
+            let ([gloss], half) = planes.specular.take(&mut self.halves[1]);
+            encode_rows(simd, floor.specular, floor.seen, rows, scales[1], half, gloss);
             self.is_lit |= !gloss.is_dark(half);
             (&*gloss, half)
         } else {
             matt
         };
-        self.gist.keep_floor(path, floor.albedo, [matt, gloss], scales, rows);
+        self.gist.keep_floor(simd, floor.albedo, [matt, gloss], scales, rows);
     }
 
     /// Adds what it is in light of a colour.
@@ -196,9 +193,9 @@ impl Kept {
             parts.extend(self.halves[list].map(part));
         };
         match self.form {
-            Form::Colors => push(2, self.scales[0]),
-            Form::Floor => push(0, self.scales[0]),
-            Form::GlossyFloor => {
+            LayerFormat::Colors => push(2, self.scales[0]),
+            LayerFormat::Floor => push(0, self.scales[0]),
+            LayerFormat::GlossyFloor => {
                 push(0, self.scales[0]);
                 push(1, self.scales[1]);
             }
@@ -206,8 +203,8 @@ impl Kept {
     }
 
     /// The picture itself, kept in colours; black if there is none.
-    pub fn decode(&self, planes: &Planes, out: &mut Light) {
-        *out = DARKNESS;
+    pub fn decode(&self, planes: &Planes, out: &mut RgbTile) {
+        *out = BLACK;
         let Some(half) = self.halves[2].filter(|_| self.is_lit) else { return };
         for (plane, pair) in out.iter_mut().zip(&planes.colors.pairs[half.pair()]) {
             for (row, line) in plane.iter_mut().enumerate() {
@@ -221,11 +218,11 @@ impl Kept {
 #[derive(Clone, Copy)]
 pub(crate) struct Bare<'a> {
     /// Its reflectance.
-    pub albedo: &'a Light,
+    pub albedo: &'a RgbTile,
     /// What arrives, and is reflected in the floor's colours.
-    pub arriving: &'a Plane,
+    pub irradiance: &'a Plane,
     /// What is reflected in the lamp's own colour.
-    pub shine: &'a Plane,
+    pub specular: &'a Plane,
     /// How much of both is not in shadow.
     pub seen: &'a Plane,
 }

@@ -1,6 +1,6 @@
 //! Sets of lamps, by the numbers that tiles know them by.
 
-/// Words of 64 numbers: there is room for twice [`crate::cache::frame_history::MOST_LAMPS`], which is as many as there can ever be.
+/// Words of 64 numbers: there is room for twice [`crate::cache::frame_history::MAX_LAMPS`], which is as many as there can ever be.
 const WORDS: usize = 5;
 
 /// A set of small numbers.

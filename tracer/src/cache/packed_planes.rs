@@ -3,17 +3,16 @@
 //! Two products of 16-bit numbers and their sum are one instruction for every 32 bits of a register. Whole numbers also
 //! add up to the same in any order: what was kept first does not show. This module refuses to know what the numbers are.
 
-use crate::simd::dispatch::{LANES, Lanes, clones, max, min, ones, rounded};
-use crate::tile::packed_samples::{AREA, Plane};
-use crate::visibility::shadow_bounds::Rows;
+use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion, round_to_u16, set_bits};
+use crate::tile::planes::{AREA, Plane, RowMask};
 use std::num::NonZeroU16;
 
 /// The largest number of a plane.
-pub(crate) const STEPS: f32 = 32_767.0;
+pub(crate) const PLANE_MAX: f32 = 32_767.0;
 
 /// Gains are at most this together, so that no sum of 15-bit numbers times them is beyond 31 bits; each is at most
-/// [`STEPS`].
-pub(crate) const MOST_GAIN: u32 = 65_535;
+/// [`PLANE_MAX`].
+pub(crate) const MAX_TOTAL_WEIGHT: u32 = 65_535;
 
 /// Two planes of a tile, row by row: one in the lower halves of the words, one in the upper.
 #[derive(Clone, Debug)]
@@ -62,31 +61,31 @@ impl Pair {
     }
 }
 
-clones! {
+multiversion! {
     /// Keeps some rows of a plane, times what is seen of it, in steps of `scale`.
     pub(crate) fn encode_rows(
-        plane: &Plane, seen: &Plane, rows: Rows, scale: f32, half: Half, pair: &mut Pair,
+        plane: &Plane, seen: &Plane, rows: RowMask, scale: f32, half: Half, pair: &mut Pair,
     ) = encode_lanes;
 }
 
 #[inline(always)]
-fn encode_lanes(plane: &Plane, seen: &Plane, rows: Rows, scale: f32, half: Half, pair: &mut Pair) {
+fn encode_lanes(plane: &Plane, seen: &Plane, rows: RowMask, scale: f32, half: Half, pair: &mut Pair) {
     let steps = if scale > 0.0 { 1.0 / scale } else { 0.0 };
     let (shift, other) = (half.shift(), 0xffff_0000u32.rotate_left(half.shift()));
-    for row in ones(rows) {
+    for row in set_bits(rows) {
         let (line, seen, words) = (&plane[row], &seen[row], &mut pair.0[row * LANES..][..LANES]);
         for i in 0..LANES {
-            let number = rounded(min(max(line[i], 0.0) * seen[i] * steps, STEPS));
+            let number = round_to_u16(min(max(line[i], 0.0) * seen[i] * steps, PLANE_MAX));
             words[i] = words[i] & other | u32::from(number) << shift;
         }
     }
 }
 
 /// Rows that are summed up in registers.
-pub(crate) const ROWS: usize = 2;
+pub(crate) const ROWS_AT_ONCE: usize = 2;
 
 /// Sums of two rows of three channels.
-pub(crate) type Sums = [[[i32; LANES]; ROWS]; 3];
+pub(crate) type Sums = [[[i32; LANES]; ROWS_AT_ONCE]; 3];
 
 /// The gains of a pair's halves, one in the lower half of each word, one in the upper: red, green, blue.
 pub(crate) type Gains = [u32; 3];
@@ -106,7 +105,8 @@ impl<const CHANNELS: usize> Terms<'_, CHANNELS> {
     pub fn add<M: Madd>(&self, row: usize, sums: &mut Sums) {
         for (pair, gains) in self.pairs.iter().zip(self.gains) {
             for (channel, (sums, gains)) in sums.iter_mut().zip(gains).enumerate() {
-                let words = &pair[if CHANNELS == 1 { 0 } else { channel }].0.as_chunks::<LANES>().0[row..row + ROWS];
+                let words =
+                    &pair[if CHANNELS == 1 { 0 } else { channel }].0.as_chunks::<LANES>().0[row..row + ROWS_AT_ONCE];
                 for (sums, words) in sums.iter_mut().zip(words) {
                     M::madd(sums, words, *gains);
                 }
@@ -177,9 +177,9 @@ pub(crate) type Baseline = Plain;
 #[cfg(all(test, target_arch = "x86_64"))]
 mod tests {
     use super::*;
-    use crate::Path;
+    use crate::SimdLevel;
     use crate::scenes::Random;
-    use crate::simd::dispatch::Set;
+    use crate::simd::dispatch::InstructionSet;
 
     /// Every set multiplies and adds as it is written, up to the largest numbers.
     #[test]
@@ -195,7 +195,7 @@ mod tests {
         let mut random = Random(7);
         let mut number = |most: f64| random.between(0.0, most + 0.999) as u32;
         for round in 0..2_000 {
-            let most = f64::from(STEPS);
+            let most = f64::from(PLANE_MAX);
             let words: [u32; LANES] = std::array::from_fn(|_| match round {
                 0 => 0x7fff_7fff,
                 _ => number(most) << 16 | number(most),
@@ -208,13 +208,13 @@ mod tests {
             };
             let plain = sums(&|sums| Plain::madd(sums, &words, gains));
             assert_eq!(plain, sums(&|sums| Narrow::madd(sums, &words, gains)));
-            for path in Path::available() {
-                match path.set() {
-                    Set::Baseline => {}
-                    // SAFETY: a `Path` of this set exists only where the machine was found to have it.
-                    Set::Avx2 => assert_eq!(plain, sums(&|sums| unsafe { middle(sums, &words, gains) })),
+            for simd in SimdLevel::available() {
+                match simd.set() {
+                    InstructionSet::Baseline => {}
+                    // SAFETY: a `SimdLevel` of this set exists only where the machine was found to have it.
+                    InstructionSet::Avx2 => assert_eq!(plain, sums(&|sums| unsafe { middle(sums, &words, gains) })),
                     // SAFETY: as above.
-                    Set::Avx512 => assert_eq!(plain, sums(&|sums| unsafe { wide(sums, &words, gains) })),
+                    InstructionSet::Avx512 => assert_eq!(plain, sums(&|sums| unsafe { wide(sums, &words, gains) })),
                 }
             }
         }

@@ -5,16 +5,16 @@
 //! picture has the same bits whatever came before it. A lamp is known by where it is, not by its colour or its place in
 //! a list: one that flashes is remembered while it is dark.
 
-use crate::cache::cell_means::{CELLS, Gist, Means, add_gists, means_of};
+use crate::cache::cell_means::{CELLS_PER_TILE, Gist, Means, add_gists, means_of};
 use crate::cache::g_buffer::Surfaces;
-use crate::cache::lamp_layer::{Bare, Form, Kept, Part, Planes, Sight};
+use crate::cache::lamp_layer::{Bare, Kept, LayerFormat, Part, Planes, Sight};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::packed_planes::{Gains, Terms};
-use crate::cache::weighted_sum::{Paint, Steps, Sum, put_together, scale_of};
-use crate::shading::surface::Light;
-use crate::simd::dispatch::fetch;
-use crate::visibility::shadow_bounds::{ALL_ROWS, Rows};
-use crate::{Group, Path, Rgb};
+use crate::cache::weighted_sum::{Steps, Sum, put_together, scale_of};
+use crate::scene::GlowKey;
+use crate::simd::dispatch::prefetch;
+use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
+use crate::{Group, Rgb, SimdLevel};
 
 /// The light that a tile is put in.
 pub(crate) struct Illumination<'a> {
@@ -31,7 +31,7 @@ pub(crate) struct Illumination<'a> {
 pub(crate) struct TileMemory {
     /// Whether this picture's tile is another than the last one's.
     pub fresh: bool,
-    /// Whether the film shows the tile as it is now, but for its glare.
+    /// Whether the film shows the tile as it is now, but for its bloom.
     pub developed: bool,
     /// Whether it is all bare floor.
     is_floor: bool,
@@ -50,12 +50,12 @@ pub(crate) struct TileMemory {
     worth: Rgb,
     /// The light from everywhere.
     ambient: Rgb,
-    /// In the light from everywhere, with the light of tops of their own; of a tile of bare floor only what the glare
+    /// In the light from everywhere, with the light of tops of their own; of a tile of bare floor only what the bloom
     /// needs of it, in white light.
     pub base: Sight,
     kept_base: Kept,
-    /// In the light of inserts, known by their masks' places in memory.
-    glows: Vec<((usize, usize), Sight, Kept)>,
+    /// In the light of inserts, known by their ids and their masks' printings.
+    glows: Vec<(GlowKey, Sight, Kept)>,
     /// What it shows.
     pub surfaces: Surfaces,
 }
@@ -70,7 +70,7 @@ impl TileMemory {
     }
 
     /// Notes rows of the tile in which something has moved before a lamp.
-    pub fn stir(&mut self, lamp: usize, rows: Rows) {
+    pub fn stir(&mut self, lamp: usize, rows: RowMask) {
         self.sights[lamp].stale |= rows;
         if rows != 0 {
             self.whole.remove(lamp);
@@ -83,9 +83,9 @@ impl TileMemory {
     }
 
     /// What an insert's light does in the tile.
-    pub fn glow(&mut self, mask: (usize, usize)) -> &mut Sight {
-        let at = self.glows.iter().position(|glow| glow.0 == mask).unwrap_or_else(|| {
-            self.glows.push((mask, Sight::default(), Kept::default()));
+    pub fn glow(&mut self, glow: GlowKey) -> &mut Sight {
+        let at = self.glows.iter().position(|known| known.0 == glow).unwrap_or_else(|| {
+            self.glows.push((glow, Sight::default(), Kept::default()));
             self.glows.len() - 1
         });
         &mut self.glows[at].1
@@ -97,18 +97,18 @@ impl TileMemory {
     }
 
     /// Keeps the picture in the light from everywhere.
-    pub fn keep_base(&mut self, path: Path, light: &Light) {
+    pub fn keep_base(&mut self, simd: SimdLevel, light: &RgbTile) {
         self.is_floor = false;
-        self.kept_base.gauge(scale_of(path, light));
-        self.kept_base.keep_colors(path, light, ALL_ROWS, &mut self.planes);
+        self.kept_base.gauge(scale_of(simd, light));
+        self.kept_base.keep_colors(simd, light, ALL_ROWS, &mut self.planes);
         self.base.renew(self.kept_base.is_lit, None);
     }
 
     /// Keeps in mind that all of the tile is floor of this reflectance.
-    pub fn keep_floor_base(&mut self, path: Path, albedo: &Light) {
+    pub fn keep_floor_base(&mut self, simd: SimdLevel, albedo: &RgbTile) {
         self.is_floor = true;
-        let mut means = [[0.0; CELLS]; 3];
-        means_of(path, albedo, &mut means);
+        let mut means = [[0.0; CELLS_PER_TILE]; 3];
+        means_of(simd, albedo, &mut means);
         self.kept_base.gist = Gist::of(&means);
         self.base.renew(false, None);
     }
@@ -126,7 +126,7 @@ impl TileMemory {
     /// Whether a lamp's picture would have to be kept in another way, if it is kept in colours or not.
     pub fn is_another(&mut self, lamp: usize, colors: bool) -> bool {
         let place = self.place_of(lamp);
-        (self.kept[place].form == Form::Colors) != colors
+        (self.kept[place].form == LayerFormat::Colors) != colors
     }
 
     /// Says what the steps of a lamp's light, kept in colours, are worth.
@@ -137,23 +137,23 @@ impl TileMemory {
     }
 
     /// Keeps rows of the picture in a lamp's light, which was gauged.
-    pub fn keep(&mut self, lamp: usize, path: Path, light: &Light, rows: Rows) {
+    pub fn keep(&mut self, lamp: usize, simd: SimdLevel, light: &RgbTile, rows: RowMask) {
         let place = self.place_of(lamp);
         let kept = &mut self.kept[place];
-        kept.keep_colors(path, light, rows, &mut self.planes);
+        kept.keep_colors(simd, light, rows, &mut self.planes);
         let is_lit = kept.is_lit;
         self.renew(lamp, is_lit, None);
     }
 
     /// Keeps rows of the picture in a lamp's light of a tile that is all floor; the first time, all of them.
-    pub fn keep_floor(&mut self, lamp: usize, path: Path, floor: &Bare, rows: Rows) {
+    pub fn keep_floor(&mut self, lamp: usize, simd: SimdLevel, floor: &Bare, rows: RowMask) {
         let place = self.place_of(lamp);
         let kept = &mut self.kept[place];
-        if !self.sights[lamp].gauged || kept.form == Form::Colors {
-            kept.gauge_floor(path, floor);
+        if !self.sights[lamp].gauged || kept.form == LayerFormat::Colors {
+            kept.gauge_floor(simd, floor);
             self.sights[lamp].gauged = true;
         }
-        kept.keep_floor(path, floor, rows, &mut self.planes);
+        kept.keep_floor(simd, floor, rows, &mut self.planes);
         let is_lit = kept.is_lit;
         self.renew(lamp, is_lit, None);
     }
@@ -178,10 +178,10 @@ impl TileMemory {
     }
 
     /// Keeps the picture in an insert's light.
-    pub fn keep_glow(&mut self, mask: (usize, usize), path: Path, light: &Light) {
-        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
-            kept.gauge(scale_of(path, light));
-            kept.keep_colors(path, light, ALL_ROWS, &mut self.planes);
+    pub fn keep_glow(&mut self, glow: GlowKey, simd: SimdLevel, light: &RgbTile) {
+        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|known| known.0 == glow) {
+            kept.gauge(scale_of(simd, light));
+            kept.keep_colors(simd, light, ALL_ROWS, &mut self.planes);
             sight.renew(kept.is_lit, None);
         }
     }
@@ -190,24 +190,24 @@ impl TileMemory {
     fn pictures<'a>(
         &'a self,
         light: &'a Illumination,
-        glows: impl Iterator<Item = ((usize, usize), Rgb)>,
+        glows: impl Iterator<Item = (GlowKey, Rgb)>,
     ) -> impl Iterator<Item = (&'a Kept, Rgb)> {
         let base = Some((&self.kept_base, [1.0; 3])).filter(|_| self.base.is_lit() && !light.shaded);
         let lamps = self.kept.iter().map(|kept| (kept, light.lamps[usize::from(kept.lamp)]));
         // Few tiles have inserts.
-        let glows = glows.take_while(|_| !self.glows.is_empty()).filter_map(|(mask, color)| {
-            self.glows.iter().find(|glow| glow.0 == mask).map(|(_, _, kept)| (kept, color))
-        });
+        let glows = glows
+            .take_while(|_| !self.glows.is_empty())
+            .filter_map(|(key, color)| self.glows.iter().find(|glow| glow.0 == key).map(|(_, _, kept)| (kept, color)));
         base.into_iter().chain(lamps).chain(glows).filter(|(kept, color)| kept.is_lit && *color != [0.0; 3])
     }
 
-    /// Puts the tile in light, and in that of inserts, given by their masks; `means` becomes what the glare needs of it,
+    /// Puts the tile in light, and in that of inserts, given by their keys; `means` becomes what the bloom needs of it,
     /// unless the light from everywhere is shaded. `parts` is room.
     pub fn light(
         &mut self,
-        path: Path,
+        simd: SimdLevel,
         light: &Illumination,
-        glows: impl Iterator<Item = ((usize, usize), Rgb)> + Clone,
+        glows: impl Iterator<Item = (GlowKey, Rgb)> + Clone,
         parts: &mut Vec<Part>,
         means: &mut Means,
     ) {
@@ -215,11 +215,11 @@ impl TileMemory {
         parts.clear();
         self.pictures(light, glows.clone()).for_each(|(kept, color)| kept.push_parts(color, parts));
         let steps = Steps::of(parts.iter().map(|part| part.gain));
-        let mut sums = [[0; CELLS]; 3];
+        let mut sums = [[0; CELLS_PER_TILE]; 3];
         let gists = self
             .pictures(light, glows)
             .map(|(kept, color)| (&kept.gist, steps.whole(color.map(|channel| channel * kept.gist.scale))));
-        add_gists(path, gists, &mut sums);
+        add_gists(simd, gists, &mut sums);
         for channel in 0..3 {
             for (mean, sum) in means[channel].iter_mut().zip(sums[channel]) {
                 *mean = sum as f32 * steps.worth[channel];
@@ -228,8 +228,8 @@ impl TileMemory {
         if self.is_floor {
             self.kept_base.gist.add_light(light.ambient, means);
         }
-        let Planes { arriving, shine, colors } = &self.planes;
-        let lengths = [arriving.pairs().len(), shine.pairs().len(), colors.pairs().len()];
+        let Planes { irradiance, specular, colors } = &self.planes;
+        let lengths = [irradiance.pairs().len(), specular.pairs().len(), colors.pairs().len()];
         for (gains, length) in self.gains.iter_mut().zip(lengths) {
             gains.clear();
             gains.resize(length, [0; 3]);
@@ -244,39 +244,45 @@ impl TileMemory {
 
     /// Asks for what [`TileMemory::compose`] will read.
     fn fetch_planes(&self) {
-        self.gains.iter().for_each(|gains| fetch(gains));
-        fetch(self.planes.arriving.pairs());
-        fetch(self.planes.shine.pairs());
-        fetch(self.planes.colors.pairs());
+        self.gains.iter().for_each(|gains| prefetch(gains));
+        prefetch(self.planes.irradiance.pairs());
+        prefetch(self.planes.specular.pairs());
+        prefetch(self.planes.colors.pairs());
     }
 
     /// Asks for what [`TileMemory::light`] will read.
     fn fetch_kept(&self) {
-        fetch(&self.kept);
+        prefetch(&self.kept);
     }
 
     /// Puts together what the tile shows, on floor of this paint. Where [`TileMemory::light`] was told so, `shade` darkens
     /// the light from everywhere.
-    pub fn compose(&self, path: Path, paint: &Paint, shade: Option<impl FnOnce(&mut Light)>, out: &mut Light) {
-        let [arriving, shine, colors] = &self.gains;
+    pub fn compose(
+        &self,
+        simd: SimdLevel,
+        paint: &AlbedoTile,
+        shade: Option<impl FnOnce(&mut RgbTile)>,
+        out: &mut RgbTile,
+    ) {
+        let [irradiance, specular, colors] = &self.gains;
         let everywhere = if self.is_floor { self.ambient } else { [0.0; 3] };
         let lamps = Sum {
-            arriving: Terms { pairs: self.planes.arriving.pairs(), gains: arriving },
-            shine: Terms { pairs: self.planes.shine.pairs(), gains: shine },
+            irradiance: Terms { pairs: self.planes.irradiance.pairs(), gains: irradiance },
+            specular: Terms { pairs: self.planes.specular.pairs(), gains: specular },
             colors: Terms { pairs: self.planes.colors.pairs(), gains: colors },
             worth: self.worth,
             everywhere: [0.0; 3],
         };
         let Some(shade) = shade else {
-            return put_together(path, &Sum { everywhere, ..lamps }, paint, false, out);
+            return put_together(simd, &Sum { everywhere, ..lamps }, paint, false, out);
         };
         if self.is_floor {
-            put_together(path, &Sum { everywhere, ..Sum::NOTHING }, paint, false, out);
+            put_together(simd, &Sum { everywhere, ..Sum::NOTHING }, paint, false, out);
         } else {
             self.kept_base.decode(&self.planes, out);
         }
         shade(out);
-        put_together(path, &lamps, paint, true, out);
+        put_together(simd, &lamps, paint, true, out);
     }
 
     /// Nothing holds any more.
@@ -293,11 +299,11 @@ impl TileMemory {
     }
 }
 
-/// Tiles one after another; while one is looked at, what `fetch` asks for of the next is on its way.
-fn ahead(mut tiles: &mut [TileMemory], fetch: impl Fn(&TileMemory)) -> impl Iterator<Item = &mut TileMemory> {
+/// Tiles one after another; while one is looked at, what `prefetch` asks for of the next is on its way.
+fn ahead(mut tiles: &mut [TileMemory], prefetch: impl Fn(&TileMemory)) -> impl Iterator<Item = &mut TileMemory> {
     std::iter::from_fn(move || {
         let (tile, others) = std::mem::take(&mut tiles).split_first_mut()?;
-        others.first().into_iter().for_each(&fetch);
+        others.first().into_iter().for_each(&prefetch);
         tiles = others;
         Some(tile)
     })

@@ -8,27 +8,23 @@
 //! the light.
 
 use crate::Rgb;
-use crate::cache::packed_planes::{Baseline, MOST_GAIN, Madd, ROWS, STEPS, Sums, Terms};
+use crate::cache::packed_planes::{Baseline, MAX_TOTAL_WEIGHT, Madd, PLANE_MAX, ROWS_AT_ONCE, Sums, Terms};
 #[cfg(target_arch = "x86_64")]
 use crate::cache::packed_planes::{Middle, Wide};
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Path, Set, clones, max};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
-
-/// What a tile's floor reflects: red, green, blue, in 65,535ths.
-pub(crate) type Paint = [[u16; AREA]; 3];
+use crate::simd::dispatch::{InstructionSet, LANES, SimdLevel, max, multiversion};
+use crate::tile::planes::{AlbedoTile, Plane, RgbTile, TILE};
 
 /// Less light than this is none.
-pub(crate) const FAINTEST: f32 = 1e-20;
+pub(crate) const MIN_LIGHT: f32 = 1e-20;
 
 /// The step that planes, finite, 0 or more, are to be kept in; 0 if all is dark.
-pub(crate) fn scale_of(path: Path, planes: &[Plane]) -> f32 {
+pub(crate) fn scale_of(simd: SimdLevel, planes: &[Plane]) -> f32 {
     let mut largest = 0.0;
-    find_largest(path, planes, &mut largest);
-    if largest < FAINTEST { 0.0 } else { largest * (1.0 / STEPS) }
+    find_largest(simd, planes, &mut largest);
+    if largest < MIN_LIGHT { 0.0 } else { largest * (1.0 / PLANE_MAX) }
 }
 
-clones! {
+multiversion! {
     fn find_largest(planes: &[Plane], largest: &mut f32) = largest_lanes;
 }
 
@@ -52,7 +48,7 @@ pub(crate) struct Steps {
 }
 
 impl Steps {
-    /// Such that each of some factors, 0 or more, is at most [`STEPS`], and all together at most [`MOST_GAIN`]. They do
+    /// Such that each of some factors, 0 or more, is at most [`PLANE_MAX`], and all together at most [`MAX_TOTAL_WEIGHT`]. They do
     /// not depend on the order.
     pub fn of(factors: impl Iterator<Item = Rgb> + Clone) -> Steps {
         let (mut most, mut count) = ([0.0; 3], 0);
@@ -60,14 +56,14 @@ impl Steps {
             most = [0, 1, 2].map(|channel: usize| max(factor[channel], most[channel]));
             count += 1;
         }
-        let per_unit = most.map(|most| if most < FAINTEST { 0.0 } else { STEPS / most });
+        let per_unit = most.map(|most| if most < MIN_LIGHT { 0.0 } else { PLANE_MAX / most });
         let mut steps = Steps { per_unit, worth: [0.0; 3] };
         let mut total = [0; 3];
         for whole in factors.map(|factor| steps.whole(factor)) {
             total = [0, 1, 2].map(|channel: usize| total[channel] + whole[channel]);
         }
         // Room for every one of them to be rounded up, twice.
-        let room = MOST_GAIN.saturating_sub(count) as f32;
+        let room = MAX_TOTAL_WEIGHT.saturating_sub(count) as f32;
         for channel in 0..3 {
             let per_unit = &mut steps.per_unit[channel];
             *per_unit *= room / max(total[channel] as f32, room);
@@ -86,9 +82,9 @@ impl Steps {
 #[derive(Clone, Copy)]
 pub(crate) struct Sum<'a> {
     /// What arrives at the floor.
-    pub arriving: Terms<'a, 1>,
+    pub irradiance: Terms<'a, 1>,
     /// What shines there.
-    pub shine: Terms<'a, 1>,
+    pub specular: Terms<'a, 1>,
     /// What is kept in colours.
     pub colors: Terms<'a, 3>,
     /// What a step of the sums is worth.
@@ -100,8 +96,8 @@ pub(crate) struct Sum<'a> {
 impl Sum<'_> {
     /// Darkness.
     pub const NOTHING: Sum<'static> = Sum {
-        arriving: Terms { pairs: &[], gains: &[] },
-        shine: Terms { pairs: &[], gains: &[] },
+        irradiance: Terms { pairs: &[], gains: &[] },
+        specular: Terms { pairs: &[], gains: &[] },
         colors: Terms { pairs: &[], gains: &[] },
         worth: [0.0; 3],
         everywhere: [0.0; 3],
@@ -109,37 +105,37 @@ impl Sum<'_> {
 }
 
 /// Puts a tile together on floor of this paint, in `out`; `onto` what is there already, or in its place.
-pub(crate) fn put_together(path: Path, sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+pub(crate) fn put_together(simd: SimdLevel, sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn avx2(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    fn avx2(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
         sum_lanes::<Middle>(sum, paint, onto, out);
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-    fn avx512(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
+    fn avx512(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
         sum_lanes::<Wide>(sum, paint, onto, out);
     }
-    match path.set() {
-        Set::Baseline => sum_lanes::<Baseline>(sum, paint, onto, out),
-        // SAFETY: a `Path` of this set exists only where the machine was found to have it.
+    match simd.set() {
+        InstructionSet::Baseline => sum_lanes::<Baseline>(sum, paint, onto, out),
+        // SAFETY: a `SimdLevel` of this set exists only where the machine was found to have it.
         #[cfg(target_arch = "x86_64")]
-        Set::Avx2 => unsafe { avx2(sum, paint, onto, out) },
+        InstructionSet::Avx2 => unsafe { avx2(sum, paint, onto, out) },
         // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        Set::Avx512 => unsafe { avx512(sum, paint, onto, out) },
+        InstructionSet::Avx512 => unsafe { avx512(sum, paint, onto, out) },
     }
 }
 
 #[inline(always)]
-fn sum_lanes<M: Madd>(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
-    let on_floor = !sum.arriving.pairs.is_empty() || sum.everywhere != [0.0; 3];
-    for row in (0..TILE).step_by(ROWS) {
-        let mut sums: Sums = [[[0; LANES]; ROWS]; 3];
-        sum.shine.add::<M>(row, &mut sums);
+fn sum_lanes<M: Madd>(sum: &Sum, paint: &AlbedoTile, onto: bool, out: &mut RgbTile) {
+    let on_floor = !sum.irradiance.pairs.is_empty() || sum.everywhere != [0.0; 3];
+    for row in (0..TILE).step_by(ROWS_AT_ONCE) {
+        let mut sums: Sums = [[[0; LANES]; ROWS_AT_ONCE]; 3];
+        sum.specular.add::<M>(row, &mut sums);
         sum.colors.add::<M>(row, &mut sums);
         for channel in 0..3 {
-            for (line, sums) in out[channel][row..row + ROWS].iter_mut().zip(&sums[channel]) {
+            for (line, sums) in out[channel][row..row + ROWS_AT_ONCE].iter_mut().zip(&sums[channel]) {
                 for i in 0..LANES {
                     let light = sums[i] as f32 * sum.worth[channel];
                     line[i] = if onto { line[i] + light } else { light };
@@ -149,12 +145,13 @@ fn sum_lanes<M: Madd>(sum: &Sum, paint: &Paint, onto: bool, out: &mut Light) {
         if !on_floor {
             continue;
         }
-        let mut sums: Sums = [[[0; LANES]; ROWS]; 3];
-        sum.arriving.add::<M>(row, &mut sums);
+        let mut sums: Sums = [[[0; LANES]; ROWS_AT_ONCE]; 3];
+        sum.irradiance.add::<M>(row, &mut sums);
         for channel in 0..3 {
             let (worth, everywhere) = (sum.worth[channel], sum.everywhere[channel]);
-            let paint = &paint[channel].as_chunks::<LANES>().0[row..row + ROWS];
-            for ((line, paint), sums) in out[channel][row..row + ROWS].iter_mut().zip(paint).zip(&sums[channel]) {
+            let paint = &paint[channel].as_chunks::<LANES>().0[row..row + ROWS_AT_ONCE];
+            for ((line, paint), sums) in out[channel][row..row + ROWS_AT_ONCE].iter_mut().zip(paint).zip(&sums[channel])
+            {
                 for i in 0..LANES {
                     let light = everywhere + sums[i] as f32 * worth;
                     line[i] += f32::from(paint[i]) * (1.0 / 65_535.0) * light;
@@ -185,11 +182,11 @@ mod tests {
                 for channel in 0..3 {
                     let off = whole[channel] as f32 * steps.worth[channel] - factor[channel];
                     assert!(off.abs() <= 0.501 * steps.worth[channel], "{off} off, {count} factors");
-                    assert!(whole[channel] <= STEPS as u32, "{whole:?}");
+                    assert!(whole[channel] <= PLANE_MAX as u32, "{whole:?}");
                     total[channel] += whole[channel];
                 }
             }
-            assert!(total.iter().all(|&total| total <= MOST_GAIN), "{total:?} of {count}");
+            assert!(total.iter().all(|&total| total <= MAX_TOTAL_WEIGHT), "{total:?} of {count}");
             factors.reverse();
             let again = Steps::of(factors.iter().copied());
             assert!(again.per_unit == steps.per_unit && again.worth == steps.worth);

@@ -1,47 +1,47 @@
-//! Glare: what a bright lamp spills over its neighbourhood in the eye.
+//! Bloom: what a bright lamp spills over its neighbourhood in the eye.
 //!
 //! The picture is taken down to a quarter and from there by halves; every level is smoothed and added to the level
 //! above on the way back. Wide, soft and cheap: the levels together are a twelfth of the picture.
 
-use crate::simd::dispatch::{LANES, Path, clones, max};
-use crate::tile::packed_samples::TILE;
+use crate::simd::dispatch::{LANES, SimdLevel, max, multiversion};
+use crate::tile::planes::TILE;
 use rayon::prelude::*;
 
 /// How many pixels of the picture, across and down, make one of the finest level.
-pub(crate) const STEP: usize = 4;
+pub(crate) const CELL_PX: usize = 4;
 
 /// Cells that can be read from any tile's first on, though the last tiles' rows end sooner.
-pub(crate) const ROOM: usize = 8;
+pub(crate) const READ_AHEAD_CELLS: usize = 8;
 
 /// Rows of cells that one task makes.
-const ROWS: usize = 32;
+const ROWS_PER_TASK: usize = 32;
 
 /// Levels, the finest first.
 const LEVELS: usize = 5;
 
-/// What the finest level, the next, ... add to the glare.
+/// What the finest level, the next, ... add to the bloom.
 const WEIGHTS: [f32; LEVELS] = [0.34, 0.26, 0.19, 0.13, 0.08];
 
-/// The glare of a picture.
+/// The bloom of a picture.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Pyramid {
-    levels: Vec<Level>,
+pub(crate) struct BloomPyramid {
+    levels: Vec<MipLevel>,
     /// Red, green, blue: the planes of every level.
-    channels: [Vec<Planes>; 3],
-    /// The glare that was taken before this one.
-    before: [Vec<f32>; 3],
+    channels: [Vec<MipPlanes>; 3],
+    /// The bloom that was taken before this one.
+    previous: [Vec<f32>; 3],
 }
 
-/// The same glare, whatever was there before.
-impl PartialEq for Pyramid {
-    fn eq(&self, other: &Pyramid) -> bool {
+/// The same bloom, whatever was there before.
+impl PartialEq for BloomPyramid {
+    fn eq(&self, other: &BloomPyramid) -> bool {
         self.levels == other.levels && self.channels == other.channels
     }
 }
 
 /// The size of a level, whose planes have one cell of border on every side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Level {
+pub(crate) struct MipLevel {
     /// Cells across.
     pub width: usize,
     /// Cells down.
@@ -52,50 +52,54 @@ pub(crate) struct Level {
 
 /// One channel of a level.
 #[derive(Clone, Debug, PartialEq)]
-struct Planes {
+struct MipPlanes {
     /// The picture's light, kept where the picture does not change.
     means: Vec<f32>,
-    /// The glare of this level and of all that are coarser.
-    glare: Vec<f32>,
+    /// The bloom of this level and of all that are coarser.
+    bloom: Vec<f32>,
 }
 
-impl Planes {
-    fn new(level: &Level) -> Planes {
+impl MipPlanes {
+    fn new(level: &MipLevel) -> MipPlanes {
         let plane = || vec![0.0; level.stride * (level.height + 2)];
-        Planes { means: plane(), glare: plane() }
+        MipPlanes { means: plane(), bloom: plane() }
     }
 }
 
-impl Pyramid {
-    /// Makes room for the glare of a picture of this size.
+impl BloomPyramid {
+    /// Makes room for the bloom of a picture of this size.
     pub fn resize(&mut self, width: usize, height: usize) {
-        let mut size = (width.div_ceil(STEP).max(1), height.div_ceil(STEP).max(1));
+        let mut size = (width.div_ceil(CELL_PX).max(1), height.div_ceil(CELL_PX).max(1));
         self.levels.clear();
         for _ in 0..LEVELS {
             let (width, height) = size;
-            self.levels.push(Level { width, height, stride: (width + 2 + ROOM).next_multiple_of(LANES) });
+            self.levels.push(MipLevel {
+                width,
+                height,
+                stride: (width + 2 + READ_AHEAD_CELLS).next_multiple_of(LANES),
+            });
             size = (width.div_ceil(2), height.div_ceil(2));
         }
-        self.channels = [0; 3].map(|_| self.levels.iter().map(Planes::new).collect());
-        self.before = [0; 3].map(|_| self.channels[0].first().map_or(Vec::new(), |finest| finest.glare.clone()));
+        self.channels = [0; 3].map(|_| self.levels.iter().map(MipPlanes::new).collect());
+        self.previous = [0; 3].map(|_| self.channels[0].first().map_or(Vec::new(), |finest| finest.bloom.clone()));
     }
 
     /// The finest level, which holds the sum.
-    pub fn finest(&self) -> Option<(&Level, [&[f32]; 3])> {
+    pub fn finest(&self) -> Option<(&MipLevel, [&[f32]; 3])> {
         let [red, green, blue] = &self.channels;
         let planes = [red.first()?, green.first()?, blue.first()?];
-        Some((self.levels.first()?, planes.map(|planes| planes.glare.as_slice())))
+        Some((self.levels.first()?, planes.map(|planes| planes.bloom.as_slice())))
     }
 
     /// The picture's own light in the finest level, with its border.
-    pub fn means(&self) -> Option<(&Level, [&[f32]; 3])> {
+    pub fn means(&self) -> Option<(&MipLevel, [&[f32]; 3])> {
         let [red, green, blue] = &self.channels;
         let planes = [red.first()?, green.first()?, blue.first()?];
         Some((self.levels.first()?, planes.map(|planes| planes.means.as_slice())))
     }
 
-    /// The same, to be written: rows of [`Level::stride`] cells, the first cell of each being border.
-    pub fn means_mut(&mut self) -> Option<(Level, [&mut [f32]; 3])> {
+    /// The same, to be written: rows of [`MipLevel::stride`] cells, the first cell of each being border.
+    pub fn means_mut(&mut self) -> Option<(MipLevel, [&mut [f32]; 3])> {
         let level = *self.levels.first()?;
         let [red, green, blue] = &mut self.channels;
         let planes = [red.first_mut()?, green.first_mut()?, blue.first_mut()?];
@@ -103,61 +107,61 @@ impl Pyramid {
         Some((level, planes.map(|planes| &mut planes.means[rows.clone()])))
     }
 
-    /// Takes the glare of the picture whose means were written.
-    pub fn gather(&mut self, path: Path) {
+    /// Takes the bloom of the picture whose means were written.
+    pub fn compute(&mut self, simd: SimdLevel) {
         let levels = &self.levels;
-        self.channels.par_iter_mut().zip(&mut self.before).for_each(|(channel, before)| {
+        self.channels.par_iter_mut().zip(&mut self.previous).for_each(|(channel, previous)| {
             if let (Some(level), Some(planes)) = (levels.first(), channel.first_mut()) {
-                border(&mut planes.means, level);
-                std::mem::swap(before, &mut planes.glare);
+                replicate_border(&mut planes.means, level);
+                std::mem::swap(previous, &mut planes.bloom);
             }
             for at in 1..levels.len() {
                 let (finer, coarser) = channel.split_at_mut(at);
-                descend(path, &finer[at - 1].means, &levels[at - 1], &mut coarser[0].means, &levels[at]);
-                border(&mut coarser[0].means, &levels[at]);
+                downsample(simd, &finer[at - 1].means, &levels[at - 1], &mut coarser[0].means, &levels[at]);
+                replicate_border(&mut coarser[0].means, &levels[at]);
             }
             for at in (0..levels.len()).rev() {
                 let (finer, coarser) = channel.split_at_mut(at + 1);
-                let Planes { means, glare } = &mut finer[at];
+                let MipPlanes { means, bloom } = &mut finer[at];
                 let level = &levels[at];
-                let coarse = coarser.first().map(|planes| (planes.glare.as_slice(), &levels[at + 1]));
-                let rows = &mut glare[level.stride..(level.height + 1) * level.stride];
-                rows.par_chunks_mut(level.stride * ROWS).enumerate().for_each(|(chunk, rows)| {
+                let coarse = coarser.first().map(|planes| (planes.bloom.as_slice(), &levels[at + 1]));
+                let rows = &mut bloom[level.stride..(level.height + 1) * level.stride];
+                rows.par_chunks_mut(level.stride * ROWS_PER_TASK).enumerate().for_each(|(chunk, rows)| {
                     for (row, out) in rows.chunks_mut(level.stride).enumerate() {
-                        let y = chunk * ROWS + row;
+                        let y = chunk * ROWS_PER_TASK + row;
                         let around = &means[y * level.stride..(y + 3) * level.stride];
-                        smooth(path, around, level, WEIGHTS[at], out);
+                        tent_filter(simd, around, level, WEIGHTS[at], out);
                         if let Some((coarse, size)) = coarse {
-                            ascend(path, coarse, size, y, level.width, out);
+                            upsample(simd, coarse, size, y, level.width, out);
                         }
                     }
                 });
-                border(glare, level);
+                replicate_border(bloom, level);
             }
         });
     }
 
-    /// Whether the glare of a tile, given by its upper left pixel, is another than before it was taken last.
-    pub fn differs(&self, x: usize, y: usize) -> bool {
+    /// Whether the bloom of a tile, given by its upper left pixel, is another than before it was taken last.
+    pub fn has_changed_at(&self, x: usize, y: usize) -> bool {
         let Some(level) = self.levels.first() else { return false };
-        let columns = x / STEP..(x / STEP + TILE / STEP + 2).min(level.width + 2);
-        (y / STEP..(y / STEP + TILE / STEP + 2).min(level.height + 2)).any(|row| {
+        let columns = x / CELL_PX..(x / CELL_PX + TILE / CELL_PX + 2).min(level.width + 2);
+        (y / CELL_PX..(y / CELL_PX + TILE / CELL_PX + 2).min(level.height + 2)).any(|row| {
             let cells = row * level.stride + columns.start..row * level.stride + columns.end;
-            let same = |(channel, before): (&Vec<Planes>, &Vec<f32>)| {
-                channel.first().is_some_and(|finest| finest.glare[cells.clone()] == before[cells.clone()])
+            let same = |(channel, previous): (&Vec<MipPlanes>, &Vec<f32>)| {
+                channel.first().is_some_and(|finest| finest.bloom[cells.clone()] == previous[cells.clone()])
             };
-            !self.channels.iter().zip(&self.before).all(same)
+            !self.channels.iter().zip(&self.previous).all(same)
         })
     }
 }
 
-clones! {
+multiversion! {
     /// Halves a level.
-    fn descend(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) = descend_plane;
+    fn downsample(source: &[f32], finer: &MipLevel, target: &mut [f32], coarser: &MipLevel) = downsample_plane;
 }
 
 #[inline(always)]
-fn descend_plane(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Level) {
+fn downsample_plane(source: &[f32], finer: &MipLevel, target: &mut [f32], coarser: &MipLevel) {
     for y in 0..coarser.height {
         for x in 0..coarser.width {
             let top = (1 + 2 * y) * finer.stride + 1 + 2 * x;
@@ -169,7 +173,7 @@ fn descend_plane(source: &[f32], finer: &Level, target: &mut [f32], coarser: &Le
 }
 
 /// Repeats the edge cells outwards.
-fn border(plane: &mut [f32], &Level { width, height, stride }: &Level) {
+fn replicate_border(plane: &mut [f32], &MipLevel { width, height, stride }: &MipLevel) {
     for y in 1..=height {
         plane[y * stride] = plane[y * stride + 1];
         plane[y * stride + width + 1] = plane[y * stride + width];
@@ -178,13 +182,13 @@ fn border(plane: &mut [f32], &Level { width, height, stride }: &Level) {
     plane.copy_within(height * stride..(height + 1) * stride, (height + 1) * stride);
 }
 
-clones! {
+multiversion! {
     /// A 1 2 1 filter both ways, times `weight`, of the middle one of three rows.
-    fn smooth(around: &[f32], level: &Level, weight: f32, out: &mut [f32]) = smooth_row;
+    fn tent_filter(around: &[f32], level: &MipLevel, weight: f32, out: &mut [f32]) = tent_filter_row;
 }
 
 #[inline(always)]
-fn smooth_row(around: &[f32], &Level { width, stride, .. }: &Level, weight: f32, out: &mut [f32]) {
+fn tent_filter_row(around: &[f32], &MipLevel { width, stride, .. }: &MipLevel, weight: f32, out: &mut [f32]) {
     let weight = weight / 16.0;
     let column = |shift: usize| {
         let row = |at: usize| &around[at * stride + shift..][..width];
@@ -198,13 +202,13 @@ fn smooth_row(around: &[f32], &Level { width, stride, .. }: &Level, weight: f32,
     }
 }
 
-clones! {
+multiversion! {
     /// Adds the coarser level, stretched to twice its size, to row `y`.
-    fn ascend(source: &[f32], coarse: &Level, y: usize, width: usize, out: &mut [f32]) = ascend_row;
+    fn upsample(source: &[f32], coarse: &MipLevel, y: usize, width: usize, out: &mut [f32]) = upsample_row;
 }
 
 #[inline(always)]
-fn ascend_row(source: &[f32], coarse: &Level, y: usize, width: usize, out: &mut [f32]) {
+fn upsample_row(source: &[f32], coarse: &MipLevel, y: usize, width: usize, out: &mut [f32]) {
     let (near, far) = neighbours(y);
     let (near, far) = (&source[near * coarse.stride..], &source[far * coarse.stride..]);
     for (x, out) in out[1..=width].iter_mut().enumerate() {

@@ -6,20 +6,20 @@
 use std::sync::OnceLock;
 
 /// Cells along a side; the array repeats.
-pub(crate) const SIZE: usize = 64;
+pub(crate) const MATRIX_SIDE: usize = 64;
 
-const CELLS: usize = SIZE * SIZE;
+const MATRIX_CELLS: usize = MATRIX_SIDE * MATRIX_SIDE;
 
 /// How far a cell's influence is followed.
-const REACH: isize = 7;
+const KERNEL_REACH: isize = 7;
 
 /// Thresholds in (-0.5, 0.5), evenly spread, row by row.
-pub(crate) fn thresholds() -> &'static [f32; CELLS] {
-    static THRESHOLDS: OnceLock<Box<[f32; CELLS]>> = OnceLock::new();
+pub(crate) fn thresholds() -> &'static [f32; MATRIX_CELLS] {
+    static THRESHOLDS: OnceLock<Box<[f32; MATRIX_CELLS]>> = OnceLock::new();
     THRESHOLDS.get_or_init(|| {
-        let mut thresholds = Box::new([0.0; CELLS]);
+        let mut thresholds = Box::new([0.0; MATRIX_CELLS]);
         for (cell, rank) in ranks().into_iter().enumerate() {
-            thresholds[cell] = (rank as f32 + 0.5) / CELLS as f32 - 0.5;
+            thresholds[cell] = (rank as f32 + 0.5) / MATRIX_CELLS as f32 - 0.5;
         }
         thresholds
     })
@@ -34,26 +34,26 @@ struct Pattern {
 
 impl Pattern {
     fn new() -> Pattern {
-        let side = 2 * REACH + 1;
+        let side = 2 * KERNEL_REACH + 1;
         let kernel = (0..side * side)
             .map(|at| {
-                let (x, y) = ((at % side - REACH) as f32, (at / side - REACH) as f32);
+                let (x, y) = ((at % side - KERNEL_REACH) as f32, (at / side - KERNEL_REACH) as f32);
                 libm::expf(-(x * x + y * y) / (2.0 * 1.5 * 1.5))
             })
             .collect();
-        Pattern { set: vec![false; CELLS], crowding: vec![0.0; CELLS], kernel }
+        Pattern { set: vec![false; MATRIX_CELLS], crowding: vec![0.0; MATRIX_CELLS], kernel }
     }
 
     fn put(&mut self, cell: usize, present: bool) {
         self.set[cell] = present;
         let sign = if present { 1.0 } else { -1.0 };
-        let (cx, cy) = ((cell % SIZE) as isize, (cell / SIZE) as isize);
-        for dy in -REACH..=REACH {
-            for dx in -REACH..=REACH {
-                let x = (cx + dx).rem_euclid(SIZE as isize) as usize;
-                let y = (cy + dy).rem_euclid(SIZE as isize) as usize;
-                let at = (dy + REACH) * (2 * REACH + 1) + dx + REACH;
-                self.crowding[y * SIZE + x] += sign * self.kernel[at as usize];
+        let (cx, cy) = ((cell % MATRIX_SIDE) as isize, (cell / MATRIX_SIDE) as isize);
+        for dy in -KERNEL_REACH..=KERNEL_REACH {
+            for dx in -KERNEL_REACH..=KERNEL_REACH {
+                let x = (cx + dx).rem_euclid(MATRIX_SIDE as isize) as usize;
+                let y = (cy + dy).rem_euclid(MATRIX_SIDE as isize) as usize;
+                let at = (dy + KERNEL_REACH) * (2 * KERNEL_REACH + 1) + dx + KERNEL_REACH;
+                self.crowding[y * MATRIX_SIDE + x] += sign * self.kernel[at as usize];
             }
         }
     }
@@ -62,7 +62,7 @@ impl Pattern {
     fn extreme(&self, present: bool) -> usize {
         let mut best = 0;
         let mut most = f32::MIN;
-        for cell in 0..CELLS {
+        for cell in 0..MATRIX_CELLS {
             let crowding = if present { self.crowding[cell] } else { -self.crowding[cell] };
             if self.set[cell] == present && crowding > most {
                 (best, most) = (cell, crowding);
@@ -75,20 +75,20 @@ impl Pattern {
 /// The order in which the cells of the array are filled.
 fn ranks() -> Vec<usize> {
     let mut pattern = Pattern::new();
-    let first = CELLS / 10;
+    let first = MATRIX_CELLS / 10;
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let mut placed = 0;
     while placed < first {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
-        let cell = (state >> 20) as usize % CELLS;
+        let cell = (state >> 20) as usize % MATRIX_CELLS;
         if !pattern.set[cell] {
             pattern.put(cell, true);
             placed += 1;
         }
     }
-    for _ in 0..CELLS {
+    for _ in 0..MATRIX_CELLS {
         let cluster = pattern.extreme(true);
         pattern.put(cluster, false);
         let void = pattern.extreme(false);
@@ -97,8 +97,8 @@ fn ranks() -> Vec<usize> {
             break;
         }
     }
-    let start: Vec<usize> = (0..CELLS).filter(|&cell| pattern.set[cell]).collect();
-    let mut ranks = vec![0; CELLS];
+    let start: Vec<usize> = (0..MATRIX_CELLS).filter(|&cell| pattern.set[cell]).collect();
+    let mut ranks = vec![0; MATRIX_CELLS];
     for rank in (0..first).rev() {
         let cluster = pattern.extreme(true);
         pattern.put(cluster, false);
@@ -107,7 +107,7 @@ fn ranks() -> Vec<usize> {
     for cell in start {
         pattern.put(cell, true);
     }
-    for rank in first..CELLS {
+    for rank in first..MATRIX_CELLS {
         let void = pattern.extreme(false);
         pattern.put(void, true);
         ranks[void] = rank;

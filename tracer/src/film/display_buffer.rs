@@ -1,23 +1,23 @@
 //! A finished picture that knows what it shows, so that only what has changed is drawn again.
 
 use crate::Frame;
-use crate::film::bloom::Pyramid;
-use crate::tile::packed_samples::TILE;
+use crate::film::bloom::BloomPyramid;
+use crate::tile::planes::TILE;
 
 /// Pixels, and what they were made of.
 ///
 /// Keep one and draw on it again and again: it allocates only when the size changes.
 #[derive(Clone, Debug, Default)]
-pub struct Film {
+pub struct DisplayBuffer {
     pub(crate) frame: Frame,
-    pub(crate) glare: Pyramid,
+    pub(crate) bloom: BloomPyramid,
     /// The part that is wanted, if it is not all: the first column and row, and those after the last.
-    pub(crate) window: Option<[usize; 4]>,
+    pub(crate) scissor: Option<[usize; 4]>,
     /// Which renderer drew it, which of its pictures it is, and how it was exposed.
-    pub(crate) drawn: Option<((u64, u64), f32)>,
+    pub(crate) source: Option<((u64, u64), f32)>,
 }
 
-impl Film {
+impl DisplayBuffer {
     /// The picture.
     pub fn frame(&self) -> &Frame {
         &self.frame
@@ -25,13 +25,13 @@ impl Film {
 
     /// From now on, only the pixels from (`x`, `y`) on, `width` x `height` of them, are wanted: all others may be left as
     /// they are. Their light is known all the same, so that the picture does not depend on where one has looked before.
-    pub fn look_at(&mut self, x: usize, y: usize, width: usize, height: usize) {
-        self.window = Some([x, y, x + width, y + height]);
+    pub fn set_scissor(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        self.scissor = Some([x, y, x + width, y + height]);
     }
 
     /// Whether a tile, given by its upper left pixel, is wanted in a window.
-    pub(crate) fn wants(window: Option<[usize; 4]>, x: usize, y: usize) -> bool {
-        window.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
+    pub(crate) fn in_scissor(scissor: Option<[usize; 4]>, x: usize, y: usize) -> bool {
+        scissor.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
     }
 
     /// Makes the picture `width` x `height` pixels; what was in it is lost if that is another size.
@@ -40,8 +40,8 @@ impl Film {
             (self.frame.width, self.frame.height) = (width, height);
             self.frame.pixels.clear();
             self.frame.pixels.resize(width * height, 0);
-            self.glare.resize(width, height);
-            self.drawn = None;
+            self.bloom.resize(width, height);
+            self.source = None;
         }
     }
 }

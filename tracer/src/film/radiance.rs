@@ -1,8 +1,9 @@
 //! The light that leaves the table towards the eye, before any film has seen it.
 
 use crate::simd::dispatch::LANES;
+use crate::tile::planes::{Plane, RgbTile};
 
-/// A picture in linear light, unbounded above: three planes of `f32`, and its glare.
+/// A picture in linear light, unbounded above: three planes of `f32`, and its bloom.
 ///
 /// Keep one and render into it again and again: it allocates only when the size changes.
 #[derive(Clone, Debug, Default)]
@@ -12,16 +13,16 @@ pub struct Radiance {
     stride: usize,
     /// Red, green, blue; `stride * height` each.
     pub(crate) planes: [Vec<f32>; 3],
-    pub(crate) glare: crate::film::bloom::Pyramid,
+    pub(crate) bloom: crate::film::bloom::BloomPyramid,
     /// Which renderer drew it, and which of its pictures it is.
-    pub(crate) drawn: Option<(u64, u64)>,
+    pub(crate) source: Option<(u64, u64)>,
 }
 
 /// The same light, whoever drew it.
 impl PartialEq for Radiance {
     fn eq(&self, other: &Radiance) -> bool {
         let size = |radiance: &Radiance| (radiance.width, radiance.height);
-        size(self) == size(other) && self.planes == other.planes && self.glare == other.glare
+        size(self) == size(other) && self.planes == other.planes && self.bloom == other.bloom
     }
 }
 
@@ -39,13 +40,13 @@ impl Radiance {
             return;
         }
         (self.width, self.height) = (width, height);
-        self.drawn = None;
+        self.source = None;
         self.stride = width.next_multiple_of(LANES);
         for plane in &mut self.planes {
             plane.clear();
             plane.resize(self.stride * height, 0.0);
         }
-        self.glare.resize(width, height);
+        self.bloom.resize(width, height);
     }
 
     /// Pixels across.
@@ -64,14 +65,14 @@ impl Radiance {
     }
 
     /// The tile whose upper left pixel is (`x`, `y`); what is below the picture is left as it is.
-    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::shading::surface::Light) {
+    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut RgbTile) {
         for (channel, tile) in light.iter_mut().enumerate() {
             self.read_plane(channel, x, y, tile);
         }
     }
 
     /// One channel of [`Radiance::read_tile`].
-    pub(crate) fn read_plane(&self, channel: usize, x: usize, y: usize, tile: &mut crate::tile::packed_samples::Plane) {
+    pub(crate) fn read_plane(&self, channel: usize, x: usize, y: usize, tile: &mut Plane) {
         for (row, line) in tile.iter_mut().enumerate().take(self.height - y) {
             line.copy_from_slice(&self.planes[channel][(y + row) * self.stride + x..][..LANES]);
         }

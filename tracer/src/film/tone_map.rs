@@ -1,22 +1,21 @@
 //! From light to the pixels of a screen.
 //!
-//! Exposure, glare, a filmic curve that keeps the hue, the sRGB transfer curve, and blue noise before the rounding. The
+//! Exposure, bloom, a filmic curve that keeps the hue, the sRGB transfer curve, and blue noise before the rounding. The
 //! curve looks at the strongest channel and scales all three alike, so that a red lamp stays red however bright; only
 //! far beyond white does it pale.
 
-use crate::film::bloom::{Level, Pyramid, ROOM, STEP};
+use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel, READ_AHEAD_CELLS};
 use crate::film::blue_noise;
-use crate::shading::surface::{DARKNESS, Light};
-use crate::simd::dispatch::{LANES, Lanes, Path, clamp, clones, max};
-use crate::tile::packed_samples::TILE;
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, clamp, max, multiversion};
+use crate::tile::planes::{BLACK, RgbTile, TILE};
 use crate::{Frame, Radiance};
 use rayon::prelude::*;
 
 /// How much of the light the eye scatters.
-const GLARE: f32 = 0.09;
+const BLOOM_STRENGTH: f32 = 0.09;
 
-/// Cells of glare that a tile's pixels lie between, along a side.
-const CELLS: usize = TILE / STEP + 2;
+/// Cells of bloom that a tile's pixels lie between, along a side.
+const BLOOM_CELLS: usize = TILE / CELL_PX + 2;
 
 /// The pixels of a tile.
 pub(crate) type Pixels = [[u32; LANES]; TILE];
@@ -25,11 +24,11 @@ pub(crate) type Pixels = [[u32; LANES]; TILE];
 ///
 /// The frame takes the size of the picture.
 pub fn map(radiance: &Radiance, exposure: f32, frame: &mut Frame) {
-    map_on(Path::best(), radiance, exposure, frame);
+    map_on(SimdLevel::best(), radiance, exposure, frame);
 }
 
 /// [`map`] on a chosen instruction set: the same bits on each.
-pub fn map_on(path: Path, radiance: &Radiance, exposure: f32, frame: &mut Frame) {
+pub fn map_on(simd: SimdLevel, radiance: &Radiance, exposure: f32, frame: &mut Frame) {
     let (width, height) = (radiance.width(), radiance.height());
     (frame.width, frame.height) = (width, height);
     frame.pixels.resize(width * height, 0);
@@ -37,18 +36,18 @@ pub fn map_on(path: Path, radiance: &Radiance, exposure: f32, frame: &mut Frame)
         return;
     }
     frame.pixels.par_chunks_mut(width * TILE).enumerate().for_each(|(band, pixels)| {
-        let mut light = DARKNESS;
+        let mut light = BLACK;
         let mut tile = [[0; LANES]; TILE];
         for x in (0..width).step_by(TILE) {
             radiance.read_tile(x, band * TILE, &mut light);
-            develop(path, &light, &radiance.glare, exposure, [x, band * TILE], &mut tile);
-            put(&tile, x, width, pixels);
+            tone_map_tile(simd, &light, &radiance.bloom, exposure, [x, band * TILE], &mut tile);
+            store_tile(&tile, x, width, pixels);
         }
     });
 }
 
-/// Copies a developed tile into rows of pixels `width` wide, as far as they reach.
-pub(crate) fn put(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
+/// Copies a tone-mapped tile into rows of pixels `width` wide, as far as they reach.
+pub(crate) fn store_tile(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
     for (row, line) in pixels.chunks_exact_mut(width).zip(tile) {
         let row = &mut row[x..];
         match row.first_chunk_mut() {
@@ -58,76 +57,76 @@ pub(crate) fn put(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
     }
 }
 
-/// Develops the tile whose upper left pixel is `corner`.
-pub(crate) fn develop(
-    path: Path,
-    light: &Light,
-    glare: &Pyramid,
+/// Tone-maps the tile whose upper left pixel is `corner`.
+pub(crate) fn tone_map_tile(
+    simd: SimdLevel,
+    light: &RgbTile,
+    bloom: &BloomPyramid,
     exposure: f32,
     corner: [usize; 2],
     pixels: &mut Pixels,
 ) {
-    if let Some((level, planes)) = glare.finest() {
-        develop_tile(path, light, level, planes, exposure, corner, pixels);
+    if let Some((level, planes)) = bloom.finest() {
+        tone_map_dispatch(simd, light, level, planes, exposure, corner, pixels);
     }
 }
 
-clones! {
-    fn develop_tile(
-        light: &Light, level: &Level, glare: [&[f32]; 3], exposure: f32, corner: [usize; 2], pixels: &mut Pixels,
-    ) = develop_lanes;
+multiversion! {
+    fn tone_map_dispatch(
+        light: &RgbTile, level: &MipLevel, bloom: [&[f32]; 3], exposure: f32, corner: [usize; 2], pixels: &mut Pixels,
+    ) = tone_map_lanes;
 }
 
 #[inline(always)]
-fn develop_lanes(
-    light: &Light,
-    level: &Level,
-    glare: [&[f32]; 3],
+fn tone_map_lanes(
+    light: &RgbTile,
+    level: &MipLevel,
+    bloom: [&[f32]; 3],
     exposure: f32,
     [x, y]: [usize; 2],
     pixels: &mut Pixels,
 ) {
     let noise = blue_noise::thresholds();
-    let mut stretched = [[[0.0; LANES]; CELLS]; 3];
-    for (plane, stretched) in glare.into_iter().zip(&mut stretched) {
+    let mut stretched = [[[0.0; LANES]; BLOOM_CELLS]; 3];
+    for (plane, stretched) in bloom.into_iter().zip(&mut stretched) {
         for (row, stretched) in stretched.iter_mut().enumerate() {
-            let row = (y / STEP + row).min(level.height + 1) * level.stride;
-            let mut cells = [0.0; ROOM];
-            cells.copy_from_slice(&plane[row + x / STEP..][..ROOM]);
-            stretch(&cells, exposure * GLARE, stretched);
+            let row = (y / CELL_PX + row).min(level.height + 1) * level.stride;
+            let mut cells = [0.0; READ_AHEAD_CELLS];
+            cells.copy_from_slice(&plane[row + x / CELL_PX..][..READ_AHEAD_CELLS]);
+            stretch(&cells, exposure * BLOOM_STRENGTH, stretched);
         }
     }
     for row in 0..TILE {
         // Half a cell down from the border's middle: between which cells, and how far.
-        let (near, part) = ((row + 2) / STEP, PARTS[row]);
+        let (near, part) = ((row + 2) / CELL_PX, CELL_FRACTIONS[row]);
         // Channel by channel and not in a loop, which the compiler would turn round and gather from memory.
-        let gain = exposure * (1.0 - GLARE);
+        let gain = exposure * (1.0 - BLOOM_STRENGTH);
         let mut red = expose(&light[0][row], &stretched[0], near, part, gain);
         let mut green = expose(&light[1][row], &stretched[1], near, part, gain);
         let mut blue = expose(&light[2][row], &stretched[2], near, part, gain);
         for i in 0..LANES {
-            let [r, g, b] = film([red[i], green[i], blue[i]]);
+            let [r, g, b] = filmic_curve([red[i], green[i], blue[i]]);
             (red[i], green[i], blue[i]) = (srgb(r), srgb(g), srgb(b));
         }
         let noise = |channel: usize| {
-            let line = (y + row + 21 * channel) % blue_noise::SIZE * blue_noise::SIZE;
-            &noise[line + (x + LANES * channel) % blue_noise::SIZE..][..LANES]
+            let line = (y + row + 21 * channel) % blue_noise::MATRIX_SIDE * blue_noise::MATRIX_SIDE;
+            &noise[line + (x + LANES * channel) % blue_noise::MATRIX_SIDE..][..LANES]
         };
         let (red_noise, green_noise, blue_noise) = (noise(0), noise(1), noise(2));
         let mut packed = [0u32; LANES];
         for i in 0..LANES {
-            packed[i] = rounded(red[i] * 255.0 + red_noise[i]) << 16
-                | rounded(green[i] * 255.0 + green_noise[i]) << 8
-                | rounded(blue[i] * 255.0 + blue_noise[i]);
+            packed[i] = round_to_byte(red[i] * 255.0 + red_noise[i]) << 16
+                | round_to_byte(green[i] * 255.0 + green_noise[i]) << 8
+                | round_to_byte(blue[i] * 255.0 + blue_noise[i]);
         }
         pixels[row] = packed;
     }
 }
 
-/// A row of light, times `gain`, and the glare, which lies `part` of the way from the row of cells `near` to the next.
+/// A row of light, times `gain`, and the bloom, which lies `part` of the way from the row of cells `near` to the next.
 #[inline(always)]
-fn expose(light: &Lanes, glare: &[Lanes; CELLS], near: usize, part: f32, gain: f32) -> Lanes {
-    let (above, below) = (&glare[near], &glare[near + 1]);
+fn expose(light: &Lanes, bloom: &[Lanes; BLOOM_CELLS], near: usize, part: f32, gain: f32) -> Lanes {
+    let (above, below) = (&bloom[near], &bloom[near + 1]);
     let mut out = [0.0; LANES];
     for i in 0..LANES {
         out[i] = light[i] * gain + (above[i] + (below[i] - above[i]) * part);
@@ -137,22 +136,22 @@ fn expose(light: &Lanes, glare: &[Lanes; CELLS], near: usize, part: f32, gain: f
 
 /// A row of cells, of which the first is left of the tile, at the picture's resolution, times `gain`.
 #[inline(always)]
-fn stretch(cells: &[f32; ROOM], gain: f32, out: &mut Lanes) {
+fn stretch(cells: &[f32; READ_AHEAD_CELLS], gain: f32, out: &mut Lanes) {
     let (mut near, mut far) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
-        (near[i], far[i]) = (cells[(i + 2) / STEP], cells[(i + 2) / STEP + 1]);
+        (near[i], far[i]) = (cells[(i + 2) / CELL_PX], cells[(i + 2) / CELL_PX + 1]);
     }
     for i in 0..LANES {
-        out[i] = gain * (near[i] + (far[i] - near[i]) * PARTS[i]);
+        out[i] = gain * (near[i] + (far[i] - near[i]) * CELL_FRACTIONS[i]);
     }
 }
 
 /// How far each pixel of a row is from the middle of one cell to that of the next.
-const PARTS: Lanes = {
+const CELL_FRACTIONS: Lanes = {
     let mut parts = [0.0; LANES];
     let mut i = 0;
     while i < LANES {
-        parts[i] = ((i + 2) % STEP) as f32 * 0.25 + 0.125;
+        parts[i] = ((i + 2) % CELL_PX) as f32 * 0.25 + 0.125;
         i += 1;
     }
     parts
@@ -160,7 +159,7 @@ const PARTS: Lanes = {
 
 /// The nearest whole number, for a value that is brought into 0 to 255: 2^23 leaves no room for a fraction.
 #[inline(always)]
-fn rounded(value: f32) -> u32 {
+fn round_to_byte(value: f32) -> u32 {
     (clamp(value, 0.0, 255.0) + 8_388_608.0).to_bits() & 0xff
 }
 
@@ -168,7 +167,7 @@ fn rounded(value: f32) -> u32 {
 ///
 /// The curve is K. Narkowicz's fit of the ACES reference transform (2016), on the strongest channel.
 #[inline(always)]
-fn film([r, g, b]: [f32; 3]) -> [f32; 3] {
+fn filmic_curve([r, g, b]: [f32; 3]) -> [f32; 3] {
     let strongest = max(max(r, g), max(b, 1e-5));
     let m = strongest * 0.72;
     let (above, below) = (m * (2.51 * m + 0.03), m * (2.43 * m + 0.59) + 0.14);

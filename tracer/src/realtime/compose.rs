@@ -4,39 +4,39 @@ use crate::cache::damage::contact_mm;
 use crate::realtime::direct_light::scatter;
 use crate::realtime::tile_renderer::{Stage, Workspace};
 use crate::shading::albedo_map;
-use crate::shading::surface::{DARKNESS, Light, light_floor_ambient, light_top_ambient};
+use crate::shading::surface::{shade_floor_ambient, shade_top_ambient};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, clones, max};
-use crate::tile::packed_samples::{Points, TILE};
-use crate::tile::rect::Place;
-use crate::visibility::shadow_bounds::ALL_ROWS;
+use crate::simd::dispatch::{LANES, max, multiversion};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, RgbTile, TILE};
+use crate::tile::rect::TileRect;
 use crate::{Ball, Mask};
 
 impl Workspace {
     /// Reads the art of the floor, and how it leans, for the surfaces that were recalled.
-    pub(crate) fn read_art(&mut self, stage: &Stage, place: &Place) {
-        let &Place { x, y, .. } = place;
+    pub(crate) fn read_art(&mut self, stage: &Stage, rect: &TileRect) {
+        let &TileRect { x, y, .. } = rect;
         // What a few points need is read whole, and then packed.
         let art = if self.whole { &mut self.ground.albedo } else { &mut self.art };
-        stage.art.read(stage.path, x, y, art);
+        stage.art.read(stage.simd, x, y, art);
         let normals = if self.whole { &mut self.ground.normals } else { &mut self.normals };
-        self.ground.leans = stage.art.read_normals(stage.path, x, y, normals);
+        self.ground.has_normals = stage.art.read_normals(stage.simd, x, y, normals);
         self.pack_floor();
     }
 
     /// Reads what is printed on tops that were found.
-    pub(crate) fn read_prints(&mut self, stage: &Stage, place: &Place, layers: usize) {
+    pub(crate) fn read_prints(&mut self, stage: &Stage, rect: &TileRect, layers: usize) {
         let (scene, floor) = (stage.scene, stage.scene.floor);
-        let (width, height) = place.inside;
-        let has_art = |layer: &TopLayer| floor.fits(scene) && scene.tops[layer.form].finish.art;
+        let (width, height) = rect.visible_px;
+        let has_art = |layer: &TopLayer| floor.fits(scene) && stage.tops.top(layer.form).finish.art;
         if self.tops[..layers].iter().any(has_art) {
-            albedo_map::read(stage.path, &floor.tops, floor.width, place.x, place.y, width, height, &mut self.printed);
-            self.printed.repeat_edges(width, height);
+            albedo_map::read(stage.simd, &floor.tops, floor.width, rect.x, rect.y, width, height, &mut self.printed);
+            self.printed.clamp_to_edge(width, height);
         }
         for layer in &mut self.tops[..layers] {
             layer.printed = false;
             if has_art(layer) {
-                layer.take_print(&self.printed);
+                layer.pack_print(&self.printed);
             }
         }
     }
@@ -54,14 +54,14 @@ impl Workspace {
                 for (packed, art) in ground.albedo.iter_mut().zip(&self.art) {
                     packed[block][lane] = art[row][i];
                 }
-                if ground.leans {
+                if ground.has_normals {
                     ground.normals.x[block][lane] = self.normals.x[row][i];
                     ground.normals.y[block][lane] = self.normals.y[row][i];
                     ground.normals.z[block][lane] = self.normals.z[row][i];
                 }
             }
         }
-        if !ground.leans {
+        if !ground.has_normals {
             let blocks = if self.whole { TILE } else { self.floor.blocks() };
             for plane in [&mut ground.normals.x, &mut ground.normals.y] {
                 plane[..blocks].fill([0.0; LANES]);
@@ -72,27 +72,27 @@ impl Workspace {
 
     /// Puts the tile in the light from everywhere, with the light of tops of their own, into [`Workspace::picture`].
     pub(crate) fn light_from_everywhere(&mut self, stage: &Stage, layers: usize) {
-        let (path, ambient) = (stage.path, stage.scene.ambient);
+        let (simd, ambient) = (stage.simd, stage.scene.ambient);
         if self.whole {
-            light_floor_ambient(path, TILE, &self.ground, ambient, &mut self.picture);
+            shade_floor_ambient(simd, TILE, &self.ground, ambient, &mut self.picture);
         } else {
-            self.picture = DARKNESS;
-            light_floor_ambient(path, self.floor.blocks(), &self.ground, ambient, &mut self.packed);
+            self.picture = BLACK;
+            shade_floor_ambient(simd, self.floor.blocks(), &self.ground, ambient, &mut self.packed);
             scatter(&self.floor, ALL_ROWS, &self.packed, &mut self.picture);
         }
         for TopLayer { form, points, surface, .. } in &self.tops[..layers] {
-            let finish = &stage.scene.tops[*form].finish;
-            light_top_ambient(path, points.blocks(), surface, finish, ambient, &mut self.packed);
+            let finish = &stage.tops.top(*form).finish;
+            shade_top_ambient(simd, points.blocks(), surface, finish, ambient, &mut self.packed);
             scatter(points, ALL_ROWS, &self.packed, &mut self.picture);
         }
     }
 
     /// Puts the light of an insert, of the colour white, through the art that is printed on it, into
     /// [`Workspace::picture`].
-    pub(crate) fn glow(&mut self, place: &Place, mask: &Mask) {
-        self.picture = DARKNESS;
+    pub(crate) fn glow(&mut self, rect: &TileRect, mask: &Mask) {
+        self.picture = BLACK;
         let floor = if self.whole { &self.ground.albedo } else { &self.art };
-        let &Place { x, y, .. } = place;
+        let &TileRect { x, y, .. } = rect;
         let columns = mask.x.max(x)..(mask.x + mask.width).min(x + TILE);
         let lines = mask.y.max(y)..(mask.y + mask.height()).min(y + TILE);
         for line in lines {
@@ -116,12 +116,12 @@ impl Workspace {
 
 /// Darkens `out` where a ball hides the sky: a sphere, seen from the floor, hides the part `(r / s)^2 cos`, s being the
 /// distance of its middle.
-pub(crate) fn shade_contacts(stage: &Stage, place: &Place, out: &mut Light) {
-    for ball in stage.scene.balls.iter().filter(|ball| touches(ball, place)) {
-        let from_tile = ball.center_mm - place.middle_mm;
+pub(crate) fn shade_contacts(stage: &Stage, rect: &TileRect, out: &mut RgbTile) {
+    for ball in stage.scene.balls.iter().filter(|ball| touches(ball, rect)) {
+        let from_tile = ball.center_mm - rect.middle_mm;
         shade_contact(
-            stage.path,
-            stage.whole_tile,
+            stage.simd,
+            stage.full_tile,
             [from_tile.x as f32, from_tile.y as f32, (ball.radius_mm + ball.lift_mm()) as f32],
             ball.radius_mm as f32,
             out,
@@ -129,12 +129,12 @@ pub(crate) fn shade_contacts(stage: &Stage, place: &Place, out: &mut Light) {
     }
 }
 
-clones! {
-    fn shade_contact(pixels: &Points, middle: [f32; 3], radius: f32, out: &mut Light) = shade_contact_lanes;
+multiversion! {
+    fn shade_contact(pixels: &PackedSamples, middle: [f32; 3], radius: f32, out: &mut RgbTile) = shade_contact_lanes;
 }
 
 #[inline(always)]
-fn shade_contact_lanes(pixels: &Points, [bx, by, bz]: [f32; 3], radius: f32, out: &mut Light) {
+fn shade_contact_lanes(pixels: &PackedSamples, [bx, by, bz]: [f32; 3], radius: f32, out: &mut RgbTile) {
     let [red, green, blue] = out;
     for row in 0..TILE {
         for i in 0..LANES {
@@ -150,11 +150,11 @@ fn shade_contact_lanes(pixels: &Points, [bx, by, bz]: [f32; 3], radius: f32, out
 }
 
 /// Whether any ball stands so near that it darkens the tile.
-pub(crate) fn has_contacts(stage: &Stage, place: &Place) -> bool {
-    stage.scene.balls.iter().any(|ball| touches(ball, place))
+pub(crate) fn has_contacts(stage: &Stage, rect: &TileRect) -> bool {
+    stage.scene.balls.iter().any(|ball| touches(ball, rect))
 }
 
-fn touches(ball: &Ball, place: &Place) -> bool {
-    let reach = contact_mm(ball) + place.radius_mm;
-    ball.center_mm.distance_squared(place.middle_mm) < reach * reach
+fn touches(ball: &Ball, rect: &TileRect) -> bool {
+    let reach = contact_mm(ball) + rect.radius_mm;
+    ball.center_mm.distance_squared(rect.middle_mm) < reach * reach
 }

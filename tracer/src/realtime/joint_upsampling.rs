@@ -9,12 +9,11 @@
 //! the guides' quotient ([`Print`]). This module refuses to know where light, guide and mark come from.
 
 use crate::Radiance;
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{LANES, Lanes, Path, clones, max, min, rounded};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
+use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
+use crate::tile::planes::{AREA, Plane, RgbTile, TILE};
 
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
-const SIDE: usize = TILE / 2 + 2;
+const HALF_TILE_SIDE: usize = TILE / 2 + 2;
 
 /// The square of the difference of two marks that halves a pixel's weight.
 const LIKENESS: f32 = 1.0 / 1024.0;
@@ -24,18 +23,18 @@ const LIKENESS: f32 = 1.0 / 1024.0;
 const HALF: usize = LANES / 2;
 
 /// The largest weight that is kept.
-const MOST_WEIGHT: f32 = 255.0;
+const MAX_WEIGHT: f32 = 255.0;
 
 /// Quotients are kept as square roots, in these parts of 1: up to 64, beyond which a pixel would be a few times as bright
 /// as paper that nobody prints on, to a four-thousandth of 1.
-const PARTS: f32 = 8192.0;
+const QUOTIENT_STEPS: f32 = 8192.0;
 
 /// A plane of the half resolution around a tile, for each of its rows and each (sorted) pixel across: the half-resolution
 /// pixel that it is in, and the next nearest beside it.
-type Spread = [[Lanes; 2]; SIDE];
+type Spread = [[Lanes; 2]; HALF_TILE_SIDE];
 
 /// Nothing around a tile.
-const NOTHING: Spread = [[[0.0; LANES]; 2]; SIDE];
+const BLACK_SPREAD: Spread = [[[0.0; LANES]; 2]; HALF_TILE_SIDE];
 
 /// What turns the light around a tile into the tile's own.
 #[derive(Clone, Debug)]
@@ -43,7 +42,7 @@ const NOTHING: Spread = [[[0.0; LANES]; 2]; SIDE];
 pub(crate) struct Print {
     /// How much the four nearest half-resolution pixels count, for each (sorted) pixel: the largest 255.
     weights: [[u8; AREA]; 4],
-    /// The guide over the weighted sum of the guides around it, red, green and blue, times [`MOST_WEIGHT`].
+    /// The guide over the weighted sum of the guides around it, red, green and blue, times [`MAX_WEIGHT`].
     quotients: [[u16; AREA]; 3],
 }
 
@@ -63,24 +62,24 @@ impl Print {
     }
 
     /// Becomes that of the tile whose upper left pixel, at the full resolution, is (`x`, `y`).
-    pub fn take(&mut self, path: Path, guides: Guides, x: usize, y: usize) {
-        let (mut around, mut plane) = (NOTHING, [[0.0; LANES]; TILE]);
+    pub fn take(&mut self, simd: SimdLevel, guides: Guides, x: usize, y: usize) {
+        let (mut around, mut plane) = (BLACK_SPREAD, [[0.0; LANES]; TILE]);
         read(guides.half_marks, 0, x, y, &mut around);
         guides.marks.read_plane(0, x, y, &mut plane);
-        weigh(path, &plane, &around, &mut self.weights);
+        weigh(simd, &plane, &around, &mut self.weights);
         for channel in 0..3 {
             read(guides.half_guide, channel, x, y, &mut around);
             guides.guide.read_plane(channel, x, y, &mut plane);
-            divide(path, &self.weights, &around, &plane, &mut self.quotients[channel]);
+            divide(simd, &self.weights, &around, &plane, &mut self.quotients[channel]);
         }
     }
 
     /// The tile in this light, found at half the resolution; its upper left pixel is (`x`, `y`).
-    pub fn light(&self, path: Path, light: &Radiance, x: usize, y: usize, out: &mut Light) {
-        let mut around = NOTHING;
+    pub fn light(&self, simd: SimdLevel, light: &Radiance, x: usize, y: usize, out: &mut RgbTile) {
+        let mut around = BLACK_SPREAD;
         for channel in 0..3 {
             read(light, channel, x, y, &mut around);
-            multiply(path, &self.weights, &around, &self.quotients[channel], &mut out[channel]);
+            multiply(simd, &self.weights, &around, &self.quotients[channel], &mut out[channel]);
         }
     }
 }
@@ -91,9 +90,9 @@ fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
     for (row, [near, far]) in out.iter_mut().enumerate() {
         let line = (y / 2 + row).saturating_sub(1).min(half.height() - 1);
         let line = &half.planes[channel][line * stride..][..stride];
-        let mut edge = [0.0; SIDE];
+        let mut edge = [0.0; HALF_TILE_SIDE];
         let inside = first.checked_sub(1).and_then(|before| line[before..].first_chunk());
-        let cells: &[f32; SIDE] = inside.unwrap_or_else(|| {
+        let cells: &[f32; HALF_TILE_SIDE] = inside.unwrap_or_else(|| {
             for (at, cell) in edge.iter_mut().enumerate() {
                 *cell = line[(first + at).saturating_sub(1).min(stride - 1)];
             }
@@ -106,17 +105,17 @@ fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
     }
 }
 
-clones! {
+multiversion! {
     /// Weighs the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
     fn weigh(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
 }
-clones! {
+multiversion! {
     /// Divides the guide by the weighted sum of those around it.
     fn divide(
         weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quotients: &mut [u16; AREA],
     ) = divide_lanes;
 }
-clones! {
+multiversion! {
     /// Multiplies the weighted sum of the light around each pixel.
     fn multiply(
         weights: &[[u8; AREA]; 4], around: &Spread, quotients: &[u16; AREA], out: &mut Plane,
@@ -153,12 +152,12 @@ fn weigh_lanes(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) {
             let (qc, qd) = (LIKENESS + dc * dc, LIKENESS + dd * dd);
             let (ab, cd) = (qa * qb, qc * qd);
             let (wa, wb, wc, wd) = (9.0 * (qb * cd), 3.0 * (qa * cd), 3.0 * (qd * ab), qc * ab);
-            let scale = MOST_WEIGHT / max(max(wa, wb), max(wc, wd));
+            let scale = MAX_WEIGHT / max(max(wa, wb), max(wc, wd));
             let at = row * LANES + i;
-            weights[0][at] = rounded(wa * scale) as u8;
-            weights[1][at] = rounded(wb * scale) as u8;
-            weights[2][at] = rounded(wc * scale) as u8;
-            weights[3][at] = rounded(wd * scale) as u8;
+            weights[0][at] = round_to_u16(wa * scale) as u8;
+            weights[1][at] = round_to_u16(wb * scale) as u8;
+            weights[2][at] = round_to_u16(wc * scale) as u8;
+            weights[3][at] = round_to_u16(wd * scale) as u8;
         }
     }
 }
@@ -184,15 +183,15 @@ fn divide_lanes(weights: &[[u8; AREA]; 4], around: &Spread, guide: &Plane, quoti
         let (guide, sum) = (sorted(&guide[row]), sum(row, weights, around));
         let out = &mut quotients[row * LANES..][..LANES];
         for i in 0..LANES {
-            let quotient = MOST_WEIGHT * max(guide[i], 0.0) / max(sum[i], 1e-20);
-            out[i] = rounded(min(quotient.sqrt() * PARTS, 65_535.0));
+            let quotient = MAX_WEIGHT * max(guide[i], 0.0) / max(sum[i], 1e-20);
+            out[i] = round_to_u16(min(quotient.sqrt() * QUOTIENT_STEPS, 65_535.0));
         }
     }
 }
 
 #[inline(always)]
 fn multiply_lanes(weights: &[[u8; AREA]; 4], around: &Spread, quotients: &[u16; AREA], out: &mut Plane) {
-    const GAIN: f32 = 1.0 / (MOST_WEIGHT * PARTS * PARTS);
+    const GAIN: f32 = 1.0 / (MAX_WEIGHT * QUOTIENT_STEPS * QUOTIENT_STEPS);
     for row in 0..TILE {
         let sum = sum(row, weights, around);
         let kept = &quotients[row * LANES..][..LANES];

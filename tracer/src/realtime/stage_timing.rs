@@ -2,14 +2,14 @@
 
 /// The steps of [`crate::Renderer::draw`], each named when it is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum RenderStage {
     /// What is new in the scene is known.
     Prepared,
     /// Shadows and surfaces are found where something has moved.
     Shaded,
     /// The balls mirror the table.
     Mirrored,
-    /// The glare is taken.
+    /// The bloom is taken.
     Glared,
     /// All lamps are summed up, and the sums are pixels.
     Developed,

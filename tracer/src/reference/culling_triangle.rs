@@ -6,21 +6,21 @@ use geometry::{Arc, Core, DVec2, Shape, Taper};
 const MARGIN: f64 = 1e-9;
 
 /// A triangle, which may be as thin as a line.
-pub(crate) struct Wedge {
+pub(crate) struct CullingTriangle {
     corners: [DVec2; 3],
     /// Directions, not all of length 1, along which a shape may be shown to be apart.
     axes: [DVec2; 6],
     margin: f64,
 }
 
-impl Wedge {
-    pub fn new(point: DVec2, a: DVec2, b: DVec2) -> Wedge {
+impl CullingTriangle {
+    pub fn new(point: DVec2, a: DVec2, b: DVec2) -> CullingTriangle {
         let (to_a, to_b) = (a - point, b - point);
         let way = (to_a + to_b) * 0.5;
         let axes = [to_a.perp(), to_b.perp(), (b - a).perp(), way, DVec2::X, DVec2::Y]
             .map(|axis| axis.try_normalize().unwrap_or(DVec2::X));
         let margin = MARGIN * (1.0 + to_a.length() + to_b.length() + point.length());
-        Wedge { corners: [point, a, b], axes, margin }
+        CullingTriangle { corners: [point, a, b], axes, margin }
     }
 
     /// Whether some point of `shape` may be in the triangle; `false` is certain. A shape is apart where its whole
@@ -88,7 +88,7 @@ mod tests {
             let shape = any_shape(&mut random, size, round);
             let [point, a] = [(); 2].map(|()| random.within(size));
             let b = a + random.within(size * 0.2) - size * 0.1;
-            let may_meet = Wedge::new(point, a, b).may_meet(&shape);
+            let may_meet = CullingTriangle::new(point, a, b).may_meet(&shape);
             let hit = (0..=16).any(|step| {
                 let target = a + (b - a) * (f64::from(step) / 16.0);
                 let far = point.distance(target);

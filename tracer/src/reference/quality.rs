@@ -7,10 +7,10 @@ use crate::film::tone_map;
 use crate::reference::flip;
 use crate::reference::monte_carlo::{self, Sampling};
 use crate::scenes::{Random, white};
-use crate::visibility::disc_chain::Silhouettes;
-use crate::visibility::potential_occluders::Candidates;
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::scalar;
-use crate::visibility::sphere_shadow::open_share;
+use crate::visibility::sphere_shadow::unoccluded_fraction;
 use crate::{Ball, Frame, Lamp, Radiance, Renderer, Scene};
 use geometry::DVec2;
 use rayon::prelude::*;
@@ -57,9 +57,9 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
         lamps: scene.lamps.clone(),
         occluders: scene.occluders.clone(),
         filters: scene.filters.clone(),
-        veils: scene.veils.clone(),
+        overhangs: scene.overhangs.clone(),
         tops: Vec::new(),
-        balls: scene.balls.iter().copied().filter(Ball::floats).collect(),
+        balls: scene.balls.iter().copied().filter(Ball::is_airborne).collect(),
         glows: Vec::new(),
         floor: &floor,
         ambient: [0.0; 3],
@@ -121,21 +121,21 @@ fn choose(scene: &Scene, count: usize, seed: u64) -> Vec<(usize, usize)> {
 /// Knows where the light of a scene is hard to find.
 struct Hard<'a> {
     scene: &'a Scene<'a>,
-    silhouettes: Silhouettes,
-    lamps: Vec<(Lamp, Candidates)>,
+    disc_chains: DiscChains,
+    lamps: Vec<(Lamp, PotentialOccluders)>,
 }
 
 impl<'a> Hard<'a> {
     fn new(scene: &'a Scene<'a>) -> Hard<'a> {
-        let mut silhouettes = Silhouettes::default();
-        silhouettes.set(&scene.occluders);
+        let mut disc_chains = DiscChains::default();
+        disc_chains.set(&scene.occluders);
         let lamp = |lamp: &Lamp| {
-            let mut candidates = Candidates::default();
-            candidates.set(lamp, &silhouettes);
-            (*lamp, candidates)
+            let mut potential_occluders = PotentialOccluders::default();
+            potential_occluders.set(lamp, &disc_chains);
+            (*lamp, potential_occluders)
         };
         let lamps = scene.lamps.iter().filter(|lamp| lamp.shines()).map(lamp).collect();
-        Hard { scene, silhouettes, lamps }
+        Hard { scene, disc_chains, lamps }
     }
 
     /// Whether a point is within a pixel of an outline, or sees some lamp in part.
@@ -143,11 +143,11 @@ impl<'a> Hard<'a> {
         let near = self.scene.view.mm_per_px;
         let touches = self.scene.occluders.iter().any(|occluder| occluder.shape.distance(point).0.abs() < near);
         touches
-            || self.lamps.iter().any(|(lamp, candidates)| {
+            || self.lamps.iter().any(|(lamp, potential_occluders)| {
                 let seen = || {
                     let room = &mut Vec::new();
-                    let open = open_share(&self.scene.balls, lamp, point, None);
-                    open * scalar::visible_fraction_of(&self.silhouettes, candidates, lamp, point, &[], room)
+                    let open = unoccluded_fraction(&self.scene.balls, lamp, point, None);
+                    open * scalar::visible_fraction_of(&self.disc_chains, potential_occluders, lamp, point, &[], room)
                 };
                 lamp.falloff(point) > 0.0 && (0.01..0.99).contains(&seen())
             })

@@ -4,28 +4,27 @@
 //! lit already; rays that go up meet the lamps, or the room that the machine stands in, so that a ball has a bright spot
 //! and a rim even where no lamp reaches it. Scratches turn with the ball.
 
-use crate::film::bloom::{Level, STEP};
-use crate::shading::environment as room;
-use crate::shading::surface::Light;
-use crate::simd::dispatch::{Path, clamp, max};
-use crate::tile::packed_samples::TILE;
-use crate::visibility::disc_chain::Silhouettes;
-use crate::visibility::potential_occluders::{Candidates, Cone};
+use crate::film::bloom::{CELL_PX, MipLevel};
+use crate::shading::environment;
+use crate::simd::dispatch::{SimdLevel, clamp, max};
+use crate::tile::planes::{RgbTile, TILE};
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
 use crate::visibility::scalar;
 use crate::visibility::transmission;
-use crate::{Ball, Filter, Lamp, Rgb, Veil, View};
+use crate::{Ball, Filter, Lamp, Overhang, Rgb, View};
 use geometry::DVec2;
 use rayon::prelude::*;
 
 /// What chrome mirrors of each colour.
 const CHROME: Rgb = [0.86, 0.88, 0.90];
 
-/// A lamp's glint is at most this often its colour.
+/// A lamp's highlight is at most this often its colour.
 const GLINT: f32 = 14.0;
 
 /// A lamp as a ball mirrors it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Glint {
+pub(crate) struct Highlight {
     /// The middle, mm from the ball's middle, and its height above the floor.
     place: [f32; 3],
     radius: f32,
@@ -38,14 +37,14 @@ pub(crate) struct Glint {
 /// How thick a segment that shines looks in a ball, mm.
 const TUBE_RADIUS_MM: f32 = 3.0;
 
-impl Glint {
+impl Highlight {
     /// `lamp`, of which the ball sees `fraction` of each channel.
-    pub fn new(lamp: &Lamp, ball: &Ball, fraction: [f64; 3]) -> Glint {
+    pub fn new(lamp: &Lamp, ball: &Ball, fraction: [f64; 3]) -> Highlight {
         let from_ball = lamp.center_mm - ball.center_mm;
         let tube = lamp.tube();
         let half = tube.map_or(0.0, DVec2::length);
         let along = tube.map_or(DVec2::ZERO, |tube| tube / half);
-        Glint {
+        Highlight {
             place: [from_ball.x as f32, from_ball.y as f32, lamp.height_mm as f32],
             radius: if tube.is_some() { TUBE_RADIUS_MM } else { max(lamp.radius_mm() as f32, 1.0) },
             along: [along.x as f32, along.y as f32],
@@ -57,69 +56,69 @@ impl Glint {
 
 /// Light and coverage of the pixels of a ball.
 #[derive(Debug, Default)]
-pub(crate) struct Patch {
+pub(crate) struct BallSprite {
     x: usize,
     y: usize,
     width: usize,
     pixels: Vec<[f32; 4]>,
     /// The lamps that the ball sees.
-    glints: Vec<Glint>,
+    highlights: Vec<Highlight>,
     /// What arrives from them at its middle.
-    arriving: Rgb,
+    irradiance: Rgb,
     /// What may stand before a lamp, and the parts that it hides: room to work in.
-    near: Candidates,
+    near: PotentialOccluders,
     /// What hangs above it.
-    veils: Vec<Veil>,
+    overhangs: Vec<Overhang>,
     intervals: Vec<(f64, f64)>,
 }
 
-/// The lit table below the balls, in the cells of the glare: a ball shows it so small that they are fine enough.
+/// The lit table below the balls, in the cells of the bloom: a ball shows it so small that they are fine enough.
 #[derive(Clone, Copy)]
-pub(crate) struct Table<'a> {
+pub(crate) struct TableImage<'a> {
     pub view: &'a View,
-    pub level: &'a Level,
+    pub level: &'a MipLevel,
     pub planes: [&'a [f32]; 3],
     pub ambient: Rgb,
     /// What may hang above a ball.
-    pub veils: &'a [Veil],
+    pub overhangs: &'a [Overhang],
 }
 
-impl Patch {
+impl BallSprite {
     /// Finds which lamps the ball sees, past what may stand before each of them.
-    pub fn look<'a>(
+    pub fn find_highlights<'a>(
         &mut self,
-        path: Path,
+        simd: SimdLevel,
         ball: &Ball,
-        lamps: impl Iterator<Item = (&'a Lamp, &'a Candidates)>,
+        lamps: impl Iterator<Item = (&'a Lamp, &'a PotentialOccluders)>,
         filters: &[Filter],
-        all: &Silhouettes,
+        all: &DiscChains,
     ) {
-        self.glints.clear();
-        self.arriving = [0.0; 3];
-        for (lamp, candidates) in lamps {
+        self.highlights.clear();
+        self.irradiance = [0.0; 3];
+        for (lamp, potential_occluders) in lamps {
             let falloff = lamp.falloff(ball.center_mm) as f32;
             if falloff <= 0.0 {
                 continue;
             }
-            candidates.narrow(path, &Cone::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
-            let met = transmission::met(filters, |group| self.near.group.contains(&group));
-            let seen = transmission::passed(met.as_slice(), |away| {
-                let mut without = [ball.group; transmission::MOST + 1];
+            potential_occluders.narrow(simd, &Shaft::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
+            let met = transmission::on_path(filters, |group| self.near.group.contains(&group));
+            let seen = transmission::transmitted(met.as_slice(), |away| {
+                let mut without = [ball.group; transmission::MAX_FILTERS + 1];
                 without[1..=away.len()].copy_from_slice(away);
                 let (without, place) = (&without[..=away.len()], ball.center_mm);
                 scalar::visible_fraction_of(all, &self.near, lamp, place, without, &mut self.intervals)
             });
             if seen != [0.0; 3] {
-                self.glints.push(Glint::new(lamp, ball, seen));
+                self.highlights.push(Highlight::new(lamp, ball, seen));
             }
             for channel in 0..3 {
-                self.arriving[channel] += lamp.color[channel] * falloff * seen[channel] as f32;
+                self.irradiance[channel] += lamp.color[channel] * falloff * seen[channel] as f32;
             }
         }
     }
 
     /// Renders a ball that mirrors `table` and the lamps that it sees.
-    pub fn render(&mut self, ball: &Ball, table: Table) {
+    pub fn render(&mut self, ball: &Ball, table: TableImage) {
         let view = table.view;
         let reach = DVec2::splat(ball.radius_mm + view.mm_per_px);
         let size = DVec2::new(view.width as f64, view.height as f64);
@@ -134,22 +133,22 @@ impl Patch {
             return;
         }
         self.pixels.resize(self.width * height, [0.0; 4]);
-        self.veils.clear();
-        self.veils.extend(table.veils.iter().filter(|veil| ball.below && veil.is_near(ball)));
-        let veils = &self.veils;
-        let mirror = Mirror { ball, table, glints: &self.glints, arriving: self.arriving };
+        self.overhangs.clear();
+        self.overhangs.extend(table.overhangs.iter().filter(|overhang| ball.below && overhang.is_near(ball)));
+        let overhangs = &self.overhangs;
+        let shader = MirrorShader { ball, table, highlights: &self.highlights, irradiance: self.irradiance };
         let (x, y) = (self.x, self.y);
         self.pixels.par_chunks_mut(self.width).with_min_len(4).enumerate().for_each(|(row, pixels)| {
             for (column, pixel) in pixels.iter_mut().enumerate() {
                 let point = view.table_from_pixel(x + column, y + row);
-                *pixel = mirror.pixel(point);
-                veils.iter().for_each(|veil| pixel[3] *= veil.passes_at(point, view.mm_per_px));
+                *pixel = shader.pixel(point);
+                overhangs.iter().for_each(|overhang| pixel[3] *= overhang.passes_at(point, view.mm_per_px));
             }
         });
     }
 
     /// Puts the ball on a tile of the picture, given by its upper left pixel.
-    pub fn blend(&self, x: usize, y: usize, tile: &mut Light) {
+    pub fn blend(&self, x: usize, y: usize, tile: &mut RgbTile) {
         let height = self.pixels.len().checked_div(self.width).unwrap_or(0);
         for line in self.y.max(y)..(self.y + height).min(y + TILE) {
             for column in self.x.max(x)..(self.x + self.width).min(x + TILE) {
@@ -172,13 +171,13 @@ impl Patch {
     }
 
     /// Puts the ball into the means of the picture's cells: rows of cells without the upper border.
-    pub fn blend_means(&self, level: &Level, planes: [&mut [f32]; 3]) {
+    pub fn blend_means(&self, level: &MipLevel, planes: [&mut [f32]; 3]) {
         for (row, pixels) in self.pixels.chunks(self.width.max(1)).enumerate() {
-            let line = (self.y + row) / STEP * level.stride + 1;
+            let line = (self.y + row) / CELL_PX * level.stride + 1;
             for (column, pixel) in pixels.iter().enumerate() {
                 // A pixel is a sixteenth of its cell; pixel after pixel, what is there gives way.
-                let part = pixel[3] * (1.0 / (STEP * STEP) as f32);
-                let at = line + (self.x + column) / STEP;
+                let part = pixel[3] * (1.0 / (CELL_PX * CELL_PX) as f32);
+                let at = line + (self.x + column) / CELL_PX;
                 for channel in 0..3 {
                     planes[channel][at] += (pixel[channel] - planes[channel][at]) * part;
                 }
@@ -187,14 +186,14 @@ impl Patch {
     }
 }
 
-struct Mirror<'a> {
+struct MirrorShader<'a> {
     ball: &'a Ball,
-    table: Table<'a>,
-    glints: &'a [Glint],
-    arriving: Rgb,
+    table: TableImage<'a>,
+    highlights: &'a [Highlight],
+    irradiance: Rgb,
 }
 
-impl Mirror<'_> {
+impl MirrorShader<'_> {
     /// Light and coverage at a point of the table.
     fn pixel(&self, point_mm: DVec2) -> [f32; 4] {
         let radius = self.ball.radius_mm;
@@ -211,16 +210,16 @@ impl Mirror<'_> {
         let normal = [nx, ny, nz];
         let out = [2.0 * nz * nx, 2.0 * nz * ny, 2.0 * nz * nz - 1.0];
         let mut light = self.surroundings(normal, out);
-        for glint in self.glints {
-            self.add_glint(glint, normal, out, &mut light);
+        for highlight in self.highlights {
+            self.add_glint(highlight, normal, out, &mut light);
         }
         let scratch = self.scratches(normal);
         let grazing = (1.0 - nz) * (1.0 - nz) * (1.0 - nz);
         let mut pixel = [0.0, 0.0, 0.0, coverage];
         for channel in 0..3 {
             let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
-            let matt = 0.25 * (self.arriving[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
-            let rim = 0.20 * grazing * (1.0 + self.arriving[channel]);
+            let matt = 0.25 * (self.irradiance[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
+            let rim = 0.20 * grazing * (1.0 + self.irradiance[channel]);
             pixel[channel] = light[channel] * mirrors * (1.0 - 0.8 * scratch) + matt * scratch * nz + rim;
         }
         pixel
@@ -229,7 +228,7 @@ impl Mirror<'_> {
     /// The floor below or the room above, in the direction `out`.
     fn surroundings(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
         // The cabinet's walls throw back some of what falls on the table.
-        let sky = room::seen(out, self.arriving.map(|light| 0.35 * light));
+        let sky = environment::radiance(out, self.irradiance.map(|light| 0.35 * light));
         if out[2] >= -0.02 {
             return sky;
         }
@@ -246,11 +245,11 @@ impl Mirror<'_> {
 
     /// The light of the floor at a point, between the four nearest cells.
     fn floor(&self, point_mm: DVec2) -> Rgb {
-        let Table { view, level, planes, .. } = self.table;
-        let place = view.screen_from_table(point_mm) * (1.0 / STEP as f64) - DVec2::splat(0.5);
+        let TableImage { view, level, planes, .. } = self.table;
+        let place = view.screen_from_table(point_mm) * (1.0 / CELL_PX as f64) - DVec2::splat(0.5);
         let (right, bottom) = ((level.width - 1) as f64, (level.height - 1) as f64);
         let outside = (-place.x).max(place.x - right).max(-place.y).max(place.y - bottom).max(0.0);
-        let fade = (1.0 - outside * STEP as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
+        let fade = (1.0 - outside * CELL_PX as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
         let (x, y) = (place.x.clamp(0.0, right), place.y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
         let (across, down) = ((x - left as f64) as f32, (y - top as f64) as f32);
@@ -271,16 +270,16 @@ impl Mirror<'_> {
 
     /// A lamp's mirror image: a disc of its angle, no smaller than what one pixel sees; of a segment, the disc round its
     /// point that is nearest to the mirrored ray.
-    fn add_glint(&self, glint: &Glint, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
+    fn add_glint(&self, highlight: &Highlight, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
         let radius = self.ball.radius_mm as f32;
-        let x = glint.place[0] - normal[0] * radius;
-        let y = glint.place[1] - normal[1] * radius;
-        let z = max(glint.place[2], radius) - radius * (1.0 + normal[2]) + radius;
-        let [tx, ty] = glint.along;
+        let x = highlight.place[0] - normal[0] * radius;
+        let y = highlight.place[1] - normal[1] * radius;
+        let z = max(highlight.place[2], radius) - radius * (1.0 + normal[2]) + radius;
+        let [tx, ty] = highlight.along;
         let turn = tx * out[0] + ty * out[1];
         let nearest =
             (turn * (x * out[0] + y * out[1] + z * out[2]) - (x * tx + y * ty)) / max(1.0 - turn * turn, 1e-6);
-        let place = clamp(nearest, -glint.half, glint.half);
+        let place = clamp(nearest, -highlight.half, highlight.half);
         let (x, y) = (x + tx * place, y + ty * place);
         let square = max(x * x + y * y + z * z, 1.0);
         let along = x * out[0] + y * out[1] + z * out[2];
@@ -288,13 +287,13 @@ impl Mirror<'_> {
             return;
         }
         let off_square = max(1.0 - along * along / square, 0.0);
-        let lamp_square = glint.radius * glint.radius / square;
+        let lamp_square = highlight.radius * highlight.radius / square;
         let pixel = 1.6 * self.table.view.mm_per_px as f32 / radius;
         let blurred = lamp_square + pixel * pixel;
         let edge = max(1.0 - off_square / (3.0 * blurred), 0.0);
         let strength = GLINT * edge * edge * edge * (lamp_square / blurred).sqrt();
         for channel in 0..3 {
-            light[channel] += glint.color[channel] * strength;
+            light[channel] += highlight.color[channel] * strength;
         }
     }
 

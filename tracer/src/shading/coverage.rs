@@ -1,13 +1,14 @@
 //! How much of each pixel of a tile the outline of a top covers, and which way its edge looks.
 
-use crate::simd::dispatch::{LANES, Lanes, clones, max, min};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 use crate::{Outline, Profile, Top};
 use geometry::{Bounds, Circle, Core, DVec2, Shape, Taper};
 
 /// An outline made ready for many points.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Form {
+pub(crate) struct OutlineSdf {
     /// A box around it, mm.
     pub bounds: Bounds,
     kind: Kind,
@@ -24,7 +25,7 @@ enum Kind {
 
 /// What is found at each pixel of a tile.
 #[derive(Clone, Debug)]
-pub(crate) struct Edge {
+pub(crate) struct SignedDistance {
     /// Signed distance from the outline, mm, negative inside.
     pub distance: Plane,
     /// Unit vector away from the shape, across.
@@ -33,27 +34,27 @@ pub(crate) struct Edge {
     pub away_y: Plane,
 }
 
-impl Edge {
+impl SignedDistance {
     /// Nowhere near.
-    pub fn none() -> Edge {
+    pub fn none() -> SignedDistance {
         let far = [[f32::MAX; LANES]; TILE];
-        Edge { distance: far, away_x: [[0.0; LANES]; TILE], away_y: [[0.0; LANES]; TILE] }
+        SignedDistance { distance: far, away_x: [[0.0; LANES]; TILE], away_y: [[0.0; LANES]; TILE] }
     }
 }
 
-impl Form {
+impl OutlineSdf {
     /// The outline of `top`, or `None` where there is nothing of it to see.
-    pub fn new(top: &Top) -> Option<Form> {
+    pub fn new(top: &Top) -> Option<OutlineSdf> {
         let (kind, bounds, dome) = match &top.outline {
-            Outline::Shape(shape) => Form::shape(shape),
-            Outline::Polygon(corners) => Form::polygon(corners)?,
+            Outline::Shape(shape) => OutlineSdf::shape(shape),
+            Outline::Polygon(corners) => OutlineSdf::polygon(corners)?,
         };
         let bevel_mm = match top.finish.profile {
             Profile::Bevel(width_mm) => width_mm,
             Profile::Dome => dome as f32,
         };
         let seen = top.finish.opacity > 0.0 && bounds.min.is_finite() && bounds.max.is_finite();
-        seen.then_some(Form { bounds, kind, bevel_mm: bevel_mm.max(1e-3) })
+        seen.then_some(OutlineSdf { bounds, kind, bevel_mm: bevel_mm.max(1e-3) })
     }
 
     fn shape(shape: &Shape) -> (Kind, Bounds, f64) {
@@ -90,15 +91,22 @@ impl Form {
 
     /// Finds distance and direction for the points of a whole tile round `middle_mm`. Beyond `margin_mm` from the
     /// outline only the side is right.
-    pub fn measure(&self, path: Path, points: &Points, middle_mm: DVec2, margin_mm: f64, edge: &mut Edge) {
+    pub fn evaluate(
+        &self,
+        simd: SimdLevel,
+        points: &PackedSamples,
+        middle_mm: DVec2,
+        margin_mm: f64,
+        edge: &mut SignedDistance,
+    ) {
         let local = |v: DVec2| [(v.x - middle_mm.x) as f32, (v.y - middle_mm.y) as f32];
         match &self.kind {
             Kind::Hull(a, b) => {
                 let (a, b) = if a.radius >= b.radius { (a, b) } else { (b, a) };
-                hull(path, points, Hull::new(a, b, local(a.center)), edge);
+                hull(simd, points, Hull::new(a, b, local(a.center)), edge);
             }
             Kind::Arc { circle, middle, cos_half, ends, radius } => {
-                let bow = Bow {
+                let bow = ThickArc {
                     center: local(circle.center),
                     core: circle.radius as f32,
                     radius: *radius as f32,
@@ -106,7 +114,7 @@ impl Form {
                     cos_half: *cos_half as f32,
                     ends: ends.map(local),
                 };
-                arc(path, points, bow, edge);
+                arc(simd, points, bow, edge);
             }
             Kind::Polygon(corners) => {
                 let far = (margin_mm + f64::from(self.bevel_mm)) as f32;
@@ -122,10 +130,10 @@ impl Form {
                     let level =
                         from[1].min(to[1]) < reach && from[1].max(to[1]) > -reach && from[0].max(to[0]) > -reach;
                     if near || level {
-                        side(path, points, [from, to], near, edge);
+                        side(simd, points, [from, to], near, edge);
                     }
                 }
-                end_polygon(path, edge);
+                end_polygon(simd, edge);
             }
         }
     }
@@ -136,7 +144,7 @@ impl Form {
     }
 }
 
-use crate::simd::dispatch::Path;
+use crate::simd::dispatch::SimdLevel;
 
 /// The hull of two discs, the first not the smaller.
 #[derive(Clone, Copy, Debug)]
@@ -173,7 +181,7 @@ impl Hull {
 
 /// A thick arc.
 #[derive(Clone, Copy, Debug)]
-struct Bow {
+struct ThickArc {
     center: [f32; 2],
     core: f32,
     radius: f32,
@@ -182,21 +190,21 @@ struct Bow {
     ends: [[f32; 2]; 2],
 }
 
-clones! {
-    fn hull(points: &Points, hull: Hull, edge: &mut Edge) = hull_lanes;
+multiversion! {
+    fn hull(points: &PackedSamples, hull: Hull, edge: &mut SignedDistance) = hull_lanes;
 }
-clones! {
-    fn arc(points: &Points, bow: Bow, edge: &mut Edge) = arc_lanes;
+multiversion! {
+    fn arc(points: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) = arc_lanes;
 }
-clones! {
-    fn side(points: &Points, ends: [[f32; 2]; 2], near: bool, edge: &mut Edge) = side_lanes;
+multiversion! {
+    fn side(points: &PackedSamples, ends: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) = side_lanes;
 }
-clones! {
-    fn end_polygon(edge: &mut Edge) = end_polygon_lanes;
+multiversion! {
+    fn end_polygon(edge: &mut SignedDistance) = end_polygon_lanes;
 }
 
 #[inline(always)]
-fn hull_lanes(points: &Points, hull: Hull, edge: &mut Edge) {
+fn hull_lanes(points: &PackedSamples, hull: Hull, edge: &mut SignedDistance) {
     let Hull { a, along, length, a_radius, b_radius, lean, upright } = hull;
     for block in 0..TILE {
         let (x, y) = (&points.x[block], &points.y[block]);
@@ -226,7 +234,7 @@ fn hull_lanes(points: &Points, hull: Hull, edge: &mut Edge) {
 }
 
 #[inline(always)]
-fn arc_lanes(points: &Points, bow: Bow, edge: &mut Edge) {
+fn arc_lanes(points: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) {
     for block in 0..TILE {
         let (x, y) = (&points.x[block], &points.y[block]);
         let (mut distance, mut away_x, mut away_y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
@@ -251,14 +259,14 @@ fn arc_lanes(points: &Points, bow: Bow, edge: &mut Edge) {
 }
 
 /// Squared distances, and a sign that turns with each side crossed, until [`end_polygon`].
-fn begin_polygon(edge: &mut Edge) {
+fn begin_polygon(edge: &mut SignedDistance) {
     edge.distance = [[1e12; LANES]; TILE];
     edge.away_x = [[0.0; LANES]; TILE];
     edge.away_y = [[0.0; LANES]; TILE];
 }
 
 #[inline(always)]
-fn side_lanes(points: &Points, [from, to]: [[f32; 2]; 2], near: bool, edge: &mut Edge) {
+fn side_lanes(points: &PackedSamples, [from, to]: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) {
     let (ex, ey) = (to[0] - from[0], to[1] - from[1]);
     let inverse = 1.0 / max(ex * ex + ey * ey, 1e-12);
     let slant = ex / if ey == 0.0 { 1.0 } else { ey };
@@ -281,7 +289,7 @@ fn side_lanes(points: &Points, [from, to]: [[f32; 2]; 2], near: bool, edge: &mut
 }
 
 #[inline(always)]
-fn end_polygon_lanes(edge: &mut Edge) {
+fn end_polygon_lanes(edge: &mut SignedDistance) {
     for block in 0..TILE {
         let (signed, away_x, away_y) = (&mut edge.distance[block], &mut edge.away_x[block], &mut edge.away_y[block]);
         for i in 0..LANES {

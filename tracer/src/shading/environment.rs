@@ -19,7 +19,7 @@ const DISPLAY: Rgb = [1.25, 0.72, 0.26];
 /// What is seen in a direction (x to the right, y towards the player, z up); below the horizon the walls go on. `bounce`
 /// is what the walls throw back of the table's light.
 #[inline(always)]
-pub(crate) fn seen(out: [f32; 3], bounce: Rgb) -> Rgb {
+pub(crate) fn radiance(out: [f32; 3], bounce: Rgb) -> Rgb {
     let up = max(out[2], 0.02);
     let (x, y) = (out[0] / up, out[1] / up);
     let panel = (1.0 - soft(x.abs(), 0.30, 0.75)) * (1.0 - soft((y + 0.55).abs(), 0.20, 0.55));

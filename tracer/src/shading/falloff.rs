@@ -19,7 +19,7 @@ pub(crate) struct Falloff {
 }
 
 /// What arrives at one block of points.
-pub(crate) struct Arriving {
+pub(crate) struct IncidentLight {
     /// The way to the lamp's nearest point, mm.
     pub x: Lanes,
     /// Down the table.
@@ -27,7 +27,7 @@ pub(crate) struct Arriving {
     /// The square of its length.
     pub square: Lanes,
     /// Irradiance before colour, visibility and the reference distance, 1/mm^2: see [`Lamp`].
-    pub light: Lanes,
+    pub irradiance: Lanes,
 }
 
 impl Falloff {
@@ -50,30 +50,30 @@ impl Falloff {
 
     /// What arrives at a block of points.
     #[inline(always)]
-    pub fn arriving(&self, x: &Lanes, y: &Lanes) -> Arriving {
+    pub fn incident(&self, x: &Lanes, y: &Lanes) -> IncidentLight {
         let none = [0.0; LANES];
-        let mut to = Arriving { x: none, y: none, square: none, light: none };
+        let mut incident = IncidentLight { x: none, y: none, square: none, irradiance: none };
         match self.tube {
-            None => self.point_light(x, y, &mut to),
-            Some((along, half)) => self.tube_light(x, y, along, half, &mut to),
+            None => self.from_point(x, y, &mut incident),
+            Some((along, half)) => self.from_tube(x, y, along, half, &mut incident),
         }
-        to
+        incident
     }
 
     #[inline(always)]
-    fn point_light(&self, x: &Lanes, y: &Lanes, to: &mut Arriving) {
+    fn from_point(&self, x: &Lanes, y: &Lanes, incident: &mut IncidentLight) {
         for i in 0..LANES {
             let (ux, uy) = (self.x - x[i], self.y - y[i]);
             let square = ux * ux + uy * uy;
             let rest = max(1.0 - square * self.fade, 0.0);
-            (to.x[i], to.y[i], to.square[i]) = (ux, uy, square);
-            to.light[i] = rest * rest / (square + self.height_square);
+            (incident.x[i], incident.y[i], incident.square[i]) = (ux, uy, square);
+            incident.irradiance[i] = rest * rest / (square + self.height_square);
         }
     }
 
     /// The integral of dt / (t^2 + q^2) along the segment, over its length: see [`Lamp::falloff`].
     #[inline(always)]
-    fn tube_light(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, to: &mut Arriving) {
+    fn from_tube(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, incident: &mut IncidentLight) {
         for i in 0..LANES {
             let (mx, my) = (self.x - x[i], self.y - y[i]);
             let middle = mx * along[0] + my * along[1];
@@ -83,11 +83,11 @@ impl Falloff {
             let rest = max(1.0 - square * self.fade, 0.0);
             let q_square = off * off + self.height_square;
             let across = 2.0 * half * q_square.sqrt();
-            to.x[i] = along[0] * nearest - along[1] * off;
-            to.y[i] = along[1] * nearest + along[0] * off;
-            to.square[i] = square;
+            incident.x[i] = along[0] * nearest - along[1] * off;
+            incident.y[i] = along[1] * nearest + along[0] * off;
+            incident.square[i] = square;
             let seen = angle(q_square + (middle - half) * (middle + half), across);
-            to.light[i] = rest * rest * seen / across;
+            incident.irradiance[i] = rest * rest * seen / across;
         }
     }
 }

@@ -1,16 +1,11 @@
 //! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
 
 use crate::shading::environment;
-use crate::shading::falloff::{Arriving, Falloff};
-use crate::simd::dispatch::{LANES, Lanes, clamp, clones, max, ones};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::shading::falloff::{Falloff, IncidentLight};
+use crate::simd::dispatch::{LANES, Lanes, clamp, max, multiversion, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{BLACK, Plane, RgbTile, TILE};
 use crate::{Finish, Lamp};
-
-/// Three planes of light: red, green, blue.
-pub(crate) type Light = [Plane; 3];
-
-/// No light.
-pub(crate) const DARKNESS: Light = [[[0.0; LANES]; TILE]; 3];
 
 /// How the surface at each point of a layer leans.
 #[derive(Clone, Debug)]
@@ -25,7 +20,7 @@ pub(crate) struct Normals {
 
 impl Normals {
     /// Straight up.
-    pub fn level() -> Normals {
+    pub fn flat() -> Normals {
         let zero = [[0.0; LANES]; TILE];
         Normals { x: zero, y: zero, z: [[1.0; LANES]; TILE] }
     }
@@ -37,73 +32,76 @@ pub(crate) struct Surface {
     /// How much of a pixel each point is.
     pub weight: Plane,
     /// Reflectance, linear; a top's is multiplied by that of its finish.
-    pub albedo: Light,
+    pub albedo: RgbTile,
     /// Which way it leans.
     pub normals: Normals,
     /// Whether it leans anywhere.
-    pub leans: bool,
+    pub has_normals: bool,
 }
 
 impl Surface {
     /// Nothing.
     pub fn none() -> Surface {
         let zero = [[0.0; LANES]; TILE];
-        Surface { weight: zero, albedo: DARKNESS, normals: Normals::level(), leans: false }
+        Surface { weight: zero, albedo: BLACK, normals: Normals::flat(), has_normals: false }
     }
 }
 
-clones! {
+multiversion! {
     /// What arrives of the beam's light at those blocks of the floor's points whose bits are set, and what shines there
     /// in the light's own colour, if nothing is in the way; `gloss` is 0 to 1.
-    pub(crate) fn light_floor(
-        points: &Points, blocks: u16, floor: &Surface, beam: Falloff, gloss: f32, arriving: &mut Plane,
-        shine: &mut Plane,
-    ) = light_floor_lanes;
+    pub(crate) fn floor_irradiance(
+        points: &PackedSamples, blocks: u16, floor: &Surface, falloff: Falloff, gloss: f32, irradiance: &mut Plane,
+        specular: &mut Plane,
+    ) = floor_irradiance_lanes;
 }
 
-clones! {
+multiversion! {
     /// Takes away what is not seen, at those blocks whose bits are set.
-    pub(crate) fn veil(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) = veil_lanes;
+    pub(crate) fn apply_visibility(blocks: u16, fraction: &Plane, irradiance: &mut Plane, specular: &mut Plane) = apply_visibility_lanes;
 }
 
-clones! {
+multiversion! {
     /// The floor's picture, of what arrives and of what shines, at those blocks of its points whose bits are set.
-    pub(crate) fn paint_floor(
-        blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light,
-    ) = paint_floor_lanes;
+    pub(crate) fn shade_floor(
+        blocks: u16, albedo: &RgbTile, irradiance: &Plane, specular: &Plane, out: &mut RgbTile,
+    ) = shade_floor_lanes;
 }
 
-clones! {
+multiversion! {
     /// A top's picture in the beam's light, at those blocks of its points whose bits are set.
-    pub(crate) fn light_top(
-        points: &Points, blocks: u16, top: &Surface, finish: &Finish, beam: Falloff, fraction: &[Lanes], out: &mut Light,
-    ) = light_top_lanes;
+    pub(crate) fn shade_top(
+        points: &PackedSamples, blocks: u16, top: &Surface, finish: &Finish, falloff: Falloff, fraction: &[Lanes], out: &mut RgbTile,
+    ) = shade_top_lanes;
 }
 
 /// What brings a lamp's light to its colour at the reference distance.
-const REFERENCE: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
+const REFERENCE_SQUARE_MM2: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
 
 /// How much of the way to a lamp counts as its height: lamps far away are not quite in the horizon, or a lean of one
 /// degree would be night.
-const LIFT: f32 = 0.3;
+const HEIGHT_LIFT: f32 = 0.3;
 
 /// How a leaning surface answers a lamp.
-struct Answer {
+struct BrdfResponse {
     /// Times what a flat floor scatters: 1 for a flat one.
-    matt: f32,
+    diffuse: f32,
     /// The cosine of the angle between normal and half vector (J. Blinn, 1977), squared.
     cosine_square: f32,
 }
 
 #[inline(always)]
-fn answer(to: &Arriving, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> Answer {
-    let (ux, uy, square) = (to.x[i], to.y[i], to.square[i]);
-    let up_square = height_square + LIFT * square;
+fn brdf_response(incident: &IncidentLight, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> BrdfResponse {
+    let (ux, uy, square) = (incident.x[i], incident.y[i], incident.square[i]);
+    let up_square = height_square + HEIGHT_LIFT * square;
     let length = (square + up_square).sqrt();
     let up = up_square.sqrt();
     let across = nx * ux + ny * uy;
     let half = max(across + nz * (up + length), 0.0);
-    Answer { matt: max(across + nz * up, 0.0) / up, cosine_square: half * half / (2.0 * length * (length + up)) }
+    BrdfResponse {
+        diffuse: max(across + nz * up, 0.0) / up,
+        cosine_square: half * half / (2.0 * length * (length + up)),
+    }
 }
 
 /// To the 16th.
@@ -116,92 +114,93 @@ fn power_16(x: f32) -> f32 {
 }
 
 /// How bright the gloss of a floor of gloss 1 is, seen straight on.
-const COAT: f32 = 1.6;
+const COAT_STRENGTH: f32 = 1.6;
 
 /// From here on down, the square of the cosine between normal and half vector leaves no shine on the floor.
-const COAT_ENDS: f32 = 1.0 - 6.0 / 32.0;
+const COAT_END_COSINE_SQUARE: f32 = 1.0 - 6.0 / 32.0;
 
 #[inline(always)]
-fn light_floor_lanes(
-    points: &Points,
+fn floor_irradiance_lanes(
+    points: &PackedSamples,
     blocks: u16,
     floor: &Surface,
-    beam: Falloff,
+    falloff: Falloff,
     gloss: f32,
-    arriving: &mut Plane,
-    shine: &mut Plane,
+    irradiance: &mut Plane,
+    specular: &mut Plane,
 ) {
-    let leans = floor.leans || gloss > 0.0;
-    let coat = COAT * clamp(gloss, 0.0, 1.0);
-    for block in ones(blocks) {
+    let has_normals = floor.has_normals || gloss > 0.0;
+    let coat = COAT_STRENGTH * clamp(gloss, 0.0, 1.0);
+    for block in set_bits(blocks) {
         let (x, y) = (&points.x[block], &points.y[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
-        let (matt, shine) = (&mut arriving[block], &mut shine[block]);
-        let to = beam.arriving(x, y);
+        let (diffuse, specular) = (&mut irradiance[block], &mut specular[block]);
+        let incident = falloff.incident(x, y);
         for i in 0..LANES {
-            matt[i] = weight[i] * (REFERENCE * to.light[i]);
+            diffuse[i] = weight[i] * (REFERENCE_SQUARE_MM2 * incident.irradiance[i]);
         }
-        if leans {
+        if has_normals {
             for i in 0..LANES {
-                let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
+                let response = brdf_response(&incident, i, falloff.height_square, [nx[i], ny[i], nz[i]]);
                 // A coat of lacquer: near its middle as narrow as the 64th power of the cosine, but it ends.
-                let near = max(answer.cosine_square - COAT_ENDS, 0.0) * (1.0 / (1.0 - COAT_ENDS));
+                let near =
+                    max(response.cosine_square - COAT_END_COSINE_SQUARE, 0.0) * (1.0 / (1.0 - COAT_END_COSINE_SQUARE));
                 let lobe = near * near * near;
-                shine[i] = coat * matt[i] * (lobe * lobe);
-                matt[i] *= answer.matt;
+                specular[i] = coat * diffuse[i] * (lobe * lobe);
+                diffuse[i] *= response.diffuse;
             }
         } else {
-            *shine = [0.0; LANES];
+            *specular = [0.0; LANES];
         }
     }
 }
 
 #[inline(always)]
-fn veil_lanes(blocks: u16, fraction: &Plane, arriving: &mut Plane, shine: &mut Plane) {
-    for block in ones(blocks) {
-        let (seen, arriving, shine) = (&fraction[block], &mut arriving[block], &mut shine[block]);
+fn apply_visibility_lanes(blocks: u16, fraction: &Plane, irradiance: &mut Plane, specular: &mut Plane) {
+    for block in set_bits(blocks) {
+        let (seen, irradiance, specular) = (&fraction[block], &mut irradiance[block], &mut specular[block]);
         for i in 0..LANES {
-            (arriving[i], shine[i]) = (arriving[i] * seen[i], shine[i] * seen[i]);
+            (irradiance[i], specular[i]) = (irradiance[i] * seen[i], specular[i] * seen[i]);
         }
     }
 }
 
 #[inline(always)]
-fn paint_floor_lanes(blocks: u16, albedo: &Light, arriving: &Plane, shine: &Plane, out: &mut Light) {
+fn shade_floor_lanes(blocks: u16, albedo: &RgbTile, irradiance: &Plane, specular: &Plane, out: &mut RgbTile) {
     for (out, albedo) in out.iter_mut().zip(albedo) {
-        for block in ones(blocks) {
+        for block in set_bits(blocks) {
             for i in 0..LANES {
-                out[block][i] = albedo[block][i] * arriving[block][i] + shine[block][i];
+                out[block][i] = albedo[block][i] * irradiance[block][i] + specular[block][i];
             }
         }
     }
 }
 
 #[inline(always)]
-fn light_top_lanes(
-    points: &Points,
+fn shade_top_lanes(
+    points: &PackedSamples,
     blocks: u16,
     top: &Surface,
     finish: &Finish,
-    beam: Falloff,
+    falloff: Falloff,
     fraction: &[Lanes],
-    out: &mut Light,
+    out: &mut RgbTile,
 ) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
-        let (mut above, mut shine, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let to = beam.arriving(x, y);
+        let (mut above, mut specular, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let incident = falloff.incident(x, y);
         for i in 0..LANES {
-            let arriving = weight[i] * (REFERENCE * to.light[i] * seen[i]);
-            let answer = answer(&to, i, beam.height_square, [nx[i], ny[i], nz[i]]);
-            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * arriving * answer.matt;
-            shine[i] = 2.5 * gloss * arriving * power_16(answer.cosine_square);
-            below[i] = through * arriving;
+            let irradiance = weight[i] * (REFERENCE_SQUARE_MM2 * incident.irradiance[i] * seen[i]);
+            let response = brdf_response(&incident, i, falloff.height_square, [nx[i], ny[i], nz[i]]);
+            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * irradiance * response.diffuse;
+            specular[i] = 2.5 * gloss * irradiance * power_16(response.cosine_square);
+            below[i] = through * irradiance;
         }
         for (channel, out) in out.iter_mut().enumerate() {
             let (own, art) = (finish.albedo[channel], &top.albedo[channel][block]);
@@ -211,20 +210,20 @@ fn light_top_lanes(
                 let tint = 0.3 + (albedo - 0.3) * gloss;
                 // Light from below passes the ink, light from above meets it and comes back through it.
                 let ink = albedo * (0.3 + 0.7 * albedo);
-                out[block][i] = albedo * above[i] + tint * shine[i] + ink * below[i];
+                out[block][i] = albedo * above[i] + tint * specular[i] + ink * below[i];
             }
         }
     }
 }
 
-clones! {
+multiversion! {
     /// The floor's picture in the light from everywhere.
-    pub(crate) fn light_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light)
-        = light_floor_ambient_lanes;
+    pub(crate) fn shade_floor_ambient(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile)
+        = shade_floor_ambient_lanes;
 }
 
 #[inline(always)]
-fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut Light) {
+fn shade_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], out: &mut RgbTile) {
     for channel in 0..3 {
         for block in 0..blocks {
             for i in 0..LANES {
@@ -234,24 +233,24 @@ fn light_floor_ambient_lanes(blocks: usize, floor: &Surface, ambient: [f32; 3], 
     }
 }
 
-clones! {
+multiversion! {
     /// A top's picture in the light from everywhere, with the light of its own.
-    pub(crate) fn light_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light)
-        = light_top_ambient_lanes;
+    pub(crate) fn shade_top_ambient(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile)
+        = shade_top_ambient_lanes;
 }
 
 #[inline(always)]
-fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut Light) {
+fn shade_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     // The room is in the light from everywhere: where there is none, there is no room that could be mirrored.
-    let mirrors = ambient.map(|ambient| ROOM * gloss * gloss * ambient);
+    let mirrors = ambient.map(|ambient| ENVIRONMENT_GAIN * gloss * gloss * ambient);
     for block in 0..blocks {
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
         let mut room = [[0.0; LANES]; 3];
         for i in 0..LANES {
             let up = 2.0 * nz[i];
-            let [red, green, blue] = environment::seen([up * nx[i], up * ny[i], up * nz[i] - 1.0], [0.0; 3]);
+            let [red, green, blue] = environment::radiance([up * nx[i], up * ny[i], up * nz[i] - 1.0], [0.0; 3]);
             (room[0][i], room[1][i], room[2][i]) = (mirrors[0] * red, mirrors[1] * green, mirrors[2] * blue);
         }
         for channel in 0..3 {
@@ -268,4 +267,4 @@ fn light_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambien
 }
 
 /// How bright the room is in polished tops, in light from everywhere.
-const ROOM: f32 = 4.0;
+const ENVIRONMENT_GAIN: f32 = 4.0;

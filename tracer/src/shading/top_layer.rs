@@ -1,18 +1,19 @@
 //! The part of one top that a tile shows, and how its pixels are found.
 
 use crate::shading::albedo_map::Albedo;
-use crate::shading::coverage::Edge;
+use crate::shading::coverage::SignedDistance;
 use crate::shading::surface::Surface;
 use crate::simd::dispatch::{LANES, clamp, max};
-use crate::tile::packed_samples::{Plane, Points, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 
 /// Below this much of a pixel, nobody sees it.
-pub(crate) const UNSEEN: f32 = 1.0 / 1024.0;
+pub(crate) const MIN_COVERAGE: f32 = 1.0 / 1024.0;
 
 /// The part of one top that a tile shows.
 pub(crate) struct TopLayer {
     pub form: usize,
-    pub points: Points,
+    pub points: PackedSamples,
     /// Whether art is printed on it.
     pub printed: bool,
     pub surface: Surface,
@@ -21,11 +22,11 @@ pub(crate) struct TopLayer {
 impl TopLayer {
     /// Nothing yet.
     pub fn new() -> TopLayer {
-        TopLayer { form: 0, points: Points::none(), printed: false, surface: Surface::none() }
+        TopLayer { form: 0, points: PackedSamples::none(), printed: false, surface: Surface::none() }
     }
 
     /// Packs the pixels that the outline covers and nothing above hides.
-    pub fn pack(&mut self, edge: &Edge, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
+    pub fn pack(&mut self, edge: &SignedDistance, bevel_mm: f32, opacity: f32, mm_per_px: f32, remaining: &mut Plane) {
         self.points.count = 0;
         let per_mm = 1.0 / mm_per_px;
         let Surface { weight, normals, .. } = &mut self.surface;
@@ -34,7 +35,7 @@ impl TopLayer {
                 let distance = edge.distance[row][i];
                 let coverage = clamp(0.5 - distance * per_mm, 0.0, 1.0) * opacity;
                 let rest = remaining[row][i];
-                if coverage * rest < UNSEEN {
+                if coverage * rest < MIN_COVERAGE {
                     continue;
                 }
                 remaining[row][i] = rest * (1.0 - coverage);
@@ -53,7 +54,7 @@ impl TopLayer {
     }
 
     /// Packs the art at the layer's points: white where nothing is printed.
-    pub fn take_print(&mut self, printed: &Albedo) {
+    pub fn pack_print(&mut self, printed: &Albedo) {
         self.printed = true;
         for point in 0..self.points.count {
             let pixel = usize::from(self.points.pixel[point]);

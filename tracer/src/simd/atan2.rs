@@ -1,4 +1,4 @@
-//! The angle of a direction, for inner loops: only `+ - * /` and selections, so the same bits on every path.
+//! The angle of a direction, for inner loops: only `+ - * /` and selections, so the same bits on every SIMD level.
 
 use crate::simd::dispatch::max;
 use std::f32::consts::{FRAC_PI_2, PI};

@@ -1,19 +1,11 @@
 //! A tile of the screen and the points of it that some surface needs light at.
 
-use crate::simd::dispatch::{LANES, Lanes};
-
-/// Pixels along a tile's side. A row of a tile is one block of [`LANES`].
-pub(crate) const TILE: usize = LANES;
-
-/// Pixels of a tile.
-pub(crate) const AREA: usize = TILE * TILE;
-
-/// One number a pixel of a tile, or a point of a layer.
-pub(crate) type Plane = [Lanes; TILE];
+use crate::simd::dispatch::LANES;
+use crate::tile::planes::{AREA, Plane, TILE};
 
 /// Some pixels of a tile, packed, as points in mm from the tile's middle.
 #[derive(Clone, Debug)]
-pub(crate) struct Points {
+pub(crate) struct PackedSamples {
     /// How many points there are.
     pub count: usize,
     /// Across, mm.
@@ -24,15 +16,15 @@ pub(crate) struct Points {
     pub pixel: [u8; AREA],
 }
 
-impl Points {
+impl PackedSamples {
     /// No point.
-    pub fn none() -> Points {
-        Points { count: 0, x: [[0.0; LANES]; TILE], y: [[0.0; LANES]; TILE], pixel: [0; AREA] }
+    pub fn none() -> PackedSamples {
+        PackedSamples { count: 0, x: [[0.0; LANES]; TILE], y: [[0.0; LANES]; TILE], pixel: [0; AREA] }
     }
 
     /// Every pixel of a tile, in order.
-    pub fn whole_tile(mm_per_px: f64) -> Points {
-        let mut points = Points::none();
+    pub fn full_tile(mm_per_px: f64) -> PackedSamples {
+        let mut points = PackedSamples::none();
         for pixel in 0..AREA {
             points.push_pixel(pixel, mm_per_px as f32);
         }

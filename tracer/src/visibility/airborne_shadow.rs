@@ -11,10 +11,11 @@
 //! slow twin is [`crate::sphere`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
 //! larger ones by up to a sixtieth.
 
-use crate::simd::dispatch::{LANES, Path, clamp, clones, max, min, ones};
-use crate::tile::packed_samples::{Plane, Points};
-use crate::tile::rect::Place;
-use crate::visibility::shadow_bounds::Penumbra;
+use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
+use crate::tile::rect::TileRect;
+use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Ball, Group, Lamp};
 use geometry::{DVec2, trig};
 use lines::{Lines, View};
@@ -22,18 +23,18 @@ use lines::{Lines, View};
 mod lines;
 
 /// Into how many strips a lamp's disc is cut.
-const STRIPS: usize = 16;
+const DISC_STRIPS: usize = 16;
 
 /// Less of a lamp is nothing.
-const UNSEEN: f32 = 1e-6;
+const MIN_VISIBLE: f32 = 1e-6;
 
 /// A ball that may hide a lamp.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Floating {
+pub(crate) struct AirborneShadow {
     /// The ball's.
     pub group: Group,
     /// Where it may hide anything.
-    pub penumbra: Penumbra,
+    pub bounds: ShadowBounds,
     ball_mm: DVec2,
     lamp_mm: DVec2,
     sizes: Sizes,
@@ -66,14 +67,14 @@ struct Sizes {
 enum Shape {
     Point,
     /// How far each strip of a disc is from its middle, half of its length, and what a millimetre of it counts.
-    Disc([[f32; 3]; STRIPS]),
+    Disc([[f32; 3]; DISC_STRIPS]),
     /// The unit vector along a segment, and the square of its height.
     Tube([f32; 2], f32),
 }
 
-impl Floating {
-    /// `ball`, which is one of [`crate::visibility::sphere_shadow::hiding`].
-    pub fn new(lamp: &Lamp, ball: &Ball) -> Floating {
+impl AirborneShadow {
+    /// `ball`, which is one of [`crate::visibility::sphere_shadow::occluding_balls`].
+    pub fn new(lamp: &Lamp, ball: &Ball) -> AirborneShadow {
         let (height, radius, middle) = (lamp.height_mm(), ball.radius_mm, ball.radius_mm + ball.lift_mm());
         // As (z - R) (z + R), which a low ball leaves exact.
         let square = ball.lift_mm() * (middle + radius);
@@ -97,45 +98,52 @@ impl Floating {
             None if lamp.radius_mm() == 0.0 => Shape::Point,
             None => Shape::Disc(strips(lamp.radius_mm())),
         };
-        let penumbra = Penumbra::of_floating(lamp, ball);
-        Floating { group: ball.group, penumbra, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
+        let bounds = ShadowBounds::of_airborne(lamp, ball);
+        AirborneShadow { group: ball.group, bounds, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
     }
 
     /// Takes what it hides from those blocks of a tile's points whose bits are set.
-    pub fn veil(&self, path: Path, place: &Place, points: &Points, blocks: u16, fraction: &mut Plane) {
-        let narrow = |at: DVec2| [(at.x - place.middle_mm.x) as f32, (at.y - place.middle_mm.y) as f32];
+    pub fn attenuate(
+        &self,
+        simd: SimdLevel,
+        rect: &TileRect,
+        points: &PackedSamples,
+        blocks: u16,
+        fraction: &mut Plane,
+    ) {
+        let narrow = |at: DVec2| [(at.x - rect.middle_mm.x) as f32, (at.y - rect.middle_mm.y) as f32];
         let (ball, lamp) = (narrow(self.ball_mm), narrow(self.lamp_mm));
-        veil(path, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
+        attenuate(simd, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
     }
 }
 
-fn strips(radius: f64) -> [[f32; 3]; STRIPS] {
-    let step = std::f64::consts::PI / (STRIPS + 1) as f64;
+fn strips(radius: f64) -> [[f32; 3]; DISC_STRIPS] {
+    let step = std::f64::consts::PI / (DISC_STRIPS + 1) as f64;
     std::array::from_fn(|strip| {
         let (sin, cos) = trig::sin_cos(step * (strip + 1) as f64);
-        let weight = 2.0 * sin * sin / (STRIPS + 1) as f64;
+        let weight = 2.0 * sin * sin / (DISC_STRIPS + 1) as f64;
         [radius * cos, radius * sin, weight / (2.0 * radius * sin)].map(|number| number as f32)
     })
 }
 
-clones! {
-    fn veil(
-        blocks: u16, points: &Points, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &Shape,
+multiversion! {
+    fn attenuate(
+        blocks: u16, points: &PackedSamples, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &Shape,
         fraction: &mut Plane,
-    ) = veil_lanes;
+    ) = attenuate_lanes;
 }
 
 #[inline(always)]
-fn veil_lanes(
+fn attenuate_lanes(
     blocks: u16,
-    points: &Points,
+    points: &PackedSamples,
     ball: [f32; 2],
     lamp: [f32; 2],
     sizes: &Sizes,
     shape: &Shape,
     fraction: &mut Plane,
 ) {
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let view = View::new(&points.x[block], &points.y[block], ball, lamp, sizes);
         if !view.may_hide(sizes) {
             continue;
@@ -167,7 +175,7 @@ fn veil_lanes(
         let seen = &mut fraction[block];
         for i in 0..LANES {
             let open = clamp(1.0 - hidden[i], 0.0, 1.0);
-            seen[i] *= if open < UNSEEN { 0.0 } else { open };
+            seen[i] *= if open < MIN_VISIBLE { 0.0 } else { open };
         }
     }
 }

@@ -8,8 +8,8 @@
 //! segment's normal: then what is near the segment's line is told apart from it as finely as single precision can.
 
 use crate::Group;
-use crate::visibility::disc_chain::{Bulge, Disc, Link, Silhouettes};
-use crate::visibility::potential_occluders::Candidates;
+use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
+use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::shaft::{BEFORE_LAMP, BETWEEN, MEETS_LEFT, MEETS_RIGHT};
 use geometry::{Circle, DVec2, Taper};
 
@@ -55,7 +55,7 @@ pub(crate) struct Piece {
 
 /// What stands between one lamp and the points of one tile.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Obstruction {
+pub(crate) struct Blockers {
     /// The easy chains' parts, one chain after another.
     pub elements: Vec<Element>,
     /// Where in `elements` each chain ends.
@@ -68,71 +68,71 @@ pub(crate) struct Obstruction {
 
 /// How much of a lamp the points of a tile see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verdict {
+pub(crate) enum VisibilityClass {
     /// All of it, every point.
     Lit,
     /// Nothing of it, every point.
-    Dark,
+    Umbra,
     /// It must be asked point by point.
-    Mixed,
+    Partial,
 }
 
-impl Obstruction {
-    /// Gathers what of `near`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
+impl Blockers {
+    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
     /// groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
-        near: &Candidates,
-        all: &Silhouettes,
+        occluders: &PotentialOccluders,
+        chains: &DiscChains,
         middle_mm: DVec2,
         axis: DVec2,
         without: &[Group],
-    ) -> Verdict {
+    ) -> VisibilityClass {
         self.elements.clear();
         self.ends.clear();
         self.pieces.clear();
         self.hidden_by = None;
-        let place = Place { all, middle_mm, axis };
+        let place = TileFrame { chains, middle_mm, axis };
         let mut chain = 0u16;
-        for at in 0..near.len() {
-            let counts = near.counts(at) && !without.contains(&near.group[at]);
-            let alone = near.link[at] == Link::Start;
+        for at in 0..occluders.len() {
+            let counts = occluders.counts(at) && !without.contains(&occluders.group[at]);
+            let alone = occluders.link[at] == Link::Start;
             let before = if alone { at } else { at - 1 };
-            let codes = (near.code[before], near.code[at]);
+            let codes = (occluders.code[before], occluders.code[at]);
             let easy = counts && codes.0 & codes.1 & BETWEEN != 0;
             let open = self.ends.last().copied().unwrap_or(0) < self.elements.len();
             if open && (!easy || alone) {
                 if dark(chain) {
-                    self.hidden_by = Some(near.group[at - 1]);
-                    return Verdict::Dark;
+                    self.hidden_by = Some(occluders.group[at - 1]);
+                    return VisibilityClass::Umbra;
                 }
                 self.ends.push(self.elements.len());
             }
             if easy {
                 if self.ends.last().copied().unwrap_or(0) == self.elements.len() {
-                    self.elements.push(Element::Disc(place.disc(near.index[before] as usize)));
+                    self.elements.push(Element::Disc(place.disc(occluders.index[before] as usize)));
                     chain = codes.0;
                 }
                 if !alone {
-                    if let Link::Bulge(bulge) = near.link[at] {
-                        self.elements.push(Element::Bulge(place.cap(&all.bulges[bulge as usize])));
+                    if let Link::Bulge(bulge) = occluders.link[at] {
+                        self.elements.push(Element::Bulge(place.cap(&chains.bulges[bulge as usize])));
                     }
-                    self.elements.push(Element::Disc(place.disc(near.index[at] as usize)));
+                    self.elements.push(Element::Disc(place.disc(occluders.index[at] as usize)));
                     chain |= codes.1;
                 }
             } else if counts {
                 let clipped = codes.0 & codes.1 & BEFORE_LAMP == 0;
-                place.push_pieces(near, before, at, clipped, &mut self.pieces);
+                place.push_pieces(occluders, before, at, clipped, &mut self.pieces);
             }
         }
         if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
             if dark(chain) {
-                self.hidden_by = near.group.last().copied();
-                return Verdict::Dark;
+                self.hidden_by = occluders.group.last().copied();
+                return VisibilityClass::Umbra;
             }
             self.ends.push(self.elements.len());
         }
-        if self.ends.is_empty() && self.pieces.is_empty() { Verdict::Lit } else { Verdict::Mixed }
+        if self.ends.is_empty() && self.pieces.is_empty() { VisibilityClass::Lit } else { VisibilityClass::Partial }
     }
 
     /// How many intervals the chains and pieces cover.
@@ -147,13 +147,13 @@ fn dark(chain: u16) -> bool {
 }
 
 /// Brings things from the table into a tile's coordinates.
-struct Place<'a> {
-    all: &'a Silhouettes,
+struct TileFrame<'a> {
+    chains: &'a DiscChains,
     middle_mm: DVec2,
     axis: DVec2,
 }
 
-impl Place<'_> {
+impl TileFrame<'_> {
     fn turned(&self, way: DVec2) -> [f32; 2] {
         [way.dot(self.axis) as f32, way.dot(self.axis.perp()) as f32]
     }
@@ -164,7 +164,7 @@ impl Place<'_> {
     }
 
     fn disc(&self, index: usize) -> [f32; 3] {
-        let disc = &self.all.discs[index];
+        let disc = &self.chains.discs[index];
         self.circle(Circle { center: disc.center, radius: disc.radius })
     }
 
@@ -177,21 +177,28 @@ impl Place<'_> {
         }
     }
 
-    fn push_pieces(&self, near: &Candidates, before: usize, at: usize, clipped: bool, pieces: &mut Vec<Piece>) {
+    fn push_pieces(
+        &self,
+        occluders: &PotentialOccluders,
+        before: usize,
+        at: usize,
+        clipped: bool,
+        pieces: &mut Vec<Piece>,
+    ) {
         let circle = |at: usize| {
-            let disc = &self.all.discs[near.index[at] as usize];
+            let disc = &self.chains.discs[occluders.index[at] as usize];
             Circle { center: disc.center, radius: disc.radius }
         };
-        let Link::Bulge(bulge) = near.link[at] else {
+        let Link::Bulge(bulge) = occluders.link[at] else {
             return pieces.push(self.piece(circle(before), circle(at), None, clipped));
         };
-        let bulge = &self.all.bulges[bulge as usize];
+        let bulge = &self.chains.bulges[bulge as usize];
         if bulge.fine.is_empty() {
             return pieces.push(self.piece(circle(before), circle(at), Some(bulge), clipped));
         }
-        for ends in self.all.discs[bulge.fine.clone()].windows(2) {
+        for ends in self.chains.discs[bulge.fine.clone()].windows(2) {
             let Link::Bulge(part) = ends[1].link else { continue };
-            let part = &self.all.bulges[part as usize];
+            let part = &self.chains.bulges[part as usize];
             let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
             pieces.push(self.piece(circle(&ends[0]), circle(&ends[1]), Some(part), clipped));
         }

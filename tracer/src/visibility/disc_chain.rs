@@ -63,14 +63,14 @@ pub(crate) struct Bulge {
     pub cos_half: f64,
     /// How far the piece is from its chord, mm.
     pub sagitta_mm: f64,
-    /// The same piece as a chain of finer ones, so fine that their chords would do: which of [`Silhouettes::discs`].
+    /// The same piece as a chain of finer ones, so fine that their chords would do: which of [`DiscChains::discs`].
     /// Empty for a piece that is fine already.
     pub fine: Range<usize>,
 }
 
 /// Every occluder of a scene, as chains.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Silhouettes {
+pub(crate) struct DiscChains {
     /// The discs of all chains, one chain after another; then those of the fine chains of arcs.
     pub discs: Vec<Disc>,
     /// How many of the discs are not of fine chains.
@@ -81,12 +81,12 @@ pub(crate) struct Silhouettes {
     waiting: Vec<Disc>,
 }
 
-impl Silhouettes {
+impl DiscChains {
     /// Takes the place of what was here; shapes beyond the [`limits`] cast no shadow.
     pub fn set(&mut self, occluders: &[Occluder]) {
         self.discs.clear();
         self.bulges.clear();
-        for Occluder { shape, group } in occluders {
+        for Occluder { shape, group, .. } in occluders {
             self.push(shape, *group);
         }
         self.coarse = self.discs.len();

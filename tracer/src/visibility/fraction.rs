@@ -6,23 +6,23 @@
 //! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
 //! ends of the intervals are weighed by what arrives at P before their union is measured.
 
-use crate::simd::dispatch::{LANES, Lanes, clamp, clones, max, min, ones};
-use crate::tile::packed_samples::Plane;
-use crate::visibility::blockers::{Cap, Element, Obstruction, Piece};
+use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
+use crate::tile::planes::Plane;
+use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::interval_union::{uncovered, uncovered_many};
-use crate::visibility::projected_emitter::{DiscSource, Seen, Source};
+use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};
 
 /// A slope that stands for "straight across".
 const STEEP: f32 = 1e18;
 
 /// Room for the ends of the intervals that one block of points sees.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Intervals {
+pub(crate) struct IntervalScratch {
     low: Vec<Lanes>,
     high: Vec<Lanes>,
 }
 
-impl Intervals {
+impl IntervalScratch {
     /// Makes room for `count` intervals a point.
     pub fn reserve(&mut self, count: usize) {
         if self.low.len() < count {
@@ -32,10 +32,10 @@ impl Intervals {
     }
 }
 
-clones! {
-    /// The visible fraction of `source` at those blocks of points whose bits are set.
+multiversion! {
+    /// The visible fraction of `emitter` at those blocks of points whose bits are set.
     pub(crate) fn visible_fraction(
-        blocks: u16, x: &Plane, y: &Plane, source: Source, between: &Obstruction, room: &mut Intervals,
+        blocks: u16, x: &Plane, y: &Plane, emitter: ProjectedEmitter, blockers: &Blockers, scratch: &mut IntervalScratch,
         fraction: &mut Plane,
     ) = visible_fraction_lanes;
 }
@@ -45,21 +45,21 @@ fn visible_fraction_lanes(
     blocks: u16,
     x: &Plane,
     y: &Plane,
-    source: Source,
-    between: &Obstruction,
-    room: &mut Intervals,
+    emitter: ProjectedEmitter,
+    blockers: &Blockers,
+    scratch: &mut IntervalScratch,
     fraction: &mut Plane,
 ) {
     // What hid the lamp from the last points may well hide it from the next: it is asked first.
     let mut first = 0;
-    for block in ones(blocks) {
+    for block in set_bits(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
-        match source {
-            Source::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, between, out),
-            Source::Disc(disc) => soft_shadow(x, y, disc, between, room, &mut first, out),
-            Source::Tube(tube) => {
+        match emitter {
+            ProjectedEmitter::Disc(disc) if disc.radius == 0.0 => hard_shadow(x, y, disc, blockers, out),
+            ProjectedEmitter::Disc(disc) => soft_shadow(x, y, disc, blockers, scratch, &mut first, out),
+            ProjectedEmitter::Tube(tube) => {
                 let (x, y) = tube.turned(x, y);
-                soft_shadow(&x, &y, tube, between, room, &mut first, out);
+                soft_shadow(&x, &y, tube, blockers, scratch, &mut first, out);
             }
         }
     }
@@ -67,50 +67,50 @@ fn visible_fraction_lanes(
 
 /// The interval that the chain or piece of this number covers, for each of a block of points.
 #[inline(always)]
-fn interval<S: Seen>(
+fn interval<S: ProjectedChord>(
     x: &Lanes,
     y: &Lanes,
-    source: S,
-    between: &Obstruction,
+    emitter: S,
+    blockers: &Blockers,
     at: usize,
     low: &mut Lanes,
     high: &mut Lanes,
 ) {
-    let chains = between.ends.len();
+    let chains = blockers.ends.len();
     if at < chains {
-        let first = if at == 0 { 0 } else { between.ends[at - 1] };
-        return cover_chain(x, y, source, &between.elements[first..between.ends[at]], low, high);
+        let first = if at == 0 { 0 } else { blockers.ends[at - 1] };
+        return cover_chain(x, y, emitter, &blockers.elements[first..blockers.ends[at]], low, high);
     }
-    let piece = &between.pieces[at - chains];
+    let piece = &blockers.pieces[at - chains];
     match (piece.clipped, piece.cap.is_some()) {
-        (false, false) => cover_piece::<S, false, false>(x, y, source, piece, low, high),
-        (false, true) => cover_piece::<S, false, true>(x, y, source, piece, low, high),
-        (true, false) => cover_piece::<S, true, false>(x, y, source, piece, low, high),
-        (true, true) => cover_piece::<S, true, true>(x, y, source, piece, low, high),
+        (false, false) => cover_piece::<S, false, false>(x, y, emitter, piece, low, high),
+        (false, true) => cover_piece::<S, false, true>(x, y, emitter, piece, low, high),
+        (true, false) => cover_piece::<S, true, false>(x, y, emitter, piece, low, high),
+        (true, true) => cover_piece::<S, true, true>(x, y, emitter, piece, low, high),
     }
 }
 
 /// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
 #[inline(always)]
-fn soft_shadow<S: Seen>(
+fn soft_shadow<S: ProjectedChord>(
     x: &Lanes,
     y: &Lanes,
-    source: S,
-    between: &Obstruction,
-    room: &mut Intervals,
+    emitter: S,
+    blockers: &Blockers,
+    scratch: &mut IntervalScratch,
     first: &mut usize,
     out: &mut Lanes,
 ) {
     let (mut least, mut most) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
-        (least[i], most[i]) = source.limits(x[i], y[i]);
+        (least[i], most[i]) = emitter.limits(x[i], y[i]);
     }
     let mut count = 0;
-    for turn in 0..between.intervals() {
+    for turn in 0..blockers.intervals() {
         // The first one, then those before it, then those after it.
         let at = if turn == 0 { *first } else { turn - usize::from(turn <= *first) };
-        let (begin, end) = (&mut room.low[count], &mut room.high[count]);
-        interval(x, y, source, between, at, begin, end);
+        let (begin, end) = (&mut scratch.low[count], &mut scratch.high[count]);
+        interval(x, y, emitter, blockers, at, begin, end);
         let (mut met, mut missed) = (0u32, 0u32);
         for i in 0..LANES {
             begin[i] = clamp(begin[i], least[i], most[i]);
@@ -125,9 +125,9 @@ fn soft_shadow<S: Seen>(
         }
         count += met as usize;
     }
-    let (lows, highs) = (&mut room.low[..count], &mut room.high[..count]);
+    let (lows, highs) = (&mut scratch.low[..count], &mut scratch.high[..count]);
     if count > 0 {
-        source.measure(x, y, &mut least, &mut most, lows, highs);
+        emitter.measure(x, y, &mut least, &mut most, lows, highs);
     }
     let limits = (&least, &most);
     match count {
@@ -144,11 +144,11 @@ fn soft_shadow<S: Seen>(
 
 /// Visible or not: for a lamp without size.
 #[inline(always)]
-fn hard_shadow(x: &Lanes, y: &Lanes, source: DiscSource, between: &Obstruction, out: &mut Lanes) {
+fn hard_shadow(x: &Lanes, y: &Lanes, emitter: ProjectedDisc, blockers: &Blockers, out: &mut Lanes) {
     *out = [1.0; LANES];
     let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
-    for at in 0..between.intervals() {
-        interval(x, y, source, between, at, &mut low, &mut high);
+    for at in 0..blockers.intervals() {
+        interval(x, y, emitter, blockers, at, &mut low, &mut high);
         for i in 0..LANES {
             let covered = (low[i] <= 0.0) & (high[i] >= 0.0);
             out[i] = if covered { 0.0 } else { out[i] };
@@ -158,13 +158,20 @@ fn hard_shadow(x: &Lanes, y: &Lanes, source: DiscSource, between: &Obstruction, 
 
 /// The interval of a chain that lies between the points and the lamp's chord.
 #[inline(always)]
-fn cover_chain<S: Seen>(x: &Lanes, y: &Lanes, source: S, elements: &[Element], low: &mut Lanes, high: &mut Lanes) {
+fn cover_chain<S: ProjectedChord>(
+    x: &Lanes,
+    y: &Lanes,
+    emitter: S,
+    elements: &[Element],
+    low: &mut Lanes,
+    high: &mut Lanes,
+) {
     let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
     for element in elements {
         match *element {
             Element::Disc([qx, qy, radius]) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = source.way(x[i], y[i]);
+                    let (ux, uy, square) = emitter.way(x[i], y[i]);
                     let (cx, cy) = (qx - x[i], qy - y[i]);
                     let (ahead, aside) = (cx * ux + cy * uy, cy * ux - cx * uy);
                     let tangent = max(cx * cx + cy * cy - radius * radius, 0.0).sqrt();
@@ -177,7 +184,7 @@ fn cover_chain<S: Seen>(x: &Lanes, y: &Lanes, source: S, elements: &[Element], l
             }
             Element::Bulge(cap) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = source.way(x[i], y[i]);
+                    let (ux, uy, square) = emitter.way(x[i], y[i]);
                     let ends = tangents(x[i], y[i], cap.circle, ux, uy);
                     let middle = in_frame(cap.middle, ux, uy);
                     let least = cap.least * square;
@@ -248,10 +255,10 @@ fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) ->
 
 /// The interval of any hull of two discs, wherever it lies.
 #[inline(always)]
-fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
+fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
     y: &Lanes,
-    source: S,
+    emitter: S,
     piece: &Piece,
     low: &mut Lanes,
     high: &mut Lanes,
@@ -259,7 +266,7 @@ fn cover_piece<S: Seen, const CLIPPED: bool, const CAPPED: bool>(
     let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0, inner: [-1.0; 2] });
     let hull = !piece.single;
     for i in 0..LANES {
-        let (ux, uy, square) = source.way(x[i], y[i]);
+        let (ux, uy, square) = emitter.way(x[i], y[i]);
         let a = tangents(x[i], y[i], piece.a, ux, uy);
         let b = tangents(x[i], y[i], piece.b, ux, uy);
         // Directions are compared by the turn from one to the other, not by slope: a hull may go round behind the point.

@@ -10,14 +10,14 @@ const LEAST_OFF_MM: f32 = 1e-3;
 
 /// A lamp, in mm from the tile's middle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Source {
-    Disc(DiscSource),
-    Tube(TubeSource),
+pub(crate) enum ProjectedEmitter {
+    Disc(ProjectedDisc),
+    Tube(ProjectedTube),
 }
 
 /// A disc.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DiscSource {
+pub(crate) struct ProjectedDisc {
     /// Across.
     pub x: f32,
     /// Down.
@@ -28,7 +28,7 @@ pub(crate) struct DiscSource {
 
 /// A segment; the first axis is its normal, the second points along it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct TubeSource {
+pub(crate) struct ProjectedTube {
     axis: [f32; 2],
     ahead: f32,
     /// Where its middle is along the second axis.
@@ -37,29 +37,32 @@ pub(crate) struct TubeSource {
     height_square: f32,
 }
 
-impl Source {
+impl ProjectedEmitter {
     /// `lamp` from a tile round `middle_mm`, and the unit vector that is its frame's first axis.
-    pub fn new(lamp: &Lamp, middle_mm: DVec2) -> (Source, DVec2) {
+    pub fn new(lamp: &Lamp, middle_mm: DVec2) -> (ProjectedEmitter, DVec2) {
         let from_tile = lamp.center_mm - middle_mm;
         let Some(half) = lamp.tube() else {
             let radius = lamp.radius_mm() as f32;
-            return (Source::Disc(DiscSource { x: from_tile.x as f32, y: from_tile.y as f32, radius }), DVec2::X);
+            return (
+                ProjectedEmitter::Disc(ProjectedDisc { x: from_tile.x as f32, y: from_tile.y as f32, radius }),
+                DVec2::X,
+            );
         };
         let length = half.length();
         let axis = -half.perp() / length;
-        let tube = TubeSource {
+        let tube = ProjectedTube {
             axis: [axis.x as f32, axis.y as f32],
             ahead: from_tile.dot(axis) as f32,
             middle: from_tile.dot(half / length) as f32,
             half: length as f32,
             height_square: (lamp.height_mm() * lamp.height_mm()) as f32,
         };
-        (Source::Tube(tube), axis)
+        (ProjectedEmitter::Tube(tube), axis)
     }
 }
 
 /// A form that shines and has a size, seen from a point.
-pub(crate) trait Seen: Copy {
+pub(crate) trait ProjectedChord: Copy {
     /// The way to the line of the chord, at right angles to it, and the square of its length: never zero, so that there
     /// is a direction.
     fn way(self, x: f32, y: f32) -> (f32, f32, f32);
@@ -79,7 +82,7 @@ pub(crate) trait Seen: Copy {
     );
 }
 
-impl Seen for DiscSource {
+impl ProjectedChord for ProjectedDisc {
     #[inline(always)]
     fn way(self, x: f32, y: f32) -> (f32, f32, f32) {
         let (ux, uy) = (self.x - x, self.y - y);
@@ -99,7 +102,7 @@ impl Seen for DiscSource {
     fn measure(self, _: &Lanes, _: &Lanes, _: &mut Lanes, _: &mut Lanes, _: &mut [Lanes], _: &mut [Lanes]) {}
 }
 
-impl TubeSource {
+impl ProjectedTube {
     /// A block of points in the segment's frame.
     #[inline(always)]
     pub fn turned(&self, x: &Lanes, y: &Lanes) -> (Lanes, Lanes) {
@@ -119,7 +122,7 @@ impl TubeSource {
     }
 }
 
-impl Seen for TubeSource {
+impl ProjectedChord for ProjectedTube {
     #[inline(always)]
     fn way(self, x: f32, _: f32) -> (f32, f32, f32) {
         let off = self.off(x);

@@ -1,78 +1,79 @@
 //! How much of one lamp the points of one tile see.
 
-use crate::Group;
-use crate::realtime::tile_renderer::{Lit, Stage};
-use crate::reference::monte_carlo;
-use crate::simd::dispatch::{LANES, ones};
-use crate::tile::packed_samples::{Plane, Points};
-use crate::tile::rect::Place;
-use crate::visibility::airborne_shadow::Floating;
-use crate::visibility::blockers::{Obstruction, Verdict};
-use crate::visibility::fraction::{Intervals, visible_fraction};
-use crate::visibility::potential_occluders::Candidates;
-use crate::visibility::projected_emitter::Source;
+use crate::simd::dispatch::SimdLevel;
+use crate::simd::dispatch::{LANES, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
+use crate::tile::rect::TileRect;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::fraction::{IntervalScratch, visible_fraction};
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::projected_emitter::ProjectedEmitter;
+use crate::{Group, Lamp};
 
 /// One lamp, looked at from one tile.
-pub(crate) struct Gaze<'a, 'b> {
-    pub stage: &'a Stage<'a>,
-    pub near: &'b Candidates,
-    pub lit: &'a Lit,
-    pub place: &'b Place,
-    pub between: &'b mut Obstruction,
-    pub room: &'b mut Intervals,
-    pub fraction: &'b mut Plane,
+pub(crate) struct VisibilityQuery<'a> {
+    pub simd: SimdLevel,
+    pub disc_chains: &'a DiscChains,
+    pub lamp: &'a Lamp,
+    /// The balls in the air that may hide the lamp.
+    pub airborne: &'a [AirborneShadow],
+    /// The occluders that may come between the lamp and the tile, classified for the tile.
+    pub occluders: &'a PotentialOccluders,
+    pub rect: &'a TileRect,
+    pub blockers: &'a mut Blockers,
+    pub scratch: &'a mut IntervalScratch,
+    pub fraction: &'a mut Plane,
 }
 
-impl Gaze<'_, '_> {
+impl VisibilityQuery<'_> {
     /// Finds how much of the lamp each point of some blocks sees, past everything but some occluders' groups, and past
-    /// floating balls that are not of the points' own group.
-    pub fn sees(&mut self, points: &Points, blocks: u16, without: &[Group], own: Option<Group>) -> Verdict {
-        let verdict = self.past_occluders(points, blocks, without);
-        if verdict == Verdict::Dark || self.lit.floating.is_empty() {
+    /// airborne balls that are not of the points' own group.
+    pub fn evaluate(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        without: &[Group],
+        own: Option<Group>,
+    ) -> VisibilityClass {
+        let verdict = self.behind_occluders(points, blocks, without);
+        if verdict == VisibilityClass::Umbra || self.airborne.is_empty() {
             return verdict;
         }
-        self.past_balls(points, blocks, own, verdict)
+        self.behind_balls(points, blocks, own, verdict)
     }
 
-    fn past_occluders(&mut self, points: &Points, blocks: u16, without: &[Group]) -> Verdict {
-        let (lamp, middle) = (&self.lit.lamp, self.place.middle_mm);
-        if let Some(sampling) = &self.stage.sampling {
-            let occluders = &self.stage.scene.occluders;
-            sampling.visible_fraction(occluders, lamp, points, self.sampled(), without, self.fraction);
-            return Verdict::Mixed;
-        }
-        let (source, axis) = Source::new(lamp, middle);
-        let verdict = self.between.gather(self.near, self.stage.silhouettes, middle, axis, without);
-        if verdict == Verdict::Mixed {
-            self.room.reserve(self.between.intervals());
-            let Gaze { stage, between, room, fraction, .. } = self;
-            visible_fraction(stage.path, blocks, &points.x, &points.y, source, between, room, fraction);
+    fn behind_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
+        let (lamp, middle) = (self.lamp, self.rect.middle_mm);
+        let (emitter, axis) = ProjectedEmitter::new(lamp, middle);
+        let verdict = self.blockers.gather(self.occluders, self.disc_chains, middle, axis, without);
+        if verdict == VisibilityClass::Partial {
+            self.scratch.reserve(self.blockers.intervals());
+            let &mut VisibilityQuery { simd, ref blockers, ref mut scratch, ref mut fraction, .. } = self;
+            visible_fraction(simd, blocks, &points.x, &points.y, emitter, blockers, scratch, fraction);
         }
         verdict
     }
 
-    /// Takes what floating balls hide from what is seen past all else.
-    fn past_balls(&mut self, points: &Points, blocks: u16, own: Option<Group>, mut verdict: Verdict) -> Verdict {
-        if let Some(sampling) = &self.stage.sampling {
-            let balls = &self.stage.scene.balls;
-            sampling.veil(balls, &self.lit.lamp, points, self.sampled(), own, self.fraction);
-            return verdict;
-        }
-        let &Place { middle_mm, half_mm, .. } = self.place;
-        let reaches = |ball: &&Floating| Some(ball.group) != own && ball.penumbra.may_reach(middle_mm, half_mm);
-        for ball in self.lit.floating.iter().filter(reaches) {
-            if verdict == Verdict::Lit {
-                verdict = Verdict::Mixed;
-                ones(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
+    /// Takes what airborne balls hide from what is seen past all else.
+    fn behind_balls(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        own: Option<Group>,
+        mut verdict: VisibilityClass,
+    ) -> VisibilityClass {
+        let &TileRect { middle_mm, half_mm, .. } = self.rect;
+        let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
+        for ball in self.airborne.iter().filter(reaches) {
+            if verdict == VisibilityClass::Lit {
+                verdict = VisibilityClass::Partial;
+                set_bits(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
             }
-            ball.veil(self.stage.path, self.place, points, blocks, self.fraction);
+            ball.attenuate(self.simd, self.rect, points, blocks, self.fraction);
         }
         verdict
-    }
-
-    fn sampled(&self) -> monte_carlo::Place {
-        let Place { x, y, middle_mm, .. } = *self.place;
-        let view = &self.stage.scene.view;
-        monte_carlo::Place { middle_mm, corner: (x, y), size: (view.width, view.height) }
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! Intervals are found as angles round the point, and pieces of an arc are cut so finely that chords will do.
 
-use crate::visibility::disc_chain::{Bulge, Disc, Link, Silhouettes};
-use crate::visibility::potential_occluders::Candidates;
-use crate::visibility::sphere_shadow::open_share;
+use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::sphere_shadow::unoccluded_fraction;
 use crate::visibility::transmission;
 use crate::{Group, Lamp, Rgb, Scene};
 use geometry::{Circle, DVec2, Taper, trig};
@@ -13,24 +13,24 @@ use geometry::{Circle, DVec2, Taper, trig};
 const TOUCHING_MM: f64 = 1e-9;
 
 /// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
-const PARTS: u32 = 32;
+const ARC_PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; what is of the group `exclude` casts no shadow.
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb {
-    let mut silhouettes = Silhouettes::default();
-    silhouettes.set(&scene.occluders);
-    let mut candidates = Candidates::default();
+    let mut disc_chains = DiscChains::default();
+    disc_chains.set(&scene.occluders);
+    let mut potential_occluders = PotentialOccluders::default();
     let mut sum = [0.0; 3];
     for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
-            candidates.set(lamp, &silhouettes);
-            let met = transmission::met(&scene.filters, |group| candidates.group.contains(&group));
-            let seen = transmission::passed(met.as_slice(), |removed| {
+            potential_occluders.set(lamp, &disc_chains);
+            let met = transmission::on_path(&scene.filters, |group| potential_occluders.group.contains(&group));
+            let seen = transmission::transmitted(met.as_slice(), |removed| {
                 let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
-                visible_fraction_of(&silhouettes, &candidates, lamp, point_mm, &without, &mut Vec::new())
+                visible_fraction_of(&disc_chains, &potential_occluders, lamp, point_mm, &without, &mut Vec::new())
             });
-            let open = open_share(&scene.balls, lamp, point_mm, exclude);
+            let open = unoccluded_fraction(&scene.balls, lamp, point_mm, exclude);
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * falloff * open * seen[channel];
             }
@@ -39,10 +39,10 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
     sum.map(|light| light as f32)
 }
 
-/// How much of `lamp` the point sees past `candidates`, but for some groups; `intervals` is room to work in.
+/// How much of `lamp` the point sees past `potential_occluders`, but for some groups; `intervals` is room to work in.
 pub(crate) fn visible_fraction_of(
-    all: &Silhouettes,
-    candidates: &Candidates,
+    chains: &DiscChains,
+    potential_occluders: &PotentialOccluders,
     lamp: &Lamp,
     point: DVec2,
     without: &[Group],
@@ -50,22 +50,22 @@ pub(crate) fn visible_fraction_of(
 ) -> f64 {
     let chord = Chord::new(lamp, point);
     intervals.clear();
-    for at in 0..candidates.len() {
-        if without.contains(&candidates.group[at]) {
+    for at in 0..potential_occluders.len() {
+        if without.contains(&potential_occluders.group[at]) {
             continue;
         }
         let circle = |disc: &Disc| Circle { center: disc.center, radius: disc.radius };
-        let here = circle(&all.discs[candidates.index[at] as usize]);
-        match candidates.link[at] {
+        let here = circle(&chains.discs[potential_occluders.index[at] as usize]);
+        match potential_occluders.link[at] {
             Link::Start => intervals.extend(chord.covered(here, here)),
             Link::Straight => {
-                intervals.extend(chord.covered(circle(&all.discs[candidates.index[at - 1] as usize]), here))
+                intervals.extend(chord.covered(circle(&chains.discs[potential_occluders.index[at - 1] as usize]), here))
             }
             Link::Bulge(bulge) => {
-                for ends in all.discs[all.bulges[bulge as usize].fine.clone()].windows(2) {
+                for ends in chains.discs[chains.bulges[bulge as usize].fine.clone()].windows(2) {
                     let Link::Bulge(part) = ends[1].link else { continue };
                     let ends = [circle(&ends[0]), circle(&ends[1])];
-                    chord.cover_arc(ends, &all.bulges[part as usize], intervals);
+                    chord.cover_arc(ends, &chains.bulges[part as usize], intervals);
                 }
             }
         }
@@ -132,7 +132,7 @@ impl Chord {
         let thick = ends[0].radius + bulge.sagitta_mm;
         let [near, far] = [ahead(&ends[0]), ahead(&ends[1])];
         let crosses = near.min(far) - thick < self.distance && near.max(far) + thick > self.distance;
-        let parts = if crosses { PARTS } else { 1 };
+        let parts = if crosses { ARC_PARTS } else { 1 };
         let center = bulge.outer.center;
         let [from, to] = ends.map(|disc| disc.center - center);
         let angle = libm::acos(bulge.cos_half.min(1.0)) * 2.0 / f64::from(parts);

@@ -5,27 +5,21 @@
 //! side.
 
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::TILE;
-use crate::tile::rect::Place;
-use crate::visibility::disc_chain::{Disc, Link, Silhouettes};
-use crate::visibility::shaft::MARGIN_MM;
+use crate::tile::planes::{RowMask, TILE};
+use crate::tile::rect::TileRect;
+use crate::visibility::disc_chain::{Disc, DiscChains, Link};
+use crate::visibility::shaft::SHAFT_MARGIN_MM;
 use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
 
-/// Rows of a tile, one bit each, the topmost in the lowest.
-pub(crate) type Rows = u16;
-
-/// Every row.
-pub(crate) const ALL_ROWS: Rows = !0;
-
 /// Lines that are kept of one thing.
-const MOST: usize = 4;
+const MAX_LINES: usize = 4;
 
 /// Things of more discs are taken to shadow everything.
-const MOST_DISCS: usize = 8;
+const MAX_DISCS: usize = 8;
 
 /// Room for rounding in what a floating ball hides, mm.
-const FLOATING_MARGIN_MM: f64 = 0.05;
+const AIRBORNE_MARGIN_MM: f64 = 0.05;
 
 /// A thing is where `normal . x <= offset`, the lamp where it is more.
 #[derive(Clone, Copy, Debug)]
@@ -36,34 +30,34 @@ struct Line {
 
 /// Where one thing may shadow a lamp: not beyond any of its lines.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Penumbra {
+pub(crate) struct ShadowBounds {
     /// What the thing belongs to.
     pub group: Group,
-    lines: [Option<Line>; MOST],
+    lines: [Option<Line>; MAX_LINES],
 }
 
-impl Penumbra {
-    /// Puts those of all `things`, but for what the lamp is inside of, into `penumbrae`.
-    pub fn of_all(lamp: &Lamp, things: &Silhouettes, penumbrae: &mut Vec<Penumbra>) {
-        penumbrae.clear();
+impl ShadowBounds {
+    /// Puts those of all `things`, but for what the lamp is inside of, into `shadow_bounds`.
+    pub fn of_all(lamp: &Lamp, things: &DiscChains, shadow_bounds: &mut Vec<ShadowBounds>) {
+        shadow_bounds.clear();
         let chains = things.discs[..things.coarse].chunk_by(|_, next| next.link != Link::Start);
         let casts = |chain: &&[Disc]| Some(chain[0].group) != lamp.inside;
-        penumbrae.extend(chains.filter(casts).map(|chain| Penumbra::of(lamp, things, chain)));
+        shadow_bounds.extend(chains.filter(casts).map(|chain| ShadowBounds::of(lamp, things, chain)));
     }
 
-    fn of(lamp: &Lamp, things: &Silhouettes, chain: &[Disc]) -> Penumbra {
-        let mut penumbra = Penumbra { group: chain[0].group, lines: [None; MOST] };
-        if chain.len() > MOST_DISCS {
-            return penumbra;
+    fn of(lamp: &Lamp, things: &DiscChains, chain: &[Disc]) -> ShadowBounds {
+        let mut bounds = ShadowBounds { group: chain[0].group, lines: [None; MAX_LINES] };
+        if chain.len() > MAX_DISCS {
+            return bounds;
         }
         let swell = |disc: &Disc| match disc.link {
             Link::Bulge(bulge) => things.bulges[bulge as usize].sagitta_mm,
             _ => 0.0,
         };
-        let swell = chain.iter().map(swell).fold(0.0, f64::max) + f64::from(MARGIN_MM);
+        let swell = chain.iter().map(swell).fold(0.0, f64::max) + f64::from(SHAFT_MARGIN_MM);
         let half = lamp.tube().unwrap_or(DVec2::ZERO);
         let lamp_radius = if lamp.tube().is_some() { 0.0 } else { lamp.radius_mm() };
-        let mut room = penumbra.lines.iter_mut();
+        let mut room = bounds.lines.iter_mut();
         let mut add = |normal: DVec2| {
             let offset =
                 chain.iter().map(|disc| normal.dot(disc.center) + disc.radius + swell).fold(f64::MIN, f64::max);
@@ -89,18 +83,18 @@ impl Penumbra {
         // What is nearer to the lamp than all of the thing.
         let middle = chain.iter().map(|disc| disc.center).sum::<DVec2>() / chain.len() as f64;
         (lamp.center_mm - middle).try_normalize().into_iter().for_each(add);
-        penumbra
+        bounds
     }
 
     /// That of a ball that floats: of one that is all below the lamp a box round its shadow, else what the shadow of a
     /// column would be, since whatever meets the ball meets the column.
-    pub fn of_floating(lamp: &Lamp, ball: &Ball) -> Penumbra {
-        let (height, radius) = (lamp.height_mm(), ball.radius_mm + FLOATING_MARGIN_MM);
+    pub fn of_airborne(lamp: &Lamp, ball: &Ball) -> ShadowBounds {
+        let (height, radius) = (lamp.height_mm(), ball.radius_mm + AIRBORNE_MARGIN_MM);
         let below = height - (ball.radius_mm + ball.lift_mm());
         let (group, link) = (ball.group, Link::Start);
         if below <= 1.01 * radius {
             let column = Disc { center: ball.center_mm, radius, group, link };
-            return Penumbra::of(lamp, &Silhouettes::default(), &[column]);
+            return ShadowBounds::of(lamp, &DiscChains::default(), &[column]);
         }
         let square = below * below - radius * radius;
         let from_lamp = ball.center_mm - lamp.center_mm;
@@ -110,10 +104,10 @@ impl Penumbra {
             // Seen along the floor the ball is a circle, and the last ray that it stops its tangent.
             let off = normal.dot(from_lamp) + room;
             let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
-            let margin = FLOATING_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
+            let margin = AIRBORNE_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
             Some(Line { normal, offset: normal.dot(lamp.center_mm) + far - room + margin })
         };
-        Penumbra { group, lines: [ahead, -ahead, ahead.perp(), -ahead.perp()].map(line) }
+        ShadowBounds { group, lines: [ahead, -ahead, ahead.perp(), -ahead.perp()].map(line) }
     }
 
     /// Whether the shadow may fall into a square round `middle_mm`, half of whose side is given.
@@ -126,18 +120,18 @@ impl Penumbra {
     }
 
     /// The rows of pixels of a tile that it may fall on.
-    pub fn rows(&self, place: &Place, mm_per_px: f64) -> Rows {
+    pub fn rows(&self, rect: &TileRect, mm_per_px: f64) -> RowMask {
         let mut clear = [false; LANES];
         for line in self.lines.iter().flatten() {
             let half = (TILE as f64 - 1.0) * 0.5;
             let across = half * mm_per_px * line.normal.x.abs();
-            let first = line.normal.dot(place.middle_mm) - half * mm_per_px * line.normal.y - across - line.offset;
+            let first = line.normal.dot(rect.middle_mm) - half * mm_per_px * line.normal.y - across - line.offset;
             let (first, step) = (first as f32, (line.normal.y * mm_per_px) as f32);
             for row in 0..LANES {
-                clear[row] |= first + step * row as f32 > MARGIN_MM;
+                clear[row] |= first + step * row as f32 > SHAFT_MARGIN_MM;
             }
         }
-        clear.iter().rev().fold(0, |rows, &clear| rows << 1 | Rows::from(!clear))
+        clear.iter().rev().fold(0, |rows, &clear| rows << 1 | RowMask::from(!clear))
     }
 }
 
@@ -145,12 +139,13 @@ impl Penumbra {
 mod tests {
     use super::*;
     use crate::scenes::{Random, any_shape};
-    use crate::tile::packed_samples::Points;
-    use crate::visibility::airborne_shadow::Floating;
-    use crate::visibility::potential_occluders::Candidates;
+    use crate::tile::packed_samples::PackedSamples;
+    use crate::tile::planes::ALL_ROWS;
+    use crate::visibility::airborne_shadow::AirborneShadow;
+    use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;
     use crate::visibility::sphere_shadow;
-    use crate::{Emitter, Occluder, Path, View};
+    use crate::{Emitter, ItemId, Occluder, SimdLevel, View};
 
     /// A lamp somewhere, a disc or a segment.
     fn any_lamp(random: &mut Random, size: DVec2) -> Lamp {
@@ -159,7 +154,7 @@ mod tests {
             _ => Emitter::Segment { half_mm: random.within(size * 0.2) - size * 0.1 },
         };
         let center_mm = random.within(size);
-        Lamp { center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
+        Lamp { id: ItemId(0), center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
     }
 
     /// Nor does a ball in the air.
@@ -171,19 +166,27 @@ mod tests {
             let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
             let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
             let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
-            let ball = Ball { center_mm, radius_mm, height_mm, below: false, group: Group(1), rotation: [0.0; 4] };
+            let ball = Ball {
+                id: ItemId(0),
+                center_mm,
+                radius_mm,
+                height_mm,
+                below: false,
+                group: Group(1),
+                rotation: [0.0; 4],
+            };
             let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
             let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
-            let place = Place::new(&view, 0, 0);
-            let penumbra = Penumbra::of_floating(&lamp, &ball);
-            let reaches = penumbra.may_reach(place.middle_mm, place.half_mm);
-            let rows = if reaches { penumbra.rows(&place, view.mm_per_px) } else { 0 };
-            let points = Points::whole_tile(view.mm_per_px);
+            let rect = TileRect::new(&view, 0, 0);
+            let bounds = ShadowBounds::of_airborne(&lamp, &ball);
+            let reaches = bounds.may_reach(rect.middle_mm, rect.half_mm);
+            let rows = if reaches { bounds.rows(&rect, view.mm_per_px) } else { 0 };
+            let points = PackedSamples::full_tile(view.mm_per_px);
             let mut fraction = [[1.0; LANES]; TILE];
-            Floating::new(&lamp, &ball).veil(Path::best(), &place, &points, ALL_ROWS, &mut fraction);
+            AirborneShadow::new(&lamp, &ball).attenuate(SimdLevel::best(), &rect, &points, ALL_ROWS, &mut fraction);
             for (row, column) in (0..TILE).flat_map(|row| [0, 5, 10, 15].map(|column| (row, column))) {
                 let point = view.origin_mm + (DVec2::new(column as f64, row as f64) + 0.5) * view.mm_per_px;
-                let seen = sphere_shadow::open_share(&[ball], &lamp, point, None);
+                let seen = sphere_shadow::unoccluded_fraction(&[ball], &lamp, point, None);
                 let alone = rows >> row & 1 == 0;
                 let whole = seen > 1.0 - 1e-12 && fraction[row][column] == 1.0;
                 assert!(whole || !alone, "{seen} in row {row} of {view:?}, {lamp:?}, {ball:?}");
@@ -201,20 +204,21 @@ mod tests {
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
             let lamp = any_lamp(&mut random, size);
-            let occluder = Occluder { shape: any_shape(&mut random, size, round), group: Group(1) };
+            let occluder = Occluder::opaque(ItemId(0), any_shape(&mut random, size, round), Group(1));
             let view =
                 View { origin_mm: random.within(size), mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
-            let place = Place::new(&view, 0, 0);
-            let mut silhouettes = Silhouettes::default();
-            silhouettes.set(&[occluder]);
-            let (mut penumbrae, mut candidates) = (Vec::new(), Candidates::default());
-            Penumbra::of_all(&lamp, &silhouettes, &mut penumbrae);
-            candidates.set(&lamp, &silhouettes);
-            let reaching = penumbrae.iter().filter(|penumbra| penumbra.may_reach(place.middle_mm, place.half_mm));
-            let rows = reaching.fold(0, |rows, penumbra| rows | penumbra.rows(&place, view.mm_per_px));
+            let rect = TileRect::new(&view, 0, 0);
+            let mut disc_chains = DiscChains::default();
+            disc_chains.set(&[occluder]);
+            let (mut shadow_bounds, mut potential_occluders) = (Vec::new(), PotentialOccluders::default());
+            ShadowBounds::of_all(&lamp, &disc_chains, &mut shadow_bounds);
+            potential_occluders.set(&lamp, &disc_chains);
+            let reaching = shadow_bounds.iter().filter(|bounds| bounds.may_reach(rect.middle_mm, rect.half_mm));
+            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(&rect, view.mm_per_px));
             for (row, column) in (0..TILE).flat_map(|row| [0, 5, 10, 15].map(|column| (row, column))) {
                 let point = view.origin_mm + (DVec2::new(column as f64, row as f64) + 0.5) * view.mm_per_px;
-                let seen = scalar::visible_fraction_of(&silhouettes, &candidates, &lamp, point, &[], &mut Vec::new());
+                let seen =
+                    scalar::visible_fraction_of(&disc_chains, &potential_occluders, &lamp, point, &[], &mut Vec::new());
                 let alone = rows >> row & 1 == 0;
                 assert!(seen == 1.0 || !alone, "{seen} in row {row} of {view:?}, {lamp:?}, {occluder:?}");
                 left_alone += u32::from(alone);

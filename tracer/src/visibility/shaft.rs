@@ -3,11 +3,11 @@
 //! Every test is conservative: what it calls outside casts no shadow there.
 
 use crate::Lamp;
-use crate::simd::dispatch::{Path, clones, max};
+use crate::simd::dispatch::{SimdLevel, max, multiversion};
 use geometry::DVec2;
 
 /// Room for rounding in single precision, mm.
-pub(crate) const MARGIN_MM: f32 = 2e-3;
+pub(crate) const SHAFT_MARGIN_MM: f32 = 2e-3;
 
 /// The disc lies beyond one side of the space between tile and lamp.
 const BEYOND_LEFT: u16 = 1;
@@ -32,7 +32,7 @@ pub(crate) const BETWEEN: u16 = 128;
 
 /// The hull of a disc around a part of the floor and of a lamp, whose middle is the origin.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cone {
+pub(crate) struct Shaft {
     tile: [f32; 2],
     tile_radius: f32,
     tile_distance: f32,
@@ -71,9 +71,9 @@ type Side = (DVec2, f64);
 /// No side: nothing is beyond it, and nothing reaches it.
 const NOWHERE: Side = (DVec2::ZERO, f32::MAX as f64);
 
-impl Cone {
+impl Shaft {
     /// The space between `lamp` and the disc around `middle_mm`.
-    pub fn new(lamp: &Lamp, middle_mm: DVec2, radius_mm: f64) -> Cone {
+    pub fn new(lamp: &Lamp, middle_mm: DVec2, radius_mm: f64) -> Shaft {
         let tile = middle_mm - lamp.center_mm;
         let sides = match lamp.tube() {
             None => sides(DVec2::ZERO, lamp.radius_mm(), tile, radius_mm),
@@ -83,10 +83,10 @@ impl Cone {
         let tube = lamp.tube().map(|half| {
             let across = half.perp() / half.length();
             let normal = if across.dot(tile) < 0.0 { -across } else { across };
-            let gap = (normal.dot(tile) - radius_mm) as f32 - MARGIN_MM;
+            let gap = (normal.dot(tile) - radius_mm) as f32 - SHAFT_MARGIN_MM;
             Tube { half: narrow(half), normal: narrow(normal), gap }
         });
-        Cone {
+        Shaft {
             tile: narrow(tile),
             tile_radius: radius_mm as f32,
             tile_distance: tile.length() as f32,
@@ -99,10 +99,10 @@ impl Cone {
     }
 
     /// Writes for each disc the bits that say how it lies to the cone.
-    pub fn classify(&self, path: Path, discs: Discs, code: &mut [u16]) {
+    pub fn classify(&self, simd: SimdLevel, discs: Discs, code: &mut [u16]) {
         match &self.tube {
-            None => classify_round(path, discs, self, code),
-            Some(tube) => classify_tube(path, discs, self, tube, code),
+            None => classify_round(simd, discs, self, code),
+            Some(tube) => classify_tube(simd, discs, self, tube, code),
         }
     }
 }
@@ -113,7 +113,7 @@ fn sides(lamp: DVec2, lamp_radius: f64, tile: DVec2, radius: f64) -> [Side; 2] {
     let from_lamp = tile - lamp;
     let distance = from_lamp.length();
     let widen = radius - lamp_radius;
-    if distance > widen.abs() + f64::from(MARGIN_MM) {
+    if distance > widen.abs() + f64::from(SHAFT_MARGIN_MM) {
         let lean = from_lamp * (-widen / (distance * distance));
         let across = from_lamp.perp() * ((distance * distance - widen * widen).sqrt() / (distance * distance));
         [lean + across, lean - across].map(|normal| (normal, normal.dot(lamp) + lamp_radius))
@@ -137,12 +137,12 @@ fn tube_sides(half: DVec2, tile: DVec2, radius: f64) -> [Side; 2] {
     })
 }
 
-clones! {
-    fn classify_round(discs: Discs, cone: &Cone, code: &mut [u16]) = classify_round_lanes;
+multiversion! {
+    fn classify_round(discs: Discs, shaft: &Shaft, code: &mut [u16]) = classify_round_lanes;
 }
 
-clones! {
-    fn classify_tube(discs: Discs, cone: &Cone, tube: &Tube, code: &mut [u16]) = classify_tube_lanes;
+multiversion! {
+    fn classify_tube(discs: Discs, shaft: &Shaft, tube: &Tube, code: &mut [u16]) = classify_tube_lanes;
 }
 
 #[inline(always)]
@@ -151,24 +151,24 @@ fn bit(is: bool, bit: u16) -> u16 {
 }
 
 #[inline(always)]
-fn classify_round_lanes(discs: Discs, cone: &Cone, code: &mut [u16]) {
+fn classify_round_lanes(discs: Discs, shaft: &Shaft, code: &mut [u16]) {
     let n = code.len();
     let (x, y, outer, inner) = (&discs.x[..n], &discs.y[..n], &discs.outer[..n], &discs.inner[..n]);
-    let [tx, ty] = cone.tile;
-    let farthest = cone.tile_distance + cone.tile_radius;
+    let [tx, ty] = shaft.tile;
+    let farthest = shaft.tile_distance + shaft.tile_radius;
     for i in 0..n {
-        let left = cone.left[0] * x[i] + cone.left[1] * y[i] - cone.offset[0];
-        let right = cone.right[0] * x[i] + cone.right[1] * y[i] - cone.offset[1];
+        let left = shaft.left[0] * x[i] + shaft.left[1] * y[i] - shaft.offset[0];
+        let right = shaft.right[0] * x[i] + shaft.right[1] * y[i] - shaft.offset[1];
         // With P a point of the tile, Q the disc and L = 0 the lamp: how far (Q - P) . (L - P) and (L - Q) . (L - P) can
         // be from their values at the tile's middle.
         let (cx, cy) = (x[i] - tx, y[i] - ty);
         let (sx, sy) = (cx - tx, cy - ty);
         let from_tile = -(cx * tx + cy * ty);
-        let from_tile_swing = cone.tile_radius * (sx * sx + sy * sy).sqrt();
+        let from_tile_swing = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
         let to_lamp = x[i] * tx + y[i] * ty;
-        let to_lamp_swing = cone.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
+        let to_lamp_swing = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
         let thick = outer[i] * farthest;
-        let square = cone.tile_radius * cone.tile_radius;
+        let square = shaft.tile_radius * shaft.tile_radius;
         let behind_lamp = to_lamp + to_lamp_swing + thick < 0.0;
         let behind_tile = from_tile + from_tile_swing + square + thick < 0.0;
         let before_lamp = to_lamp - to_lamp_swing - thick > 0.0;
@@ -182,35 +182,35 @@ fn classify_round_lanes(discs: Discs, cone: &Cone, code: &mut [u16]) {
             | bit(before_lamp & after_tile, BETWEEN)
             | bit(before_lamp, BEFORE_LAMP);
     }
-    aside(discs, cone, code, |_, _| cone.lamp_radius);
+    aside(discs, shaft, code, |_, _| shaft.lamp_radius);
 }
 
 /// The chord of a segment is the segment itself, whatever the point, so before and behind are sides of its line.
 #[inline(always)]
-fn classify_tube_lanes(discs: Discs, cone: &Cone, tube: &Tube, code: &mut [u16]) {
+fn classify_tube_lanes(discs: Discs, shaft: &Shaft, tube: &Tube, code: &mut [u16]) {
     let n = code.len();
     let (x, y, outer, inner) = (&discs.x[..n], &discs.y[..n], &discs.outer[..n], &discs.inner[..n]);
-    let [tx, ty] = cone.tile;
+    let [tx, ty] = shaft.tile;
     let [hx, hy] = tube.half;
-    let farthest = cone.tile_distance + cone.tile_radius;
+    let farthest = shaft.tile_distance + shaft.tile_radius;
     let one_side = tube.gap > 0.0;
     for i in 0..n {
-        let left = cone.left[0] * x[i] + cone.left[1] * y[i] - cone.offset[0];
-        let right = cone.right[0] * x[i] + cone.right[1] * y[i] - cone.offset[1];
+        let left = shaft.left[0] * x[i] + shaft.left[1] * y[i] - shaft.offset[0];
+        let right = shaft.right[0] * x[i] + shaft.right[1] * y[i] - shaft.offset[1];
         // The disc's distance from the segment's line, on the tile's side.
         let off = tube.normal[0] * x[i] + tube.normal[1] * y[i];
         // Farther than the segment's far end on the way from every point of the tile to the segment's middle.
         let to_lamp = x[i] * tx + y[i] * ty;
-        let to_lamp_swing = cone.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
-        let behind_ends = to_lamp + to_lamp_swing + (outer[i] + cone.lamp_radius) * farthest < 0.0;
+        let to_lamp_swing = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
+        let behind_ends = to_lamp + to_lamp_swing + (outer[i] + shaft.lamp_radius) * farthest < 0.0;
         // What is behind a point on its way to both ends is so on its way to all between them.
         let (cx, cy) = (x[i] - tx, y[i] - ty);
         let behind = |ex: f32, ey: f32| {
             let (sx, sy) = (cx - (tx - ex), cy - (ty - ey));
             let from_tile = -(cx * (tx - ex) + cy * (ty - ey));
-            let swing = cone.tile_radius * (sx * sx + sy * sy).sqrt();
-            let thick = outer[i] * (farthest + cone.lamp_radius);
-            from_tile + swing + cone.tile_radius * cone.tile_radius + thick < 0.0
+            let swing = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
+            let thick = outer[i] * (farthest + shaft.lamp_radius);
+            from_tile + swing + shaft.tile_radius * shaft.tile_radius + thick < 0.0
         };
         let before_lamp = one_side & (off - outer[i] > 0.0);
         code[i] = bit(left - outer[i] > 0.0, BEYOND_LEFT)
@@ -222,7 +222,7 @@ fn classify_tube_lanes(discs: Discs, cone: &Cone, tube: &Tube, code: &mut [u16])
             | bit(before_lamp & (off + outer[i] < tube.gap), BETWEEN)
             | bit(before_lamp, BEFORE_LAMP);
     }
-    aside(discs, cone, code, |nx, ny| {
+    aside(discs, shaft, code, |nx, ny| {
         let half = nx * hx + ny * hy;
         max(half, -half)
     });
@@ -230,10 +230,10 @@ fn classify_tube_lanes(discs: Discs, cone: &Cone, tube: &Tube, code: &mut [u16])
 
 /// Finds the links that have lamp and tile on one side; `lamp_room` is how far the lamp reaches along a unit normal.
 #[inline(always)]
-fn aside(discs: Discs, cone: &Cone, code: &mut [u16], lamp_room: impl Fn(f32, f32) -> f32) {
+fn aside(discs: Discs, shaft: &Shaft, code: &mut [u16], lamp_room: impl Fn(f32, f32) -> f32) {
     let n = code.len();
     let (x, y, outer) = (&discs.x[..n], &discs.y[..n], &discs.outer[..n]);
-    let [tx, ty] = cone.tile;
+    let [tx, ty] = shaft.tile;
     for i in 1..n {
         // The distances of the lamp's and of the tile's middle from the line through both discs.
         let (ex, ey) = (x[i] - x[i - 1], y[i] - y[i - 1]);
@@ -241,7 +241,7 @@ fn aside(discs: Discs, cone: &Cone, code: &mut [u16], lamp_room: impl Fn(f32, f3
         let lamp = (ey * x[i] - ex * y[i]) * scale;
         let tile = lamp - (ey * tx - ex * ty) * scale;
         let thick = max(outer[i - 1], outer[i]);
-        let (lamp_room, tile_room) = (lamp_room(ey * scale, -ex * scale) + thick, cone.tile_radius + thick);
+        let (lamp_room, tile_room) = (lamp_room(ey * scale, -ex * scale) + thick, shaft.tile_radius + thick);
         let above = (lamp > lamp_room) & (tile > tile_room);
         let below = (lamp < -lamp_room) & (tile < -tile_room);
         code[i] |= if above | below { ASIDE } else { 0 };

@@ -9,7 +9,7 @@ use crate::{Ball, Group, Lamp};
 use geometry::{DVec2, trig};
 
 /// Into how many strips a lamp's disc is cut.
-const STRIPS: usize = 1024;
+const REFERENCE_STRIPS: usize = 1024;
 
 /// A sphere, seen from a point of the floor, which is the origin: x, y, and z upwards, mm.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ pub(crate) struct Sphere {
 }
 
 /// The balls that may hide `lamp`: they float, their lowest points are lower than it is, and it is not of their own group.
-pub(crate) fn hiding<'a>(
+pub(crate) fn occluding_balls<'a>(
     balls: &'a [Ball],
     lamp: &Lamp,
     without: Option<Group>,
@@ -27,13 +27,13 @@ pub(crate) fn hiding<'a>(
     let (height, inside) = (lamp.height_mm(), lamp.inside);
     balls.iter().filter(move |ball| {
         let counts = Some(ball.group) != inside && Some(ball.group) != without;
-        ball.floats() && ball.height_mm < height && counts && validation::wrong_with_ball(ball).is_none()
+        ball.is_airborne() && ball.height_mm < height && counts && validation::wrong_with_ball(ball).is_none()
     })
 }
 
 /// How much of `lamp` the floating balls leave to a point of the floor, but for those of a group.
-pub(crate) fn open_share(balls: &[Ball], lamp: &Lamp, point: DVec2, without: Option<Group>) -> f64 {
-    hiding(balls, lamp, without).map(|ball| 1.0 - Sphere::new(ball, point).hidden_share(lamp, point)).product()
+pub(crate) fn unoccluded_fraction(balls: &[Ball], lamp: &Lamp, point: DVec2, without: Option<Group>) -> f64 {
+    occluding_balls(balls, lamp, without).map(|ball| 1.0 - Sphere::new(ball, point).hidden_share(lamp, point)).product()
 }
 
 impl Sphere {
@@ -78,8 +78,8 @@ impl Sphere {
         }
         // The middle of each of many strips, as wide as equal angles round the disc make them.
         let (mut hidden, mut whole) = (0.0, 0.0);
-        for strip in 1..=STRIPS {
-            let (sin, cos) = trig::sin_cos(std::f64::consts::PI * strip as f64 / (STRIPS + 1) as f64);
+        for strip in 1..=REFERENCE_STRIPS {
+            let (sin, cos) = trig::sin_cos(std::f64::consts::PI * strip as f64 / (REFERENCE_STRIPS + 1) as f64);
             let half = radius * sin;
             let middle = [target[0], target[1] + radius * cos, height];
             whole += sin * sin;

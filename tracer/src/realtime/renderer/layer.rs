@@ -2,22 +2,22 @@
 
 use super::Renderer;
 use crate::realtime::schedule::BLOCK;
-use crate::shading::chrome_ball::Patch;
-use crate::tile::packed_samples::TILE;
+use crate::shading::chrome_ball::BallSprite;
+use crate::tile::planes::TILE;
 use crate::{Radiance, Scene, View};
 
 impl Renderer {
-    /// Renders `scene` without the balls themselves, though with their shadows, and without glare: of that, only the
+    /// Renders `scene` without the balls themselves, though with their shadows, and without bloom: of that, only the
     /// picture's means are taken.
     pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {
         radiance.resize(scene.view.width, scene.view.height);
-        if !self.prepare(scene, radiance.drawn == Some(self.picture)) {
-            return self.render_afresh(scene, None, false, radiance);
+        if !self.prepare(scene, radiance.source == Some(self.picture)) {
+            return self.render_afresh(scene, false, radiance);
         }
-        self.look(scene, &mut radiance.glare);
+        self.look(scene, &mut radiance.bloom);
         self.compose(scene, &[], radiance);
         self.picture.1 += 1;
-        radiance.drawn = Some(self.picture);
+        radiance.source = Some(self.picture);
     }
 
     /// Its own number, and that of its last picture.
@@ -26,8 +26,8 @@ impl Renderer {
     }
 
     /// The balls of the last picture.
-    pub(crate) fn patches(&self) -> &[Patch] {
-        &self.patches
+    pub(crate) fn ball_sprites(&self) -> &[BallSprite] {
+        &self.ball_sprites
     }
 
     /// Whether any tile is another than in the picture before.

@@ -2,39 +2,39 @@
 //! new since the last picture.
 
 use super::Renderer;
-use crate::cache::frame_history::{MOST_GLOWS, MOST_LAMPS};
+use crate::Scene;
+use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
 use crate::realtime::schedule::BLOCK;
 use crate::realtime::tile_renderer::Lit;
-use crate::shading::coverage::Form;
-use crate::tile::packed_samples::{Points, TILE};
-use crate::visibility::airborne_shadow::Floating;
-use crate::visibility::shadow_bounds::Penumbra;
-use crate::visibility::sphere_shadow::hiding;
-use crate::{Finish, Scene, Top};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::TILE;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::shadow_bounds::ShadowBounds;
+use crate::visibility::sphere_shadow::occluding_balls;
 use rayon::prelude::*;
 
 impl Renderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
-    pub(super) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
-        self.silhouettes.set(&scene.occluders);
+    pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
+        self.disc_chains.set(&scene.occluders);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);
         let count = self.prepare_lamps(scene);
-        let remembered = count <= MOST_LAMPS && scene.glows.len() <= MOST_GLOWS;
+        let remembered = count <= MAX_LAMPS && scene.glows.len() <= MAX_GLOWS;
         if remembered {
             self.number_lamps();
         }
-        self.prepare_tops(&scene.tops);
+        self.tops.turn_page(&scene.tops, &mut self.past.moved_tops, &mut self.changes.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
-        if self.whole_tile.0 != scene.view.mm_per_px {
-            self.whole_tile = (scene.view.mm_per_px, Points::whole_tile(scene.view.mm_per_px));
+        if self.full_tile.0 != scene.view.mm_per_px {
+            self.full_tile = (scene.view.mm_per_px, PackedSamples::full_tile(scene.view.mm_per_px));
         }
         if self.changes.repainted {
-            self.art.set(self.path, scene);
+            self.art.set(self.simd, scene);
         }
         self.changes.everything |= !known;
         remembered
@@ -47,10 +47,7 @@ impl Renderer {
         self.places.resize(self.past.known.len(), 0);
         self.lost = Numbers::default();
         for (at, lit) in self.lamps.iter().enumerate() {
-            // There may be several lamps in one place.
-            for (sum, channel) in self.colors[lit.number].iter_mut().zip(lit.lamp.color) {
-                *sum += channel;
-            }
+            self.colors[lit.number] = lit.lamp.color;
             self.places[lit.number] = at;
             if lit.lost {
                 self.lost.insert(lit.number);
@@ -70,17 +67,19 @@ impl Renderer {
             count += 1;
         }
         self.lamps.truncate(count);
-        let (silhouettes, known) = (&self.silhouettes, &self.past.known);
+        let (disc_chains, known) = (&self.disc_chains, &self.past.known);
         self.lamps.par_iter_mut().for_each(|lit| {
             let known = &known[lit.number];
             lit.lost = known.lost;
-            lit.candidates.set(&lit.lamp, silhouettes);
+            lit.potential_occluders.set(&lit.lamp, disc_chains);
             lit.things.set(&known.moved);
-            Penumbra::of_all(&lit.lamp, &lit.things, &mut lit.moved);
-            lit.floating.clear();
-            lit.floating.extend(hiding(&scene.balls, &lit.lamp, None).map(|ball| Floating::new(&lit.lamp, ball)));
-            let floated = hiding(&known.floated, &lit.lamp, None);
-            lit.moved.extend(floated.map(|ball| Penumbra::of_floating(&lit.lamp, ball)));
+            ShadowBounds::of_all(&lit.lamp, &lit.things, &mut lit.moved);
+            lit.airborne.clear();
+            lit.airborne.extend(
+                occluding_balls(&scene.balls, &lit.lamp, None).map(|ball| AirborneShadow::new(&lit.lamp, ball)),
+            );
+            let moved_balls = occluding_balls(&known.moved_balls, &lit.lamp, None);
+            lit.moved.extend(moved_balls.map(|ball| ShadowBounds::of_airborne(&lit.lamp, ball)));
         });
         count
     }
@@ -90,38 +89,4 @@ impl Renderer {
             self.changes.leave_still_balls();
         }
     }
-
-    /// Most tops are where they were in the last frame.
-    fn prepare_tops(&mut self, tops: &[Top]) {
-        let moved = &mut self.past.moved_tops;
-        moved.clear();
-        moved.extend(self.forms.iter().skip(tops.len()).flatten().map(|form| form.bounds));
-        self.tops.truncate(tops.len());
-        self.forms.truncate(tops.len());
-        self.changes.tops.clear();
-        for (at, top) in tops.iter().enumerate() {
-            if self.tops.len() == at {
-                self.tops.push(top.clone());
-                self.forms.push(Form::new(top));
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-            } else if stands(&self.tops[at], top) {
-                if self.tops[at].finish.emission != top.finish.emission {
-                    self.changes.tops.extend(self.forms[at].iter().map(|form| form.bounds));
-                    self.tops[at].finish = top.finish;
-                }
-            } else {
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-                self.tops[at].clone_from(top);
-                self.forms[at] = Form::new(top);
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-            }
-        }
-        self.changes.tops.extend_from_slice(moved);
-    }
-}
-
-/// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.
-fn stands(old: &Top, new: &Top) -> bool {
-    let finish = Finish { emission: old.finish.emission, ..new.finish };
-    old.outline == new.outline && old.group == new.group && old.finish == finish
 }

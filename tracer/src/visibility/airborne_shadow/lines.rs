@@ -8,7 +8,7 @@ use crate::simd::dispatch::{LANES, Lanes, max, min};
 const LEAST_OFF_MM: f32 = 1e-3;
 
 /// Room for rounding where blocks are left out, mm.
-const MARGIN_MM: f32 = 0.05;
+const CULL_MARGIN_MM: f32 = 0.05;
 
 /// An end that no line has.
 const FAR: f32 = 1e30;
@@ -61,7 +61,7 @@ impl View {
     pub fn may_hide(&self, sizes: &Sizes) -> bool {
         let mut near = 0u32;
         for i in 0..LANES {
-            let room = sizes.half * 1.001 + MARGIN_MM;
+            let room = sizes.half * 1.001 + CULL_MARGIN_MM;
             let aside = max(self.lamp_y[i], -self.lamp_y[i]) - room;
             let ahead = max(self.from_x[i], -self.from_x[i]) - room;
             let within = (aside < sizes.width) & (max(ahead, 0.0) * self.round[i].sqrt() < sizes.width * 1.001);
