@@ -11,7 +11,7 @@
 //! twelfth of the picture's pixels.
 
 use crate::simd::dispatch::{LANES, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use rayon::prelude::*;
 
 /// How many pixels of the picture, across and down, make one of the finest level.

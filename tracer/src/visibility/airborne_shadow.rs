@@ -11,11 +11,12 @@
 //!    across the ellipse's edge; their places cos(i pi / (n + 1)) and weights sin^2 are those of the Gauss-Chebyshev rule
 //!    of the second kind (Abramowitz and Stegun, 25.4.40), whose weight function is a disc's width.
 //!
-//! The slow twin is [`crate::sphere`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
+//! The slow twin is [`crate::visibility::sphere_shadow`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
 //! larger ones by up to a sixtieth.
 
 use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
-use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
 use crate::tile::rect::TileRect;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Ball, Group, Lamp};

@@ -19,7 +19,7 @@
 //! measured ([`ProjectedChord::measure`]). `docs/exact_visibility.md` derives the whole method.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
-use crate::tile::packed_samples::Plane;
+use crate::tile::planes::Plane;
 use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::interval_union::{uncovered, uncovered_many};
 use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};

@@ -10,18 +10,12 @@
 //! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is conservative.
 
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RowMask, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::{Disc, DiscChains, Link};
 use crate::visibility::shaft::SHAFT_MARGIN_MM;
 use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
-
-/// Rows of a tile, one bit each, the topmost in the lowest.
-pub(crate) type RowMask = u16;
-
-/// Every row.
-pub(crate) const ALL_ROWS: RowMask = !0;
 
 /// Separating lines that are kept of one occluder.
 const MAX_LINES: usize = 4;
@@ -161,11 +155,12 @@ mod tests {
     use super::*;
     use crate::scenes::any_shape;
     use crate::tile::packed_samples::PackedSamples;
+    use crate::tile::planes::ALL_ROWS;
     use crate::visibility::airborne_shadow::AirborneShadow;
     use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;
     use crate::visibility::sphere_shadow;
-    use crate::{Emitter, Occluder, SimdLevel, View};
+    use crate::{Emitter, ItemId, Occluder, SimdLevel, View};
     use geometry::rng::SplitMix64;
 
     /// A lamp somewhere, a disc or a segment.
@@ -175,7 +170,7 @@ mod tests {
             _ => Emitter::Segment { half_mm: random.point_within(size * 0.2) - size * 0.1 },
         };
         let center_mm = random.point_within(size);
-        Lamp { center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
+        Lamp { id: ItemId(0), center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
     }
 
     /// Nor does a ball in the air.
@@ -187,7 +182,15 @@ mod tests {
             let lamp = Lamp { height_mm: random.uniform(5.0, 150.0), ..any_lamp(&mut random, size) };
             let (center_mm, radius_mm) = (random.point_within(size), random.uniform(1.0, 20.0));
             let height_mm = random.uniform(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
-            let ball = Ball { center_mm, radius_mm, height_mm, below: false, group: Group(1), rotation: [0.0; 4] };
+            let ball = Ball {
+                id: ItemId(0),
+                center_mm,
+                radius_mm,
+                height_mm,
+                below: false,
+                group: Group(1),
+                rotation: [0.0; 4],
+            };
             let near = center_mm + (random.point_within(size) - size * 0.5) * 0.6;
             let view = View { origin_mm: near, mm_per_px: random.uniform(0.3, 2.0), width: 16, height: 16 };
             let rect = TileRect::new(&view, 0, 0);
@@ -217,7 +220,7 @@ mod tests {
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
             let lamp = any_lamp(&mut random, size);
-            let occluder = Occluder { shape: any_shape(&mut random, size, round), group: Group(1) };
+            let occluder = Occluder::opaque(ItemId(0), any_shape(&mut random, size, round), Group(1));
             let view = View {
                 origin_mm: random.point_within(size),
                 mm_per_px: random.uniform(0.3, 2.0),

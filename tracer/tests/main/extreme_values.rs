@@ -5,8 +5,8 @@ use geometry::{Arc, Circle, Core, DVec2, Shape, Taper};
 use proptest::prelude::*;
 use tracer::monte_carlo::{self, Sampling};
 use tracer::{
-    Ball, Emitter, Finish, Floor, Frame, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Radiance, Renderer,
-    Scene, Top, View, exact, testing, tone,
+    Ball, Emitter, Finish, Floor, Frame, Glow, Group, ItemId, Lamp, Mask, Occluder, Outline, Profile, Radiance,
+    Renderer, Revision, Scene, Top, View, scalar, scenes, tone_map,
 };
 
 const SIDE: usize = 40;
@@ -48,6 +48,7 @@ fn lamp() -> impl Strategy<Value = Lamp> {
     let color = prop_oneof![5 => Just([1.0, 0.5, 0.2]), 1 => Just([f32::NAN, 1.0, 1.0]), 1 => Just([f32::MAX; 3]), 1 => Just([-1.0, 1.0, 0.0])];
     (place(), emitter, number(), prop_oneof![3 => Just(200.0), 1 => number()], color, prop::option::of(0..4u16))
         .prop_map(|(center_mm, emitter, height_mm, reach_mm, color, inside)| Lamp {
+            id: ItemId(0),
             center_mm,
             emitter,
             height_mm,
@@ -62,6 +63,7 @@ fn top() -> impl Strategy<Value = Top> {
         prop_oneof![shape().prop_map(Outline::Shape), prop::collection::vec(place(), 0..6).prop_map(Outline::Polygon)];
     let profile = prop_oneof![Just(Profile::Dome), number().prop_map(|width| Profile::Bevel(width as f32))];
     (outline, profile, number(), number(), any::<bool>()).prop_map(|(outline, profile, gloss, opacity, art)| Top {
+        id: ItemId(0),
         outline,
         group: Group(2),
         finish: Finish {
@@ -80,6 +82,7 @@ fn ball() -> impl Strategy<Value = Ball> {
     let turn = || number().prop_map(|part| part as f32);
     let ball = (place(), number(), number(), [turn(), turn(), turn(), turn()]);
     ball.prop_map(|(center_mm, radius_mm, height_mm, rotation)| Ball {
+        id: ItemId(0),
         center_mm,
         radius_mm,
         height_mm,
@@ -90,7 +93,7 @@ fn ball() -> impl Strategy<Value = Ball> {
 }
 
 fn scene(floor: &Floor) -> Scene<'_> {
-    Scene { ambient: [0.02; 3], ..testing::white_view(floor, 1.0) }
+    Scene { ambient: [0.02; 3], ..scenes::white_view(floor, 1.0) }
 }
 
 /// Renders, and finds no pixel that is no light.
@@ -102,7 +105,7 @@ fn render(scene: &Scene) -> Radiance {
         assert!(light.iter().all(|channel| !channel.is_nan() && *channel >= 0.0), "{light:?} at {at}");
     }
     let mut frame = Frame::default();
-    tone::map(&radiance, 1.0, &mut frame);
+    tone_map::map(&radiance, 1.0, &mut frame);
     radiance
 }
 
@@ -116,12 +119,16 @@ proptest! {
         tops in prop::collection::vec(top(), 0..3),
         balls in prop::collection::vec(ball(), 0..2),
     ) {
-        let floor = testing::white(SIDE, SIDE);
-        let occluders = (0..).zip(shapes).map(|(at, shape)| Occluder { shape, group: Group(at % 4) }).collect();
-        let scene = Scene { lamps, occluders, tops, balls, ..scene(&floor) };
+        let floor = scenes::white(SIDE, SIDE);
+        let occluder = |(at, shape): (u16, Shape)| Occluder::opaque(ItemId(at.into()), shape, Group(at % 4));
+        let occluders = (0..).zip(shapes).map(occluder).collect();
+        let mut scene = Scene { lamps, occluders, tops, balls, ..scene(&floor) };
+        (0..).zip(&mut scene.lamps).for_each(|(id, lamp)| lamp.id = ItemId(id));
+        (0..).zip(&mut scene.tops).for_each(|(id, top)| top.id = ItemId(id));
+        (0..).zip(&mut scene.balls).for_each(|(id, ball)| ball.id = ItemId(id));
         render(&scene);
         for point in [DVec2::splat(20.5), DVec2::new(0.5, 5.5)] {
-            let direct = exact::irradiance(&scene, point, None);
+            let direct = scalar::irradiance(&scene, point, None);
             prop_assert!(direct.iter().all(|channel| !channel.is_nan() && *channel >= 0.0), "{direct:?}");
             let sampling = Sampling { samples: 8, seed: 1, stratified: true };
             let sampled = monte_carlo::irradiance(&scene, point, None, sampling);
@@ -131,17 +138,17 @@ proptest! {
 
     #[test]
     fn every_view_gives_numbers(x in number(), y in number(), mm_per_px in number(), width in 0..50usize, height in 0..50usize) {
-        let floor = testing::white(SIDE, SIDE);
-        let jumble = testing::mixed_jumble(1, &floor);
+        let floor = scenes::white(SIDE, SIDE);
+        let jumble = scenes::mixed_jumble(1, &floor);
         render(&Scene { view: View { width, height, origin_mm: DVec2::new(x, y), mm_per_px }, ..jumble });
     }
 
     #[test]
     fn every_mask_is_taken(x in any::<usize>(), y in any::<usize>(), width in any::<usize>(), length in 0..99usize) {
-        let floor = testing::white(SIDE, SIDE);
+        let floor = scenes::white(SIDE, SIDE);
         let masks = [(x, y, width), (x % 50, y % 50, width % 50)]
-            .map(|(x, y, width)| Mask { x, y, width, coverage: vec![255; length] });
-        let glows = masks.iter().map(|mask| Glow { mask, color: [1.0; 3] }).collect();
+            .map(|(x, y, width)| Mask { revision: Revision::fresh(), x, y, width, coverage: vec![255; length] });
+        let glows = (0..).zip(&masks).map(|(id, mask)| Glow { id: ItemId(id), mask, color: [1.0; 3] }).collect();
         render(&Scene { glows, ..scene(&floor) });
     }
 }
@@ -149,8 +156,8 @@ proptest! {
 /// As if it were at the origin: a table with coordinates of a million millimetres.
 #[test]
 fn a_table_far_from_the_origin_looks_the_same() {
-    let floor = testing::white(160, 160);
-    let here = testing::mixed_jumble(4, &floor);
+    let floor = scenes::white(160, 160);
+    let here = scenes::mixed_jumble(4, &floor);
     let mut there = here.clone();
     let shift = DVec2::new(1e6, -1e6);
     there.view.origin_mm += shift;
@@ -177,8 +184,9 @@ fn a_table_far_from_the_origin_looks_the_same() {
 /// A wall that goes on for kilometres, and a lamp that is larger than the table.
 #[test]
 fn very_long_walls_and_very_large_lamps_are_right() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let lamp = Lamp {
+        id: ItemId(0),
         center_mm: DVec2::new(20.0, -30.0),
         emitter: Emitter::Disc { radius_mm: 5.0 },
         height_mm: 30.0,
@@ -188,12 +196,12 @@ fn very_long_walls_and_very_large_lamps_are_right() {
     };
     let wall = |from: f64| Shape::capsule(DVec2::new(from, -5.0), DVec2::new(3e6, -5.0), 1.0);
     for from in [-3e6, 20.0] {
-        let occluders = vec![Occluder { shape: wall(from), group: Group(1) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), wall(from), Group(1))];
         let scene = Scene { lamps: vec![lamp], occluders, ambient: [0.0; 3], ..scene(&floor) };
         compare(&scene);
     }
     for emitter in [Emitter::Disc { radius_mm: 4000.0 }, Emitter::Segment { half_mm: DVec2::new(3000.0, 2000.0) }] {
-        let occluders = vec![Occluder { shape: Shape::disc(DVec2::new(15.0, 5.0), 4.0), group: Group(1) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), Shape::disc(DVec2::new(15.0, 5.0), 4.0), Group(1))];
         let lamps = vec![Lamp { emitter, ..lamp }];
         compare(&Scene { lamps, occluders, ambient: [0.0; 3], ..scene(&floor) });
     }
@@ -203,7 +211,7 @@ fn compare(scene: &Scene) {
     let radiance = render(scene);
     for at in (0..SIDE * SIDE).step_by(7) {
         let point = scene.view.table_from_pixel(at % SIDE, at / SIDE);
-        let expected = exact::irradiance(scene, point, None)[0];
+        let expected = scalar::irradiance(scene, point, None)[0];
         let got = radiance.pixel(at % SIDE, at / SIDE)[0];
         assert!((got - expected).abs() <= 0.02, "{got}, in double precision {expected} at {point}");
     }
@@ -211,10 +219,11 @@ fn compare(scene: &Scene) {
 
 #[test]
 fn thousands_of_lamps_add_up() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for (count, reach_mm) in [(5000, 6.0), (2000, 500.0)] {
         let mut random = SplitMix64::new(8);
-        let lamp = |_| Lamp {
+        let lamp = |id| Lamp {
+            id: ItemId(id),
             center_mm: random.point_within(DVec2::splat(SIDE as f64)),
             emitter: Emitter::Disc { radius_mm: 1.0 },
             height_mm: 20.0,
@@ -223,7 +232,7 @@ fn thousands_of_lamps_add_up() {
             inside: None,
         };
         let lamps: Vec<Lamp> = (0..count).map(lamp).collect();
-        let occluders = vec![Occluder { shape: Shape::disc(DVec2::splat(20.0), 3.0), group: Group(0) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), Shape::disc(DVec2::splat(20.0), 3.0), Group(0))];
         let scene = Scene { lamps, occluders, ambient: [0.0; 3], ..scene(&floor) };
         compare(&scene);
     }

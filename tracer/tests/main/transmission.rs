@@ -3,8 +3,8 @@
 use geometry::rng::SplitMix64;
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing;
-use tracer::{Filter, Group, Occluder, Radiance, Renderer, Scene, SimdLevel, exact};
+use tracer::scenes;
+use tracer::{Filter, Group, ItemId, Occluder, Radiance, Renderer, Scene, SimdLevel, scalar};
 
 const SIDE: usize = 160;
 
@@ -16,7 +16,7 @@ fn anew(scene: &Scene) -> Radiance {
 
 /// The generated jumbles, some of whose shapes are of coloured glass; shapes that overlap belong to one pane or to two.
 fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
-    let mut scene = testing::mixed_jumble(seed, floor);
+    let mut scene = scenes::mixed_jumble(seed, floor);
     let mut random = SplitMix64::new(seed + 77);
     for number in 0..3 {
         let tint = [0, 1, 2].map(|_| random.unit() as f32);
@@ -25,7 +25,8 @@ fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
             let at = random.point_within(DVec2::splat(SIDE as f64));
             let to = at + DVec2::new(random.uniform(-30.0, 30.0), random.uniform(-30.0, 30.0));
             let shape = Shape::capsule(at, to, random.uniform(0.5, 4.0));
-            scene.occluders.push(Occluder { shape, group: Group(200 + number) });
+            let id = ItemId(scene.occluders.len() as u32 + 1000);
+            scene.occluders.push(Occluder::opaque(id, shape, Group(200 + number)));
         }
     }
     scene
@@ -35,8 +36,8 @@ fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
 /// leave the product.
 #[test]
 fn a_pane_tints_once_and_two_panes_tint_twice() {
-    let floor = testing::white(SIDE, SIDE);
-    let mut scene = testing::jumble(1, &floor);
+    let floor = scenes::white(SIDE, SIDE);
+    let mut scene = scenes::jumble(1, &floor);
     scene.occluders.clear();
     scene.lamps.truncate(1);
     scene.lamps[0].center_mm = DVec2::new(80.5, 20.0);
@@ -47,13 +48,13 @@ fn a_pane_tints_once_and_two_panes_tint_twice() {
     let green = Filter { group: Group(1), tint: [0.2, 0.9, 0.1] };
     let amber = Filter { group: Group(2), tint: [1.0, 0.5, 0.25] };
     scene.filters = vec![green, amber];
-    for shape in [pane(70.0, 20.0, 90.0), pane(70.0, 70.0, 150.0), pane(72.0, 10.0, 150.0)] {
-        scene.occluders.push(Occluder { shape, group: green.group });
+    for (id, shape) in (0..).zip([pane(70.0, 20.0, 90.0), pane(70.0, 70.0, 150.0), pane(72.0, 10.0, 150.0)]) {
+        scene.occluders.push(Occluder::opaque(ItemId(id), shape, green.group));
     }
     let tinted = anew(&scene).pixel(pixel.0, pixel.1);
-    scene.occluders.push(Occluder { shape: pane(90.0, 10.0, 150.0), group: amber.group });
+    scene.occluders.push(Occluder::opaque(ItemId(8), pane(90.0, 10.0, 150.0), amber.group));
     let twice = anew(&scene).pixel(pixel.0, pixel.1);
-    scene.occluders.push(Occluder { shape: pane(50.0, 10.0, 150.0), group: Group(3) });
+    scene.occluders.push(Occluder::opaque(ItemId(9), pane(50.0, 10.0, 150.0), Group(3)));
     assert_eq!(anew(&scene).pixel(pixel.0, pixel.1), [0.0; 3], "a wall behind the panes");
     for channel in 0..3 {
         let once = open[channel] * green.tint[channel];
@@ -65,7 +66,7 @@ fn a_pane_tints_once_and_two_panes_tint_twice() {
 /// A black filter is a wall, and a clear one is not there.
 #[test]
 fn the_ends_of_the_scale_are_walls_and_air() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for seed in 0..4 {
         let mut scene = stained(seed, &floor);
         scene.filters.iter_mut().for_each(|filter| filter.tint = [0.0; 3]);
@@ -88,7 +89,7 @@ fn the_ends_of_the_scale_are_walls_and_air() {
 /// Rays that are tinted by whatever they meet know nothing of intervals, or of inclusion and exclusion.
 #[test]
 fn filters_agree_with_monte_carlo_and_with_double_precision() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let (mut coloured, mut count) = (0, 0);
     for seed in 0..6 {
         let scene = stained(seed, &floor);
@@ -98,7 +99,7 @@ fn filters_agree_with_monte_carlo_and_with_double_precision() {
             let point = scene.view.table_from_pixel(x, y);
             let sampling = Sampling { samples: 1024, seed, stratified: true };
             let sampled = monte_carlo::irradiance(&scene, point, None, sampling);
-            let exact = exact::irradiance(&scene, point, None);
+            let exact = scalar::irradiance(&scene, point, None);
             for channel in 0..3 {
                 let (fast, sampled, exact) = (fast.pixel(x, y)[channel], sampled[channel], exact[channel]);
                 assert!((fast - exact).abs() <= 1e-3, "{fast}, {exact} in double precision, at {point}, scene {seed}");
@@ -113,7 +114,7 @@ fn filters_agree_with_monte_carlo_and_with_double_precision() {
 
 #[test]
 fn coloured_shadows_have_the_same_bits_everywhere() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let scene = stained(3, &floor);
     let expected = anew(&scene);
     for path in SimdLevel::available() {

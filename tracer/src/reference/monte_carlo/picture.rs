@@ -10,12 +10,11 @@ use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Near, Rays};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::BLACK;
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, Plane, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
-use crate::visibility::shadow_bounds::ALL_ROWS;
 use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
 use geometry::DVec2;
 use geometry::rng::Key;
@@ -24,7 +23,7 @@ impl Renderer {
     /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
     /// from [`Renderer::render_anew`].
     pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_tiles(scene, radiance, |tile, stage, place| tile.render_sampled(stage, place, sampling));
         self.put_balls_on(scene, radiance);
@@ -88,7 +87,7 @@ impl Workspace {
             }
         }
         for layer in 0..layers {
-            let own = stage.scene.tops[self.tops[layer].form].group;
+            let own = stage.tops.top(self.tops[layer].form).group;
             for (fraction, channels) in view.seen(&self.tops[layer].points, Some(own)).planes() {
                 self.fraction = *fraction;
                 self.picture = BLACK;
