@@ -13,6 +13,7 @@ pub mod commands;
 pub mod desktop;
 mod fonts;
 pub mod frame_composer;
+pub mod game_app;
 pub mod hud;
 pub mod input;
 pub mod scene_builder;

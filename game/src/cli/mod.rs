@@ -289,9 +289,13 @@ impl Cli {
 }
 
 impl LightChoice {
-    /// What it is where nobody waits for a picture.
-    pub fn at_rest(self) -> LightResolution {
-        if self == LightChoice::Half { LightResolution::Half } else { LightResolution::Full }
+    /// The resolution that is asked for; `None` if it is to be chosen.
+    pub fn resolution(self) -> Option<LightResolution> {
+        match self {
+            LightChoice::Half => Some(LightResolution::Half),
+            LightChoice::Full => Some(LightResolution::Full),
+            LightChoice::Auto => None,
+        }
     }
 }
 

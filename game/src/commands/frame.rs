@@ -2,9 +2,9 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
-use crate::frame_composer::{FrameComposer, Interpolation, save_png};
+use crate::frame_composer::{FrameComposer, Interpolation};
 use crate::hud::UiState;
-use crate::storage::{recordings, tables};
+use crate::storage::{recordings, save_png, tables};
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;
@@ -24,7 +24,7 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
     let mut composer = FrameComposer::new(table, parallel::pool(args.threads)?)?;
-    composer.set_light(args.light.at_rest());
+    composer.set_light(args.light.resolution().unwrap_or_default());
     composer.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
         composer.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });

@@ -29,6 +29,22 @@ pub enum Session {
 }
 
 impl Session {
+    /// Whether time passes in it.
+    pub fn is_moving(&self) -> bool {
+        match self {
+            Session::Live(_) => true,
+            Session::Replay(replay) => !replay.paused,
+        }
+    }
+
+    /// How fast time passes in it.
+    pub fn speed(&self) -> PlaybackSpeed {
+        match self {
+            Session::Live(_) => PlaybackSpeed::REAL,
+            Session::Replay(replay) => replay.speed,
+        }
+    }
+
     /// The snapshots of the last two ticks.
     pub fn snapshots(&self) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
         match self {

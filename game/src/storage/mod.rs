@@ -7,6 +7,7 @@ pub mod assets;
 mod file_failure;
 pub mod library;
 pub mod new_file;
+mod png_file;
 pub mod recordings;
 pub mod tables;
 #[cfg(test)]
@@ -14,4 +15,5 @@ mod tests;
 mod watch;
 
 pub use file_failure::{because, file_failure};
+pub use png_file::save_png;
 pub use watch::TableWatch;

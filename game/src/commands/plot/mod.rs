@@ -15,7 +15,7 @@ pub mod shots;
 use super::parallel;
 use super::print::print;
 use crate::cli::{Plot, PlotArgs};
-use crate::frame_composer::save_png;
+use crate::storage::save_png;
 use crate::storage::tables;
 use crate::{Failure, Table};
 use tracer::Frame;

@@ -1,5 +1,6 @@
 //! Reads a table again when its files are saved, on a thread of its own: the game never waits for a file.
 
+use crate::desktop::Waker;
 use crate::storage::{TableWatch, tables};
 use crate::{Failure, Table};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 /// Watches one table's folder.
-pub struct Reload {
+pub struct TableReload {
     dir: PathBuf,
     watch: TableWatch,
     loading: bool,
@@ -19,16 +20,16 @@ pub struct Reload {
 /// A table that was read again, or every mistake in it.
 pub type Loaded = Result<Arc<Table>, Failure>;
 
-impl Reload {
+impl TableReload {
     /// Watches the table in `dir`.
-    pub fn new(dir: &Path) -> Reload {
+    pub fn new(dir: &Path) -> TableReload {
         let (outbox, loaded) = channel();
-        Reload { dir: dir.to_path_buf(), watch: TableWatch::new(dir), loading: false, loaded, outbox }
+        TableReload { dir: dir.to_path_buf(), watch: TableWatch::new(dir), loading: false, loaded, outbox }
     }
 
     /// Looks whether a file was saved, and begins to read the table if so; `now` is the time since any fixed moment.
-    /// `wake` is called when the table has been read.
-    pub fn look(&mut self, now: Duration, wake: impl FnOnce() + Send + 'static) {
+    /// The main thread is woken when the table has been read.
+    pub fn look(&mut self, now: Duration, waker: Waker) {
         if self.loading || self.watch.changed(now).is_empty() {
             return;
         }
@@ -36,7 +37,7 @@ impl Reload {
         let read = move || {
             // Nobody waits for it any more when the window is being closed.
             let _ = outbox.send(read(&dir));
-            wake();
+            waker.wake();
         };
         self.loading = std::thread::Builder::new().name("reload".to_string()).spawn(read).is_ok();
     }

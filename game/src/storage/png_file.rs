@@ -1,12 +1,12 @@
-//! A picture as a PNG file.
+//! Frames as PNG files.
 
+use super::{file_failure, new_file};
 use crate::Failure;
-use crate::storage::{file_failure, new_file};
 use std::io::{self, Write};
 use std::path::Path;
 use tracer::Frame;
 
-/// Writes a picture as a PNG file. It appears whole or not at all.
+/// Writes a frame as a PNG file. It appears whole or not at all.
 ///
 /// # Errors
 /// If the file cannot be written.
