@@ -1,6 +1,5 @@
 //! Nothing on Spectrum holds a ball but what should: a ball that is let go anywhere comes away by itself.
 
-use game::Table;
 use geometry::DVec2;
 use physics::{Command, Controls, Machine};
 use rayon::prelude::*;
@@ -17,7 +16,7 @@ const MOST_TICKS: usize = 20_000;
 
 /// Spectrum with its coils live, and no ball on it.
 fn live() -> Machine {
-    let table = Table::load("spectrum").unwrap();
+    let table = game::storage::tables::load("spectrum").unwrap();
     let mut machine = Machine::new(Arc::new(table.layout.clone())).unwrap();
     machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
     machine

@@ -6,7 +6,7 @@
 mod eye;
 mod glow;
 
-pub use eye::{Brightness, Eye, LOOK_TICKS};
+pub use eye::{Brightness, Eye, LOOK_TICKS, REFERENCE_MM, given};
 pub use glow::{Glow, Mode};
 
 use crate::Table;

@@ -35,7 +35,7 @@ impl Play {
     pub fn new() -> Play {
         static FRESH: OnceLock<Machine> = OnceLock::new();
         let machine = FRESH.get_or_init(|| {
-            let table = game::Table::load("spectrum").expect("the table is sound");
+            let table = game::storage::tables::load("spectrum").expect("the table is sound");
             let mut machine = Machine::new(Arc::new(table.layout.clone())).expect("the table can be played");
             machine.tick(NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
             machine

@@ -29,8 +29,8 @@ fn each_library_is_named_in_its_own_room_only() {
     let rooms: [(&str, &[&str]); 7] = [
         ("winit", &["game/src/desktop/"]),
         ("softbuffer", &["game/src/desktop/"]),
-        ("tiny_skia", &["game/src/screen/", "game/src/table/"]),
-        ("resvg", &["game/src/table/"]),
+        ("tiny_skia", &["game/src/screen/", "game/src/art/"]),
+        ("resvg", &["game/src/art/"]),
         ("plotters", &["game/src/commands/plot/"]),
         ("rhai", &["game/src/rules/"]),
         ("rapier2d", &["physics/src/"]),

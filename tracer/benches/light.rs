@@ -5,7 +5,7 @@
 
 use divan::Bencher;
 use geometry::DVec2;
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{Radiance, Renderer, Scene, SimdLevel, View};
 
 fn main() {
@@ -23,9 +23,9 @@ fn path(name: &str) -> SimdLevel {
 
 /// The made-up table at the size that figures are quoted at.
 fn table(props: &mut Props, width: usize) -> Scene<'_> {
-    let view = View::fit(width, 2 * width, testing::SIZE_MM);
-    *props = testing::props(&view);
-    testing::table(view, props)
+    let view = View::fit(width, 2 * width, scenes::SIZE_MM);
+    *props = scenes::props(&view);
+    scenes::table(view, props)
 }
 
 /// Renders from nothing again and again.
@@ -43,7 +43,7 @@ fn warm(bencher: Bencher, path: SimdLevel, scene: &mut Scene) {
     renderer.render(scene, &mut radiance);
     let mut step = DVec2::new(1.5, -2.0);
     bencher.bench_local(|| {
-        testing::roll(scene, step);
+        scenes::roll(scene, step);
         step = -step;
         renderer.render(scene, &mut radiance);
     });
@@ -77,7 +77,7 @@ fn warm_by_pixels_across(bencher: Bencher, width: usize) {
 fn cold_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_lamps(&mut scene, count);
+    scenes::with_lamps(&mut scene, count);
     cold(bencher, SimdLevel::best(), &scene);
 }
 
@@ -85,7 +85,7 @@ fn cold_by_lamps(bencher: Bencher, count: usize) {
 fn warm_by_lamps(bencher: Bencher, count: usize) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_lamps(&mut scene, count);
+    scenes::with_lamps(&mut scene, count);
     warm(bencher, SimdLevel::best(), &mut scene);
 }
 
@@ -93,7 +93,7 @@ fn warm_by_lamps(bencher: Bencher, count: usize) {
 fn cold_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_posts(&mut scene, count);
+    scenes::with_posts(&mut scene, count);
     cold(bencher, SimdLevel::best(), &scene);
 }
 
@@ -101,7 +101,7 @@ fn cold_by_more_occluders(bencher: Bencher, count: u16) {
 fn warm_by_more_occluders(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_posts(&mut scene, count);
+    scenes::with_posts(&mut scene, count);
     warm(bencher, SimdLevel::best(), &mut scene);
 }
 
@@ -109,7 +109,7 @@ fn warm_by_more_occluders(bencher: Bencher, count: u16) {
 fn cold_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_balls(&mut scene, count);
+    scenes::with_balls(&mut scene, count);
     cold(bencher, SimdLevel::best(), &scene);
 }
 
@@ -117,7 +117,7 @@ fn cold_by_balls(bencher: Bencher, count: u16) {
 fn warm_by_height_of_a_ball(bencher: Bencher, height_mm: f64) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::lift(&mut scene, &[height_mm]);
+    scenes::lift(&mut scene, &[height_mm]);
     warm(bencher, SimdLevel::best(), &mut scene);
 }
 
@@ -125,6 +125,6 @@ fn warm_by_height_of_a_ball(bencher: Bencher, height_mm: f64) {
 fn warm_by_balls(bencher: Bencher, count: u16) {
     let mut props = Props::default();
     let mut scene = table(&mut props, 540);
-    testing::with_balls(&mut scene, count);
+    scenes::with_balls(&mut scene, count);
     warm(bencher, SimdLevel::best(), &mut scene);
 }

@@ -3,7 +3,7 @@
 use geometry::DVec2;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tracer::{DisplayBuffer, Renderer, View, testing};
+use tracer::{DisplayBuffer, Renderer, View, scenes};
 
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
@@ -36,18 +36,18 @@ static COUNTING: Counting = Counting;
 /// goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
 #[test]
 fn a_warm_renderer_allocates_nothing() {
-    let view = View::fit(270, 540, testing::SIZE_MM);
-    let props = testing::props(&view);
+    let view = View::fit(270, 540, scenes::SIZE_MM);
+    let props = scenes::props(&view);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
     pool.install(|| {
-        let mut scene = testing::table(view, &props);
-        testing::lift(&mut scene, &[12.0]);
+        let mut scene = scenes::table(view, &props);
+        scenes::lift(&mut scene, &[12.0]);
         let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
         let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);
             for frame in 0..24 {
                 let to = if frame < 12 { 1.0 } else { -1.0 };
-                testing::roll(&mut scene, DVec2::new(3.0 * to, -5.0 * to));
+                scenes::roll(&mut scene, DVec2::new(3.0 * to, -5.0 * to));
                 for (at, lamp) in scene.lamps.iter_mut().enumerate() {
                     lamp.color[0] = 0.2 + ((at + frame) % 5) as f32 * 0.1;
                 }

@@ -6,8 +6,7 @@ use super::{Bot, Random, Tour};
 use crate::recording::Recorder;
 use crate::simulation::Digest;
 use crate::{Buttons, Failure, Simulation, Table};
-use std::io::Cursor;
-use std::path::Path;
+use std::io::{self, Cursor};
 use std::sync::Arc;
 
 /// From a game's end to the press of start that begins the next, where games follow each other at once, ticks: the
@@ -102,7 +101,7 @@ impl Trial {
 /// If the table's rules do not run.
 pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> Result<Trial, Failure> {
     let mut simulation = Simulation::new(table.clone(), seed)?;
-    let mut recorder = Recorder::new(Cursor::new(Vec::new()), Path::new("memory"), &simulation, seed)?;
+    let mut recorder = Recorder::new(Cursor::new(Vec::new()), &simulation, seed).map_err(unrecorded)?;
     let mut observer = Observer::new(table);
     let mut digest = terms.digest.then(Digest::default);
     while simulation.ticks() < terms.longest && (terms.again || !observer.finished(simulation.ticks())) {
@@ -110,7 +109,7 @@ pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> 
         let buttons = player.buttons(&simulation);
         let buttons = buttons.with(Buttons::START, buttons.contains(Buttons::START) || again);
         simulation.tick(buttons);
-        recorder.record(&simulation, buttons)?;
+        recorder.record(&simulation, buttons).map_err(unrecorded)?;
         observer.look(&simulation, buttons);
         if let Some(digest) = &mut digest {
             digest.add(simulation.hash());
@@ -126,8 +125,13 @@ pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> 
         anomalies: seen.anomalies,
         complaints: simulation.complaints(),
         digest,
-        recording: recorder.finish(&simulation)?.into_inner(),
+        recording: recorder.finish(&simulation).map_err(unrecorded)?.into_inner(),
     })
+}
+
+/// A recording in memory takes whatever is written, but the type of a writer cannot say so.
+fn unrecorded(error: io::Error) -> Failure {
+    Failure::new(format!("the game cannot be recorded: {error}"))
 }
 
 /// Whether start is down this many ticks after a game's end, to begin the next.

@@ -4,7 +4,7 @@ mod measure;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
-use crate::frame_composer::Light;
+use crate::frame_composer::LightResolution;
 use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::error::ErrorKind;
@@ -289,9 +289,13 @@ impl Cli {
 }
 
 impl LightChoice {
-    /// What it is where nobody waits for a picture.
-    pub fn at_rest(self) -> Light {
-        if self == LightChoice::Half { Light::Half } else { Light::Full }
+    /// The resolution that is asked for; `None` if it is to be chosen.
+    pub fn resolution(self) -> Option<LightResolution> {
+        match self {
+            LightChoice::Half => Some(LightResolution::Half),
+            LightChoice::Full => Some(LightResolution::Full),
+            LightChoice::Auto => None,
+        }
     }
 }
 

@@ -5,14 +5,14 @@ use geometry::{Arc, Circle, Core, DVec2, Shape};
 use winit::window::Icon;
 
 const SIDE: i32 = 64;
-const NIGHT: u32 = 0x0a_0e1a;
+const ICON_NIGHT: u32 = 0x0a_0e1a;
 const ARC: [u32; 6] = [0xff_4038, 0xff_a62a, 0xff_e23c, 0x4f_e06a, 0x3c_9dff, 0xb0_62ff];
 
 /// The icon; `None` if the platform takes none.
 pub fn icon() -> Option<Icon> {
     let mut layer = Layer::new(Rect::new(0, 0, SIDE, SIDE));
     let middle = DVec2::splat(f64::from(SIDE) * 0.5);
-    layer.shape(&Shape::disc(middle, 31.0), NIGHT, 255);
+    layer.shape(&Shape::disc(middle, 31.0), ICON_NIGHT, 255);
     for (index, color) in ARC.into_iter().enumerate() {
         let circle = Circle { center: middle, radius: 29.0 - 1.7 * index as f64 };
         let arc = Arc::new(circle, -2.9, 2.2);

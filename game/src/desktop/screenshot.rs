@@ -1,30 +1,31 @@
-//! Saves the picture that is in the window.
+//! Screenshots: the frame that is in the window, saved as a file.
 
+use super::Waker;
 use crate::Failure;
-use crate::frame_composer::save_png;
+use crate::storage::save_png;
 use std::path::PathBuf;
 use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;
 use tracer::Frame;
 
-/// The picture that is being saved, on a thread of its own: the game never waits for a file, but for the one that was
+/// The frame that is being saved, on a thread of its own: the application never waits for a file, but for the one that was
 /// not quite written when the window is closed.
 #[derive(Default)]
 pub struct Screenshot(Option<JoinHandle<String>>);
 
 impl Screenshot {
-    /// Begins to save `frame` and calls `wake` when that is done; nothing while another picture is being saved.
+    /// Begins to save `frame` and wakes the main thread when that is done; nothing while another is being saved.
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub fn save(&mut self, frame: &Frame, wake: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+    pub fn save(&mut self, frame: &Frame, waker: Waker) -> Result<(), Failure> {
         if self.0.is_some() {
             return Ok(());
         }
         let frame = frame.clone();
         let work = move || {
             let saved = path().and_then(|path| save_png(&frame, &path).map(|()| path));
-            wake();
+            waker.wake();
             saved.map_or_else(|failure| failure.to_string(), |path| format!("Saved as {}", path.display()))
         };
         let thread = Builder::new().name("screenshot".to_string()).spawn(work);

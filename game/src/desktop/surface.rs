@@ -5,11 +5,10 @@ use crate::screen::Size;
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use tracer::Frame;
-use winit::dpi::PhysicalSize;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
-/// What the window shows around a picture of another size, while a new one is being made.
+/// What the window shows around a frame of another size, while a new one is being painted.
 const BLACK: u32 = 0x05_070c;
 
 /// The pixels of a window.
@@ -30,15 +29,16 @@ impl Surface {
         Ok(Surface { surface: softbuffer::Surface::new(&context, window).map_err(wrong)? })
     }
 
-    /// Shows a picture. One of another size than the window's is shown in its middle.
+    /// Shows a frame. One of another size than the window's is shown in its middle; a window that is larger than any
+    /// screen is left as it is.
     pub fn present(&mut self, frame: &Frame) {
         let window = self.surface.window().clone();
         let size = window.inner_size();
         let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else { return };
-        if !takes(size) {
+        if !(Size { width: size.width as usize, height: size.height as usize }).is_drawable() {
             return;
         }
-        // A window that is just being closed or hidden takes no pixels; the next picture finds out whether it is back.
+        // A window that is just being closed or hidden takes no pixels; the next frame finds out whether it is back.
         if self.surface.resize(width, height).is_err() {
             return;
         }
@@ -51,11 +51,6 @@ impl Surface {
         window.pre_present_notify();
         let _ = buffer.present();
     }
-}
-
-/// Whether a window of this size is painted: one that is larger than any screen is left as it is.
-pub fn takes(size: PhysicalSize<u32>) -> bool {
-    Size { width: size.width as usize, height: size.height as usize }.is_drawable()
 }
 
 /// Puts `frame` into the middle of a buffer of another size, cut where it is too large.

@@ -3,7 +3,7 @@
 //! Half of it as soon as the full one is too slow for a while; back when there has been ample room for the full one for a
 //! while, and the longer the more often that has been a mistake. It reads no clock: it is told what each picture took.
 
-use super::Light;
+use super::LightResolution;
 
 /// The part of a picture's time that may be used to draw it: the rest is for the game and for showing it.
 const ROOM: f64 = 0.9;
@@ -26,8 +26,8 @@ const USUAL_RATIO: f64 = 2.0;
 
 /// The choice, and what it is made by.
 #[derive(Clone, Copy, Debug)]
-pub struct Quality {
-    light: Light,
+pub struct DynamicResolution {
+    light: LightResolution,
     /// The part of a picture's time that drawing it needs, averaged.
     need: Option<f64>,
     /// How long it has been a reason for a change, ms.
@@ -44,10 +44,10 @@ pub struct Quality {
     useless: bool,
 }
 
-impl Default for Quality {
-    fn default() -> Quality {
-        Quality {
-            light: Light::Full,
+impl Default for DynamicResolution {
+    fn default() -> DynamicResolution {
+        DynamicResolution {
+            light: LightResolution::Full,
             need: None,
             reason_ms: 0.0,
             since_ms: 0.0,
@@ -60,9 +60,9 @@ impl Default for Quality {
     }
 }
 
-impl Quality {
+impl DynamicResolution {
     /// The resolution of the next picture.
-    pub fn light(&self) -> Light {
+    pub fn light(&self) -> LightResolution {
         self.light
     }
 
@@ -82,8 +82,8 @@ impl Quality {
         let need = before + (need - before) * (passed_ms / AVERAGED_MS).min(1.0);
         self.need = Some(need);
         match self.light {
-            Light::Full => self.look_at_full(need, passed_ms),
-            Light::Half => self.look_at_half(need, passed_ms),
+            LightResolution::Full => self.look_at_full(need, passed_ms),
+            LightResolution::Half => self.look_at_half(need, passed_ms),
         }
     }
 
@@ -94,7 +94,7 @@ impl Quality {
         }
         if self.reason_ms >= SLOW_MS && !self.useless {
             self.full_need = need;
-            self.change(Light::Half);
+            self.change(LightResolution::Half);
         }
     }
 
@@ -102,7 +102,7 @@ impl Quality {
         if self.full_need > 0.0 && self.since_ms > 2.0 * AVERAGED_MS {
             if need > self.full_need {
                 self.useless = true;
-                return self.change(Light::Full);
+                return self.change(LightResolution::Full);
             }
             self.ratio = (self.full_need / need.max(1e-3)).clamp(1.2, 6.0);
             self.full_need = 0.0;
@@ -111,11 +111,11 @@ impl Quality {
         if self.reason_ms >= self.patience_ms {
             // If it is not held, the next try waits twice as long.
             self.patience_ms = (2.0 * self.patience_ms).min(PATIENCE_MS[1]);
-            self.change(Light::Full);
+            self.change(LightResolution::Full);
         }
     }
 
-    fn change(&mut self, light: Light) {
+    fn change(&mut self, light: LightResolution) {
         (self.light, self.need, self.reason_ms, self.since_ms, self.unsettled) = (light, None, 0.0, 0.0, UNSETTLED);
     }
 }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn half_that_needs_more_is_given_up_for_good() {
         let (quality, changes) = run(120.0, |_| 1.2 * BUDGET_MS, |_| 2.0 * BUDGET_MS);
-        assert_eq!(quality.light(), Light::Full);
+        assert_eq!(quality.light(), LightResolution::Full);
         assert_eq!(changes.len(), 2, "{changes:?}");
     }
 
@@ -135,11 +135,11 @@ mod tests {
 
     /// Runs for some seconds on a machine that needs `full_ms(seconds)` for a picture and `half_ms(seconds)` at half the
     /// resolution; gives the times of the changes, s.
-    fn run(seconds: f64, full_ms: impl Fn(f64) -> f64, half_ms: impl Fn(f64) -> f64) -> (Quality, Vec<f64>) {
-        let (mut quality, mut now_s, mut changes) = (Quality::default(), 0.0, Vec::new());
+    fn run(seconds: f64, full_ms: impl Fn(f64) -> f64, half_ms: impl Fn(f64) -> f64) -> (DynamicResolution, Vec<f64>) {
+        let (mut quality, mut now_s, mut changes) = (DynamicResolution::default(), 0.0, Vec::new());
         while now_s < seconds {
             let light = quality.light();
-            let drawn_ms = if light == Light::Full { full_ms(now_s) } else { half_ms(now_s) };
+            let drawn_ms = if light == LightResolution::Full { full_ms(now_s) } else { half_ms(now_s) };
             quality.judge(drawn_ms, BUDGET_MS);
             now_s += drawn_ms.max(BUDGET_MS) / 1000.0;
             if quality.light() != light {
@@ -152,13 +152,13 @@ mod tests {
     #[test]
     fn a_fast_machine_stays_at_the_full_resolution() {
         let (quality, changes) = run(600.0, |_| 11.0, |_| 5.0);
-        assert_eq!((quality.light(), changes), (Light::Full, vec![]));
+        assert_eq!((quality.light(), changes), (LightResolution::Full, vec![]));
     }
 
     #[test]
     fn a_slow_machine_goes_to_half_within_two_seconds_and_stays() {
         let (quality, changes) = run(600.0, |_| 24.0, |_| 10.0);
-        assert_eq!((quality.light(), changes.len()), (Light::Half, 1));
+        assert_eq!((quality.light(), changes.len()), (LightResolution::Half, 1));
         assert!(changes[0] < 2.0, "{changes:?}");
     }
 
@@ -174,7 +174,7 @@ mod tests {
         let full = |now_s: f64| if busy(now_s) { 25.0 } else { 8.0 };
         let half = |now_s: f64| if busy(now_s) { 11.0 } else { 3.6 };
         let (quality, changes) = run(120.0, full, half);
-        assert_eq!((quality.light(), changes.len()), (Light::Full, 2), "{changes:?}");
+        assert_eq!((quality.light(), changes.len()), (LightResolution::Full, 2), "{changes:?}");
         assert!((10.0..12.5).contains(&changes[0]) && (45.0..50.0).contains(&changes[1]), "{changes:?}");
     }
 
@@ -198,10 +198,10 @@ mod tests {
 
     #[test]
     fn nonsense_is_not_judged() {
-        let mut quality = Quality::default();
+        let mut quality = DynamicResolution::default();
         for (drawn_ms, budget_ms) in [(f64::NAN, 16.0), (-1.0, 16.0), (5.0, 0.0), (f64::INFINITY, 16.0)] {
             (0..1000).for_each(|_| quality.judge(drawn_ms, budget_ms));
         }
-        assert_eq!(quality.light(), Light::Full);
+        assert_eq!(quality.light(), LightResolution::Full);
     }
 }

@@ -1,14 +1,14 @@
-//! What a picture needs that depends on its size: where everything is, the printed art, and the playfield's film.
+//! The assets that depend on the frame's size and zoom: placement, printed art, and the playfield's display buffer.
 
+use crate::art;
 use crate::scene_builder::Printed;
-use crate::screen::{Lens, Placement, Rect, Size};
-use crate::table::art;
+use crate::screen::{Placement, Rect, ScreenFromTable, Size};
 use crate::{Failure, Table};
 use geometry::DVec2;
 use tracer::{DisplayBuffer, Floor, View};
 
-/// What depends on the size of the picture and on the zoom.
-pub struct Scenery {
+/// What depends on the size of the frame and on the zoom.
+pub struct SizeDependentAssets {
     pub placement: Placement,
     pub zoom: f64,
     /// All of the playfield, of which the window may show a part.
@@ -16,26 +16,34 @@ pub struct Scenery {
     pub printed: Printed,
     /// The floor's art at half the resolution, once it has been asked for.
     half: Option<Box<Floor>>,
-    /// The playfield.
-    pub film: DisplayBuffer,
+    /// The playfield's pixels.
+    pub display_buffer: DisplayBuffer,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
     pub shift: (i32, i32),
 }
 
-impl Scenery {
-    /// Prints `table` for a picture of this size, `zoom` times as large as fits into it.
+impl SizeDependentAssets {
+    /// Prints `table` for a frame of this size, `zoom` times as large as fits into it.
     ///
     /// # Errors
     /// If the table's art cannot be printed at this size.
-    pub fn new(table: &Table, width: usize, height: usize, zoom: f64) -> Result<Scenery, Failure> {
+    pub fn new(table: &Table, width: usize, height: usize, zoom: f64) -> Result<SizeDependentAssets, Failure> {
         let placement = Placement::new(width, height, table.size_mm);
         let canvas = canvas(&placement.table, zoom);
         let view = View::fit(canvas.width, canvas.height, table.size_mm);
         let printed = Printed::new(table, &view)?;
-        Ok(Scenery { placement, zoom, view, printed, half: None, film: DisplayBuffer::default(), shift: (0, 0) })
+        Ok(SizeDependentAssets {
+            placement,
+            zoom,
+            view,
+            printed,
+            half: None,
+            display_buffer: DisplayBuffer::default(),
+            shift: (0, 0),
+        })
     }
 
-    /// Whether it is for a picture of this size.
+    /// Whether they are for a frame of this size.
     pub fn fits(&self, width: usize, height: usize, zoom: f64) -> bool {
         (self.placement.width, self.placement.height) == (width, height) && self.zoom == zoom
     }
@@ -51,9 +59,9 @@ impl Scenery {
         Ok(())
     }
 
-    /// The art at half the resolution, if it has been printed, and the film.
+    /// The art at half the resolution, if it has been printed, and the display buffer.
     pub fn half(&mut self) -> Option<(&Floor, &Printed, &mut DisplayBuffer)> {
-        Some((self.half.as_deref()?, &self.printed, &mut self.film))
+        Some((self.half.as_deref()?, &self.printed, &mut self.display_buffer))
     }
 
     /// What the window shows of the table, mm.
@@ -74,10 +82,13 @@ impl Scenery {
     }
 
     /// Where points of the table are on the screen, if the playfield is shown from this corner on.
-    pub fn lens(&self, corner: (usize, usize)) -> Lens {
+    pub fn screen_from_table(&self, corner: (usize, usize)) -> ScreenFromTable {
         let Rect { x, y, .. } = self.placement.table;
         let origin = self.view.screen_from_table(DVec2::ZERO) - DVec2::new(corner.0 as f64, corner.1 as f64);
-        Lens { origin: DVec2::new(f64::from(x), f64::from(y)) + origin, px_per_m: 1000.0 / self.view.mm_per_px }
+        ScreenFromTable {
+            origin: DVec2::new(f64::from(x), f64::from(y)) + origin,
+            px_per_m: 1000.0 / self.view.mm_per_px,
+        }
     }
 }
 

@@ -1,9 +1,9 @@
-//! What the table stands in: the wall of a night observatory, drawn once for a size.
+//! The backdrop, which the table stands in: the wall of a night observatory, drawn once for a size.
 //!
 //! Blue-black, a few stars, and beside the table the graduated brass scale of an instrument.
 
 use super::dmd;
-use super::{BRASS, IVORY};
+use super::palette::{BRASS, IVORY};
 use crate::screen::{Canvas, Color, Layer, Placement, Rect};
 
 const ZENITH: Color = 0x0c_1220;

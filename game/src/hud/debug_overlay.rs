@@ -1,52 +1,22 @@
-//! What happens behind the picture: the shapes that balls and light share, where each ball is going, what it has
-//! touched, and what the frame cost.
+//! The debug overlay: the shapes that balls and light share, where each ball is going, what it has touched, and what the
+//! frame cost.
 
 mod shapes;
 
 use shapes::{first_hit, moving, standing};
 
-use super::text::{Align, Family, Lettering, Style};
-use super::{AMBER, IVORY, NIGHT};
+use super::frame_times::FrameTimes;
+use super::palette::{AMBER, IVORY, NIGHT};
+use super::text::{Align, Anchor, FontFamily, TextRenderer, TextStyle};
 use crate::Table;
-use crate::screen::{Canvas, Kept, Layer, Lens, Placement, Rect};
+use crate::screen::{CachedLayer, Canvas, Layer, Placement, Rect, ScreenFromTable};
 use crate::simulation::Snapshot;
 use geometry::{Bounds, Circle, Core, DVec2, Ray, Shape, Taper, trig};
 use physics::{BALL_RADIUS_M, BallPose, Contact, Flipper, Kind};
 
-/// What the parts of a frame cost, ms.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Times {
-    /// From the moment to the scene.
-    pub stage_ms: f64,
-    /// Finding what is new in the scene.
-    pub prepare_ms: f64,
-    /// Shadows and surfaces, where something has moved.
-    pub shadows_ms: f64,
-    /// The balls.
-    pub balls_ms: f64,
-    /// The glare.
-    pub glare_ms: f64,
-    /// All lamps summed up, developed.
-    pub develop_ms: f64,
-    /// The display.
-    pub hud_ms: f64,
-    /// Handing the picture to the window.
-    pub present_ms: f64,
-    /// From one picture in the window to the next.
-    pub between_ms: f64,
-}
-
-impl Times {
-    /// What drawing the picture cost, all in all, ms.
-    pub fn drawn_ms(&self) -> f64 {
-        let light_ms = self.prepare_ms + self.shadows_ms + self.balls_ms + self.glare_ms + self.develop_ms;
-        self.stage_ms + light_ms + self.hud_ms
-    }
-}
-
-/// An impact that is still shown.
+/// A contact of a ball that is still shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
+pub struct TrailContact {
     /// What happened.
     pub contact: Contact,
     /// How long ago, in parts of the time that it is shown: 0 to 1.
@@ -55,11 +25,11 @@ pub struct Touch {
 
 /// What to show.
 #[derive(Clone, Debug, Default)]
-pub struct Debug {
+pub struct DebugInfo {
     /// What the last frames cost.
-    pub times: Times,
-    /// The last impacts.
-    pub touches: Vec<Touch>,
+    pub times: FrameTimes,
+    /// The contact trail: the last contacts of balls.
+    pub contact_trail: Vec<TrailContact>,
 }
 
 const RAY: u32 = 0xff_5fd2;
@@ -69,24 +39,24 @@ const IMPULSE_PX: f64 = 160.0;
 /// How far round a torque of one newton metre is drawn, rad.
 const TORQUE_RAD: f64 = 0.63;
 
-/// The moment that is looked into.
+/// What the overlay is drawn over.
 #[derive(Clone, Copy)]
-pub struct Subject<'a> {
+pub struct OverlayView<'a> {
     /// The table that is played.
     pub table: &'a Table,
     /// Where what is shown of it is on the screen.
     pub placement: &'a Placement,
     /// Where its points are there.
-    pub lens: Lens,
+    pub screen_from_table: ScreenFromTable,
     /// What happens on it.
-    pub moment: &'a Snapshot,
+    pub snapshot: &'a Snapshot,
 }
 
 /// The overlay and what it keeps: what stands still is drawn once.
 #[derive(Default)]
-pub struct Overlay {
-    standing: Kept<Lens>,
-    pane: Kept<()>,
+pub struct DebugOverlay {
+    standing: CachedLayer<ScreenFromTable>,
+    pane: CachedLayer<()>,
 }
 
 /// A shape in pixels; its outline if it has a `line`'s width, else all of it.
@@ -97,36 +67,48 @@ struct Mark {
     alpha: u32,
 }
 
-impl Overlay {
+impl DebugOverlay {
     /// Draws the overlay.
-    pub fn draw(&mut self, canvas: &mut Canvas, lettering: &mut Lettering, subject: &Subject, debug: &Debug) {
-        let layout = &subject.table.layout;
-        self.standing.lay(canvas, subject.placement.table, subject.lens, |layer| {
+    pub fn draw(
+        &mut self,
+        canvas: &mut Canvas,
+        text_renderer: &mut TextRenderer,
+        view: &OverlayView,
+        debug: &DebugInfo,
+    ) {
+        let layout = &view.table.layout;
+        self.standing.lay(canvas, view.placement.table, view.screen_from_table, |layer| {
             let marks = layout.parts.iter().flat_map(|part| standing(&part.kind)).map(|shape| {
                 let (shape, color) = shape;
-                subject.outline(shape, color, 150)
+                view.outline(shape, color, 150)
             });
             marks.for_each(|mark| mark.draw(layer));
         });
-        lay(canvas, subject.placement.table, &subject.marks(debug));
-        for ball in subject.moving_balls() {
-            subject.tell_speed(canvas, lettering, ball);
+        lay(canvas, view.placement.table, &view.marks(debug));
+        for ball in view.moving_balls() {
+            view.tell_speed(canvas, text_renderer, ball);
         }
-        for (flipper, torque) in subject.torques() {
-            subject.tell_torque(canvas, lettering, flipper, torque);
+        for (flipper, torque) in view.torques() {
+            view.tell_torque(canvas, text_renderer, flipper, torque);
         }
-        self.figures(canvas, lettering, subject, &debug.times);
+        self.figures(canvas, text_renderer, view, &debug.times);
     }
 
-    fn figures(&mut self, canvas: &mut Canvas, lettering: &mut Lettering, subject: &Subject, times: &Times) {
-        let (style, table) = (subject.style(), subject.placement.table);
+    fn figures(
+        &mut self,
+        canvas: &mut Canvas,
+        text_renderer: &mut TextRenderer,
+        view: &OverlayView,
+        times: &FrameTimes,
+    ) {
+        let (style, table) = (view.style(), view.placement.table);
         let rows = [
-            ("stage", times.stage_ms),
+            ("stage", times.scene_ms),
             ("prepare", times.prepare_ms),
             ("shadows", times.shadows_ms),
             ("balls", times.balls_ms),
-            ("glare", times.glare_ms),
-            ("develop", times.develop_ms),
+            ("glare", times.bloom_ms),
+            ("develop", times.tone_map_ms),
             ("hud", times.hud_ms),
             ("present", times.present_ms),
             ("between", times.between_ms),
@@ -138,26 +120,26 @@ impl Overlay {
         let (left, right) = (pane.x as f32 + 4.0, pane.right() as f32 - 4.0);
         for (index, (name, ms)) in rows.into_iter().enumerate() {
             let y = pane.y as f32 + line * (index as f32 + 1.0);
-            lettering.write(canvas, name, style, Align::Left, left, y);
-            lettering.write(canvas, &format!("{ms:.2} ms"), style, Align::Right, right, y);
+            text_renderer.write(canvas, name, style, Anchor::left(left, y));
+            text_renderer.write(canvas, &format!("{ms:.2} ms"), style, Anchor::right(right, y));
         }
         let y = pane.y as f32 + line * (rows.len() as f32 + 1.0);
-        lettering.write(canvas, &format!("tick {}", subject.moment.tick), style, Align::Left, left, y);
+        text_renderer.write(canvas, &format!("tick {}", view.snapshot.tick), style, Anchor::left(left, y));
     }
 }
 
-impl Subject<'_> {
+impl OverlayView<'_> {
     fn px_per_m(&self) -> f64 {
-        self.lens.px_per_m
+        self.screen_from_table.px_per_m
     }
 
     /// Where a point of the table, m, is on the screen.
     fn screen(&self, point_m: DVec2) -> DVec2 {
-        self.lens.origin + point_m * self.px_per_m()
+        self.screen_from_table.origin + point_m * self.px_per_m()
     }
 
     fn moving_balls(&self) -> impl Iterator<Item = &BallPose> {
-        self.moment.pose.balls.iter().filter(|ball| !ball.held)
+        self.snapshot.pose.balls.iter().filter(|ball| !ball.held)
     }
 
     /// The outline of a shape in metres.
@@ -167,8 +149,8 @@ impl Subject<'_> {
     }
 
     /// Everything that moves: parts, balls, their rays, and what they have touched.
-    fn marks(&self, debug: &Debug) -> Vec<Mark> {
-        let pose = &self.moment.pose;
+    fn marks(&self, debug: &DebugInfo) -> Vec<Mark> {
+        let pose = &self.snapshot.pose;
         let parts = &self.table.layout.parts;
         let mut marks: Vec<Mark> = parts
             .iter()
@@ -180,14 +162,14 @@ impl Subject<'_> {
             marks.push(self.outline(Shape::disc(ball.center, BALL_RADIUS_M), RAY, 255));
             self.add_ray(ball, &mut marks);
         }
-        debug.touches.iter().for_each(|touch| self.add_touch(touch, &mut marks));
+        debug.contact_trail.iter().for_each(|contact| self.add_contact(contact, &mut marks));
         self.torques().for_each(|(flipper, torque)| self.add_torque(flipper, torque, &mut marks));
         marks
     }
 
     /// The flippers, each with what its coil and its spring turn it with, N m.
     fn torques(&self) -> impl Iterator<Item = (&Flipper, f64)> {
-        self.moment.pose.flipper_torques_n_m.iter().filter_map(|&(part, torque)| {
+        self.snapshot.pose.flipper_torques_n_m.iter().filter_map(|&(part, torque)| {
             match self.table.layout.parts.get(usize::from(part.0)).map(|part| &part.kind) {
                 Some(Kind::Flipper(flipper)) => Some((flipper, torque)),
                 _ => None,
@@ -209,18 +191,18 @@ impl Subject<'_> {
         }
     }
 
-    fn tell_torque(&self, canvas: &mut Canvas, lettering: &mut Lettering, flipper: &Flipper, torque: f64) {
+    fn tell_torque(&self, canvas: &mut Canvas, text_renderer: &mut TextRenderer, flipper: &Flipper, torque: f64) {
         let place = self.screen(flipper.base.center);
         let y = place.y - 2.2 * flipper.base.radius * self.px_per_m();
         let text = format!("{torque:.1} N m");
-        lettering.write(canvas, &text, self.style(), Align::Centre, place.x as f32, y as f32);
+        text_renderer.write(canvas, &text, self.style(), Anchor::centre(place.x as f32, y as f32));
     }
 
     /// The ball's way as the simulation and the light know it: a ray to the first hit, the ball there, and the normal.
     fn add_ray(&self, ball: &BallPose, marks: &mut Vec<Mark>) {
         let slow = ball.velocity.length() < 0.02;
         let Some(ray) = Ray::towards(ball.center, ball.center + ball.velocity).filter(|_| !slow) else { return };
-        if let Some(hit) = first_hit(&self.table.layout, &self.moment.pose, ball, &ray) {
+        if let Some(hit) = first_hit(&self.table.layout, &self.snapshot.pose, ball, &ray) {
             let there = ray.at(hit.distance);
             marks.push(line(self.screen(ball.center), self.screen(there), 1.0, RAY, 170));
             marks.push(self.outline(Shape::disc(there, BALL_RADIUS_M), RAY, 170));
@@ -232,28 +214,28 @@ impl Subject<'_> {
         marks.push(line(self.screen(ball.center), tip, 2.4, RAY, 255));
     }
 
-    fn add_touch(&self, touch: &Touch, marks: &mut Vec<Mark>) {
-        let point = self.screen(touch.contact.point);
-        let alpha = (255.0 * (1.0 - touch.age).clamp(0.0, 1.0)) as u32;
-        let length = 8.0 + 12.0 * touch.contact.speed_m_s.abs().min(5.0);
+    fn add_contact(&self, contact: &TrailContact, marks: &mut Vec<Mark>) {
+        let point = self.screen(contact.contact.point);
+        let alpha = (255.0 * (1.0 - contact.age).clamp(0.0, 1.0)) as u32;
+        let length = 8.0 + 12.0 * contact.contact.speed_m_s.abs().min(5.0);
         marks.push(Mark { shape: Shape::disc(point, 2.5), line: None, color: AMBER, alpha });
-        marks.push(line(point, point + touch.contact.normal * length, 1.4, AMBER, alpha));
-        let impulse = touch.contact.impulse_n_s * IMPULSE_PX;
+        marks.push(line(point, point + contact.contact.normal * length, 1.4, AMBER, alpha));
+        let impulse = contact.contact.impulse_n_s * IMPULSE_PX;
         marks.push(line(point, point + impulse.clamp_length_max(90.0), 2.4, IMPULSE, alpha));
     }
 
-    fn tell_speed(&self, canvas: &mut Canvas, lettering: &mut Lettering, ball: &BallPose) {
+    fn tell_speed(&self, canvas: &mut Canvas, text_renderer: &mut TextRenderer, ball: &BallPose) {
         let (label, table) = (self.screen(ball.center), self.placement.table);
         let right_half = label.x > f64::from(table.x) + f64::from(table.width) * 0.5;
         let (align, aside) = if right_half { (Align::Right, -1.0) } else { (Align::Left, 1.0) };
         let x = label.x + aside * (BALL_RADIUS_M * self.px_per_m() + 3.0);
         let text = format!("{:.2} m/s", ball.velocity.length());
-        lettering.write(canvas, &text, self.style(), align, x as f32, label.y as f32 + 3.0);
+        text_renderer.write(canvas, &text, self.style(), Anchor { align, x: x as f32, y: label.y as f32 + 3.0 });
     }
 
-    fn style(&self) -> Style {
+    fn style(&self) -> TextStyle {
         let size_px = (self.placement.table.width as f32 / 34.0).clamp(7.0, 18.0);
-        Style { family: Family::Plain, size_px, tracking: 0.0, color: IVORY, alpha: 255 }
+        TextStyle { family: FontFamily::Plain, size_px, tracking: 0.0, color: IVORY, alpha: 255 }
     }
 }
 

@@ -1,89 +1,71 @@
-//! The display: what is told to the player around and over the table.
+//! The head-up display (HUD): what is told to the player around and over the table.
 //!
 //! A night observatory: blue-black, brass hairlines, an amber dot matrix. Everything that lasts is drawn once and
-//! copied; it is drawn again only when what it says changes. The display is a function of the moment and of what the
-//! window adds; it refuses to know a clock, a key or a file.
+//! copied; it is drawn again only when what it says changes. The HUD is a function of the snapshot and of the UI state;
+//! it refuses to know a clock, a key or a file.
 
 mod backdrop;
 mod debug_overlay;
 mod dialog;
 mod dmd;
+mod frame_times;
 mod key_help;
+mod notice;
+mod palette;
 mod panel;
+mod replay_bar;
 mod text;
+mod ui_state;
 
-pub use debug_overlay::{Debug, Times, Touch};
-pub use dialog::{Card, Seek};
+pub use debug_overlay::{DebugInfo, TrailContact};
+pub use dialog::Dialog;
+pub use frame_times::FrameTimes;
 pub use key_help::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
+pub use replay_bar::ReplayProgress;
+pub use ui_state::{Badge, UiState};
 
-use crate::screen::{Canvas, Lens, Placement, Rect, Side};
+use crate::screen::{CachedLayer, Canvas, Placement, Rect, ScreenFromTable, Side};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
-use dialog::Panes;
-use dmd::{Dots, Matrix};
-use panel::{Lines, Words};
-use text::Lettering;
+use debug_overlay::{DebugOverlay, OverlayView};
+use dmd::{DmdRaster, Dots};
+use panel::{PanelText, ProgressLines};
+use text::TextRenderer;
 use tracer::Frame;
 
-const NIGHT: u32 = 0x06_0810;
-const BRASS: u32 = 0xb0_8d57;
-const AMBER: u32 = 0xff_b347;
-const IVORY: u32 = 0xec_e6d6;
-const MIST: u32 = 0x86_8fa3;
-
-/// Who is at the machine, if not the player.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Badge {
-    /// A recording.
-    Replay,
-    /// The bot.
-    Bot,
-}
-
-/// What a window adds to the moment.
-#[derive(Clone, Default)]
-pub struct Chrome {
-    /// Who is at the machine.
-    pub badge: Option<Badge>,
-    /// A sentence for the player.
-    pub notice: Option<String>,
-    /// What covers the table.
-    pub card: Option<&'static Card>,
-    /// How far a replay is.
-    pub seek: Option<Seek>,
-    /// What happens behind the picture.
-    pub debug: Option<Debug>,
-}
-
-/// The display and everything that it keeps.
+/// The HUD and everything that it keeps from frame to frame.
 pub struct Hud {
-    lettering: Lettering,
+    text_renderer: TextRenderer,
     placement: Option<Placement>,
     backdrop: Frame,
-    matrix: Matrix,
+    dmd_raster: DmdRaster,
     dots: Option<Dots>,
-    words: Option<Words>,
-    lines: Lines,
-    panes: Panes,
-    overlay: debug_overlay::Overlay,
+    panel_text: Option<PanelText>,
+    progress_lines: ProgressLines,
+    dialog_pane: CachedLayer<()>,
+    notice_pane: CachedLayer<()>,
+    replay_bar: CachedLayer<i32>,
+    debug_overlay: DebugOverlay,
 }
 
 impl Hud {
-    /// A display that has drawn nothing yet.
+    /// A HUD that has drawn nothing yet.
     ///
     /// # Errors
     /// If a font in the program is damaged.
     pub fn new() -> Result<Hud, Failure> {
         Ok(Hud {
-            lettering: Lettering::new()?,
+            text_renderer: TextRenderer::new()?,
             placement: None,
             backdrop: Frame::default(),
-            matrix: Matrix::new(0),
+            dmd_raster: DmdRaster::new(0),
             dots: None,
-            words: None,
-            lines: Lines::default(),
-            panes: Panes::default(),
-            overlay: debug_overlay::Overlay::default(),
+            panel_text: None,
+            progress_lines: ProgressLines::default(),
+            dialog_pane: CachedLayer::default(),
+            notice_pane: CachedLayer::default(),
+            replay_bar: CachedLayer::default(),
+            debug_overlay: DebugOverlay::default(),
         })
     }
 
@@ -95,9 +77,9 @@ impl Hud {
         self.backdrop = Frame::new(placement.width, placement.height);
         backdrop::draw(&mut Canvas::new(&mut self.backdrop), &placement);
         frame.clone_from(&self.backdrop);
-        self.overlay = debug_overlay::Overlay::default();
-        self.matrix = Matrix::new(placement.pitch);
-        (self.placement, self.dots, self.words) = (Some(placement), None, None);
+        self.debug_overlay = DebugOverlay::default();
+        self.dmd_raster = DmdRaster::new(placement.pitch);
+        (self.placement, self.dots, self.panel_text) = (Some(placement), None, None);
     }
 
     /// Puts back what surrounds the table in `rect`.
@@ -106,21 +88,21 @@ impl Hud {
     }
 
     /// Draws what has changed around the table.
-    pub fn draw_around(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
+    pub fn draw_around(&mut self, table: &Table, snapshot: &Snapshot, ui_state: &UiState, frame: &mut Frame) {
         let Some(placement) = self.placement else { return };
-        let dots = dmd::page(&moment.display, moment.tick);
+        let dots = dmd::animation_dots(&snapshot.display, snapshot.tick);
         if placement.pitch > 0 && self.dots.as_ref() != Some(&dots) {
-            self.matrix.draw(&mut Canvas::new(frame), placement.matrix, &dots);
+            self.dmd_raster.draw(&mut Canvas::new(frame), placement.matrix, &dots);
             self.dots = Some(dots);
         }
-        let words = Words::new(table, moment, chrome);
-        if self.words.as_ref() != Some(&words) {
-            self.draw_words(&placement, &words, frame);
-            self.words = Some(words);
+        let panel_text = PanelText::new(table, snapshot, ui_state);
+        if self.panel_text.as_ref() != Some(&panel_text) {
+            self.draw_words(&placement, &panel_text, frame);
+            self.panel_text = Some(panel_text);
         }
     }
 
-    fn draw_words(&mut self, placement: &Placement, words: &Words, frame: &mut Frame) {
+    fn draw_words(&mut self, placement: &Placement, panel_text: &PanelText, frame: &mut Frame) {
         let rects = match placement.side {
             Side::Band(left, right) => vec![left, right],
             Side::Panel(panel) => {
@@ -132,27 +114,41 @@ impl Hud {
         for rect in rects {
             self.restore(frame, rect);
             let canvas = &mut Canvas::new(frame);
-            panel::draw(&mut canvas.within(rect), &mut self.lettering, &mut self.lines, placement, words);
+            panel::draw(
+                &mut canvas.within(rect),
+                &mut self.text_renderer,
+                &mut self.progress_lines,
+                placement,
+                panel_text,
+            );
         }
     }
 
-    /// Draws what lies over the table, whose points are where `lens` says; the table itself must have been drawn anew.
-    pub fn draw_over(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, lens: Lens, frame: &mut Frame) {
+    /// Draws what lies over the table, whose points are where `screen_from_table` says; the table itself must have been drawn anew.
+    pub fn draw_over(
+        &mut self,
+        table: &Table,
+        snapshot: &Snapshot,
+        ui_state: &UiState,
+        screen_from_table: ScreenFromTable,
+        frame: &mut Frame,
+    ) {
         let Some(placement) = self.placement else { return };
         let mut canvas = Canvas::new(frame);
         let mut canvas = canvas.within(placement.table);
-        if let Some(debug) = &chrome.debug {
-            let subject = debug_overlay::Subject { table, placement: &placement, lens, moment };
-            self.overlay.draw(&mut canvas, &mut self.lettering, &subject, debug);
+        let text = &mut self.text_renderer;
+        if let Some(debug) = &ui_state.debug {
+            let view = OverlayView { table, placement: &placement, screen_from_table, snapshot };
+            self.debug_overlay.draw(&mut canvas, text, &view, debug);
         }
-        if let Some(seek) = &chrome.seek {
-            dialog::seek(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, seek);
+        if let Some(progress) = &ui_state.replay {
+            replay_bar::draw(&mut canvas, text, &mut self.replay_bar, placement.table, progress);
         }
-        if let Some(card) = chrome.card {
-            dialog::draw(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, card);
+        if let Some(dialog) = ui_state.dialog {
+            dialog::draw(&mut canvas, text, &mut self.dialog_pane, placement.table, dialog);
         }
-        if let Some(text) = &chrome.notice {
-            dialog::notice(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, text);
+        if let Some(sentence) = &ui_state.notice {
+            notice::draw(&mut canvas, text, &mut self.notice_pane, placement.table, sentence);
         }
     }
 }

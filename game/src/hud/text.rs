@@ -1,4 +1,4 @@
-//! Letters: the project's own fonts, each glyph drawn once and kept.
+//! The text renderer: the project's own fonts, each glyph rasterized once and kept.
 
 use crate::Failure;
 use crate::screen::{Canvas, Color};
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 /// The fonts of the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Family {
+pub enum FontFamily {
     /// Oxanium, for numbers and labels.
     Plain,
     /// Oxanium bold, for scores.
@@ -20,9 +20,9 @@ pub enum Family {
 
 /// How a line is set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style {
+pub struct TextStyle {
     /// The font.
-    pub family: Family,
+    pub family: FontFamily,
     /// Its size, pixels.
     pub size_px: f32,
     /// Extra space between letters, in parts of the size.
@@ -33,7 +33,7 @@ pub struct Style {
     pub alpha: u32,
 }
 
-/// Which way a line goes from its anchor.
+/// Which way a line goes from its anchor point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
     /// It begins there.
@@ -44,22 +44,50 @@ pub enum Align {
     Right,
 }
 
-/// Fonts and the glyphs that have been drawn with them.
-pub struct Lettering {
+/// The point that a line of text is set at: on its baseline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// Which way the line goes from here.
+    pub align: Align,
+    /// Pixels from the left.
+    pub x: f32,
+    /// Pixels from the top, of the baseline.
+    pub y: f32,
+}
+
+impl Anchor {
+    /// The line begins here.
+    pub fn left(x: f32, y: f32) -> Anchor {
+        Anchor { align: Align::Left, x, y }
+    }
+
+    /// The line's middle is here.
+    pub fn centre(x: f32, y: f32) -> Anchor {
+        Anchor { align: Align::Centre, x, y }
+    }
+
+    /// The line ends here.
+    pub fn right(x: f32, y: f32) -> Anchor {
+        Anchor { align: Align::Right, x, y }
+    }
+}
+
+/// Fonts and the glyphs that have been rasterized with them.
+pub struct TextRenderer {
     fonts: [Font; 4],
-    glyphs: BTreeMap<(Family, char, u32), (Metrics, Vec<u8>)>,
+    glyphs: BTreeMap<(FontFamily, char, u32), (Metrics, Vec<u8>)>,
 }
 
 /// Glyphs that are kept before the cache starts anew (sizes change only with the window's).
-const KEPT: usize = 4096;
+const MOST_GLYPHS: usize = 4096;
 
-impl Lettering {
+impl TextRenderer {
     /// Reads the fonts.
     ///
     /// # Errors
     /// If a font in the program is damaged.
-    pub fn new() -> Result<Lettering, Failure> {
-        Ok(Lettering {
+    pub fn new() -> Result<TextRenderer, Failure> {
+        Ok(TextRenderer {
             fonts: [
                 font(include_bytes!("../../../assets/fonts/Oxanium-Regular.ttf"))?,
                 font(include_bytes!("../../../assets/fonts/Oxanium-Bold.ttf"))?,
@@ -71,41 +99,45 @@ impl Lettering {
     }
 
     /// How wide a line is, pixels.
-    pub fn width(&self, text: &str, style: Style) -> f32 {
+    pub fn width(&self, text: &str, style: TextStyle) -> f32 {
         let advances: f32 = text.chars().map(|character| self.advance(character, style)).sum();
         (advances - style.tracking * style.size_px).max(0.0)
     }
 
     /// `style`, made smaller if `text` would be wider than `width_px`.
-    pub fn fitted(&self, text: &str, style: Style, width_px: f32) -> Style {
+    pub fn fitted(&self, text: &str, style: TextStyle, width_px: f32) -> TextStyle {
         let width = self.width(text, style);
-        if width <= width_px { style } else { Style { size_px: style.size_px * width_px.max(1.0) / width, ..style } }
+        if width <= width_px {
+            style
+        } else {
+            TextStyle { size_px: style.size_px * width_px.max(1.0) / width, ..style }
+        }
     }
 
-    /// Writes one line with its baseline at `y`.
-    pub fn write(&mut self, canvas: &mut Canvas, text: &str, style: Style, align: Align, x: f32, y: f32) {
+    /// Writes one line.
+    pub fn write(&mut self, canvas: &mut Canvas, text: &str, style: TextStyle, anchor: Anchor) {
         let width = self.width(text, style);
-        let mut pen = match align {
-            Align::Left => x,
-            Align::Centre => x - width * 0.5,
-            Align::Right => x - width,
+        let mut pen = match anchor.align {
+            Align::Left => anchor.x,
+            Align::Centre => anchor.x - width * 0.5,
+            Align::Right => anchor.x - width,
         };
         for character in text.chars() {
             let cell = self.advance(character, style);
-            self.glyph(canvas, character, style, pen, y);
+            self.glyph(canvas, character, style, (pen, anchor.y));
             pen += cell;
         }
     }
 
     /// From one glyph to the next. Digits all take the same room, so that a score does not dance as it counts.
-    fn advance(&self, character: char, style: Style) -> f32 {
+    fn advance(&self, character: char, style: TextStyle) -> f32 {
         let measured = if character.is_ascii_digit() { '0' } else { character };
         let width = self.fonts[style.family as usize].metrics(measured, style.size_px).advance_width;
         width + style.tracking * style.size_px
     }
 
-    fn glyph(&mut self, canvas: &mut Canvas, character: char, style: Style, pen: f32, baseline: f32) {
-        if self.glyphs.len() > KEPT {
+    fn glyph(&mut self, canvas: &mut Canvas, character: char, style: TextStyle, (pen, baseline): (f32, f32)) {
+        if self.glyphs.len() > MOST_GLYPHS {
             self.glyphs.clear();
         }
         let font = &self.fonts[style.family as usize];
@@ -135,21 +167,22 @@ mod tests {
     use super::*;
     use tracer::Frame;
 
-    const STYLE: Style = Style { family: Family::Bold, size_px: 20.0, tracking: 0.0, color: 0xff_ffff, alpha: 255 };
+    const STYLE: TextStyle =
+        TextStyle { family: FontFamily::Bold, size_px: 20.0, tracking: 0.0, color: 0xff_ffff, alpha: 255 };
 
     #[test]
     fn a_score_does_not_dance_as_it_counts() {
-        let lettering = Lettering::new().expect("the fonts are whole");
-        assert_eq!(lettering.width("1,111,111", STYLE), lettering.width("8,888,888", STYLE));
+        let text_renderer = TextRenderer::new().expect("the fonts are whole");
+        assert_eq!(text_renderer.width("1,111,111", STYLE), text_renderer.width("8,888,888", STYLE));
     }
 
     #[test]
     fn fitted_text_is_never_wider_than_its_room() {
-        let lettering = Lettering::new().expect("the fonts are whole");
+        let text_renderer = TextRenderer::new().expect("the fonts are whole");
         for (keys, action) in super::super::key_help::HELP.iter().chain(super::super::key_help::REPLAY_HELP) {
             for room in [10.0, 40.0, 90.0, 300.0] {
                 for text in [*keys, *action] {
-                    let width = lettering.width(text, lettering.fitted(text, STYLE, room));
+                    let width = text_renderer.width(text, text_renderer.fitted(text, STYLE, room));
                     assert!(width <= room * 1.001, "{text}: {width} in {room}");
                 }
             }
@@ -158,14 +191,14 @@ mod tests {
 
     #[test]
     fn every_letter_of_the_help_is_in_the_fonts() {
-        let mut lettering = Lettering::new().expect("the fonts are whole");
+        let mut text_renderer = TextRenderer::new().expect("the fonts are whole");
         let told = super::super::key_help::HELP.iter().flat_map(|(keys, action)| [*keys, *action]);
         for character in told.flat_map(str::chars).filter(|character| !character.is_whitespace()) {
             let mut frame = Frame::new(40, 40);
             let mut canvas = Canvas::new(&mut frame);
-            lettering.write(&mut canvas, &character.to_string(), STYLE, Align::Left, 5.0, 25.0);
+            text_renderer.write(&mut canvas, &character.to_string(), STYLE, Anchor::left(5.0, 25.0));
             assert!(frame.pixels.iter().any(|pixel| *pixel != 0), "{character} is blank");
-            assert!(lettering.fonts[0].has_glyph(character), "{character} has no glyph");
+            assert!(text_renderer.fonts[0].has_glyph(character), "{character} has no glyph");
         }
     }
 }

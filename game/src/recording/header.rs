@@ -2,9 +2,7 @@
 
 use super::format::{Bytes, FORMAT_VERSION, MAGIC, SEAL};
 use crate::simulation::SIMULATION_VERSION;
-use crate::{Failure, Table, assets};
-use std::path::Path;
-use std::sync::Arc;
+use crate::{Failure, Table};
 
 /// Everything that a simulation is started with.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +25,7 @@ impl Header {
         Header {
             simulation_version: SIMULATION_VERSION,
             table: table.name.clone(),
-            folder: folder(table),
+            folder: table.folder.clone(),
             table_hash: table.hash,
             seed,
         }
@@ -61,40 +59,35 @@ impl Header {
         Some(Header { simulation_version, table, folder, table_hash, seed })
     }
 
-    /// The table, if it is still what it was.
-    pub(super) fn find_table(&self) -> Result<Arc<Table>, Failure> {
-        let places = [&self.table, &self.folder].into_iter().filter(|place| !place.is_empty());
-        let mut refusal = Failure::new("it does not say which table it was played on");
-        for place in places {
-            match Table::load(place) {
-                Ok(table) if table.hash == self.table_hash => return Ok(Arc::new(table)),
-                Ok(table) => refusal = self.another(&table),
-                Err(failures) => {
-                    let first = failures.first().map(ToString::to_string).unwrap_or_default();
-                    refusal = Failure::new(format!("the table {place} that it was played on cannot be read: {first}"));
-                }
-            }
+    /// Refuses the recording of another simulation version.
+    ///
+    /// # Errors
+    /// If this program plays another game from the same inputs.
+    pub fn check_version(&self) -> Result<(), Failure> {
+        if self.simulation_version == SIMULATION_VERSION {
+            return Ok(());
         }
-        Err(refusal)
+        Err(Failure::new(format!(
+            "it was recorded with simulation version {}, this is {SIMULATION_VERSION}: the same inputs would give \
+             another game; play it with the program that recorded it",
+            self.simulation_version
+        )))
     }
 
-    fn another(&self, table: &Table) -> Failure {
-        Failure::new(format!(
+    /// Refuses a table on which another game would be played.
+    ///
+    /// # Errors
+    /// If `table` is not what it was when it was played on.
+    pub fn check_table(&self, table: &Table) -> Result<(), Failure> {
+        if self.table_hash == table.hash {
+            return Ok(());
+        }
+        Err(Failure::new(format!(
             "it was played on another table: {} has changed since (its hash was \
              {:016x}, now it is {:016x}); it plays again with the table's files as they were",
             self.table, self.table_hash, table.hash
-        ))
+        )))
     }
-}
-
-/// The folder that a reader must look into; empty for a table that is found by its name.
-fn folder(table: &Table) -> String {
-    let same = |dir: &Path| dir.canonicalize().ok() == table.dir.canonicalize().ok();
-    if assets::table_dir(&table.name).is_ok_and(|dir| same(&dir)) {
-        return String::new();
-    }
-    let absolute = table.dir.canonicalize();
-    absolute.as_ref().unwrap_or(&table.dir).to_string_lossy().into_owned()
 }
 
 /// The beginning of `text`, at most `longest` bytes of it.

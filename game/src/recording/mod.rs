@@ -23,7 +23,6 @@
 mod damage;
 mod format;
 mod header;
-pub mod library;
 mod reader;
 mod recorder;
 mod replay;
@@ -36,9 +35,8 @@ pub use recorder::Recorder;
 pub use replay::{Difference, Replay};
 pub use writer::Writer;
 
-use crate::simulation::{Hashes, SIMULATION_VERSION};
+use crate::simulation::Hashes;
 use crate::{Buttons, Failure, Simulation, Table};
-use std::path::Path;
 use std::sync::Arc;
 
 /// A recorded game, read and found undamaged.
@@ -84,15 +82,6 @@ struct Change {
 }
 
 impl Recording {
-    /// Reads the recording in the file `path`.
-    ///
-    /// # Errors
-    /// If the file cannot be read or is not an undamaged recording: one sentence that names the file and the damage.
-    pub fn read(path: &Path) -> Result<Recording, Failure> {
-        let bytes = std::fs::read(path).map_err(|error| Failure::of_file("read the recording", path, &error))?;
-        Recording::parse(&bytes).map_err(|damage| Failure::new(damage.to_string()).in_file(path))
-    }
-
     /// The recording that `bytes` hold.
     ///
     /// # Errors
@@ -128,28 +117,15 @@ impl Recording {
         })
     }
 
-    /// The table that it was played on.
+    /// The simulation as it was when the recording began, on the table that it was played on.
     ///
     /// # Errors
-    /// If this program plays another game from the same inputs, if the table is not found, or if it has changed since.
-    pub fn table(&self) -> Result<Arc<Table>, Failure> {
-        let header = &self.header;
-        if header.simulation_version != SIMULATION_VERSION {
-            return Err(Failure::new(format!(
-                "it was recorded with simulation version {}, this is {SIMULATION_VERSION}: the same inputs would give \
-                 another game; play it with the program that recorded it",
-                header.simulation_version
-            )));
-        }
-        header.find_table()
-    }
-
-    /// The simulation as it was when the recording began.
-    ///
-    /// # Errors
-    /// As [`Recording::table`], or if the table's rules do not run.
-    pub fn start(&self) -> Result<Simulation, Failure> {
-        Simulation::new(self.table()?, self.header.seed)
+    /// If this program plays another game from the same inputs, if the table is another or has changed since, or if its
+    /// rules do not run.
+    pub fn start(&self, table: Arc<Table>) -> Result<Simulation, Failure> {
+        self.header.check_version()?;
+        self.header.check_table(&table)?;
+        Simulation::new(table, self.header.seed)
     }
 }
 
@@ -162,6 +138,6 @@ impl Checkpoint {
 }
 
 /// The best score of the players.
-pub(crate) fn best_score(simulation: &Simulation) -> i64 {
+pub fn best_score(simulation: &Simulation) -> i64 {
     simulation.display().scores.into_iter().max().unwrap_or(0)
 }

@@ -2,10 +2,10 @@
 
 use super::{CHECKPOINT_TICKS, Checkpoint, Recording, best_score};
 use crate::simulation::Hashes;
-use crate::{Failure, Simulation};
+use crate::{Failure, Simulation, Table};
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::Path;
+use std::sync::Arc;
 
 /// Ticks between two states that are kept to come back to.
 const KEEP_TICKS: u64 = 5000;
@@ -29,22 +29,14 @@ pub struct Difference {
 }
 
 impl Replay {
-    /// A replay that stands at the recording's beginning.
+    /// A replay that stands at the beginning of a recording that was played on `table`.
     ///
     /// # Errors
-    /// If the recording is of another simulation version or another table, or the table is not found.
-    pub fn new(recording: Recording) -> Result<Replay, Failure> {
-        let simulation = recording.start()?;
+    /// As [`Recording::start`].
+    pub fn new(recording: Recording, table: Arc<Table>) -> Result<Replay, Failure> {
+        let simulation = recording.start(table)?;
         let kept = BTreeMap::from([(0, simulation.clone())]);
         Ok(Replay { recording, simulation, kept, difference: None })
-    }
-
-    /// A replay of the recording in the file `path`, at its beginning.
-    ///
-    /// # Errors
-    /// As [`Recording::read`] and [`Replay::new`]: one sentence that names the file.
-    pub fn open(path: &Path) -> Result<Replay, Failure> {
-        Replay::new(Recording::read(path)?).map_err(|failure| failure.in_file(path))
     }
 
     /// What is played.

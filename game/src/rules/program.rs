@@ -52,7 +52,7 @@ impl Program {
     /// # Errors
     /// Every mistake that can be seen without playing, one line each with file and line.
     pub fn new(table: &Table) -> Result<Program, Failure> {
-        let file = table.dir.join("rules.rhai").display().to_string();
+        let file = table.file("rules.rhai");
         let names = Arc::new(Names::new(table));
         let mut engine = engine();
         let ast = compile(&mut engine, &table.rules).map_err(|error| Failure::new(sentence(&file, 1, *error)))?;

@@ -16,12 +16,13 @@ pub use blend::blend;
 pub use light::{linear, linear_channel};
 
 use crate::Failure;
+use crate::art;
 use crate::simulation::{LampLight, Snapshot};
-use crate::table::{Lamp, LampKind, Solid, Table, art};
+use crate::table::{Finish, Lamp, LampKind, Solid, Table};
 use geometry::{DVec2, Shape};
 use motion::Motion;
 use physics::{Kind, Leg};
-use tracer::{Filter, Finish, Floor, Glow, Group, Mask, Occluder, Outline, Overhang, Rgb, Scene, Top, View};
+use tracer::{Filter, Floor, Glow, Group, Mask, Occluder, Outline, Overhang, Rgb, Scene, Top, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -173,6 +174,7 @@ impl Actor {
             finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
             finish.gloss *= FROSTED_GLOSS;
         }
+        let finish = light::finish(finish);
         scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
     }
 }
@@ -216,10 +218,10 @@ fn outlines(solid: &Solid) -> Vec<Outline> {
 }
 
 fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
-    let bulb = |(lamp, light): (&Lamp, &LampLight)| match lamp.kind {
+    let bulb = |(lamp, lit): (&Lamp, &LampLight)| match lamp.kind {
         LampKind::Insert { .. } => None,
         LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
-            let color = radiance(lamp, light);
+            let (color, emitter) = (radiance(lamp, lit), light::emitter(emitter));
             Some(tracer::Lamp { center_mm, emitter, height_mm, reach_mm, color, inside: inside.map(Group) })
         }
     };

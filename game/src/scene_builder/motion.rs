@@ -1,10 +1,10 @@
 //! Where a solid is in a pose, and how it looks there.
 
 use super::{mm, outlines};
-use crate::table::Solid;
+use crate::table::{Finish, Solid};
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper, trig};
 use physics::{Kind, Layout, PartId, Pose};
-use tracer::{Finish, Outline};
+use tracer::Outline;
 
 /// From the axle of a gate or spinner to the edge of its plate, mm.
 const FLAP_MM: f64 = 11.0;

@@ -1,12 +1,14 @@
 //! What moves on the table moves in the scene.
 
 use super::*;
-use crate::{Buttons, Simulation};
+use crate::storage::tables;
+use crate::table::Emitter;
+use crate::{Buttons, Simulation, small_table};
 use physics::Kind;
 use std::sync::Arc;
 
 fn set() -> (Arc<Table>, Snapshot) {
-    let table = Arc::new(Table::load("spectrum").expect("the project's table is whole"));
+    let table = Arc::new(tables::load("spectrum").expect("the project's table is whole"));
     let mut simulation = Simulation::new(table.clone(), 1).expect("its rules run");
     for tick in 0..1200 {
         simulation.tick(if (100..200).contains(&tick) { Buttons::START } else { Buttons::NONE });
@@ -118,7 +120,7 @@ const COILS: &str = r#"<line id="kick" class="kickback" x1="40" y1="900" x2="40"
 /// The moment `ticks` after the rules have ordered these coils.
 fn ordered(orders: &str, ticks: usize) -> (Table, Snapshot) {
     let rules = format!("fn on_start() {{ kickers(true); {orders} }}");
-    let table = crate::table::tests::with_rules(COILS, &rules);
+    let table = small_table::with_rules(COILS, &rules);
     let mut simulation = Simulation::new(Arc::new(table.clone()), 1).expect("its rules run");
     (0..ticks).for_each(|_| simulation.tick(Buttons::NONE));
     assert!(simulation.complaints().is_empty());
@@ -152,4 +154,24 @@ fn a_captive_ball_is_seen_as_a_ball_and_is_none_that_is_in_play() {
     let [ball] = &scene.balls[..] else { panic!("{:?}", scene.balls) };
     assert!(ball.center_mm.distance(DVec2::new(150.0, 300.0)) < 0.1 && ball.radius_mm == BALL_RADIUS_MM);
     assert!(scene.occluders.iter().any(|occluder| occluder.group == ball.group));
+}
+
+#[test]
+fn the_light_that_an_eye_gets_used_to_is_the_integral_of_a_bulbs_falloff() {
+    let (center_mm, height_mm, reach_mm) = (DVec2::splat(500.0), 30.0, 400.0);
+    let bulb = Emitter::Disc { radius_mm: 1.0 };
+    let kind = LampKind::Bulb { center_mm, emitter: bulb, height_mm, reach_mm, inside: None };
+    let lamp = Lamp { name: String::new(), color: [255; 3], power: 2.0, kind };
+    let emitter = light::emitter(bulb);
+    let light = tracer::Lamp { center_mm, emitter, height_mm, reach_mm, color: [1.0; 3], inside: None };
+    let points = (0..1000).flat_map(|x| (0..1000).map(move |y| DVec2::new(f64::from(x), f64::from(y))));
+    let mean = points.map(|point| light.falloff(point + DVec2::splat(0.5))).sum::<f64>() * 2.0 / 1e6;
+    let found = crate::lamps::given(&lamp, DVec2::splat(1000.0));
+    assert!((found / mean - 1.0).abs() < 1e-3, "{found} {mean}");
+}
+
+#[test]
+fn table_and_light_agree_on_when_a_line_is_a_point() {
+    assert_eq!(Emitter::LEAST_HALF_MM, tracer::Lamp::LEAST_HALF_MM);
+    assert_eq!(crate::lamps::REFERENCE_MM, tracer::Lamp::REFERENCE_MM);
 }

@@ -148,18 +148,18 @@ impl Layer {
 }
 
 /// A drawing that is kept for as long as what it shows, `K`, and its place stay the same.
-pub struct Kept<K> {
+pub struct CachedLayer<K> {
     shown: Option<K>,
     layer: Layer,
 }
 
-impl<K> Default for Kept<K> {
-    fn default() -> Kept<K> {
-        Kept { shown: None, layer: Layer::default() }
+impl<K> Default for CachedLayer<K> {
+    fn default() -> CachedLayer<K> {
+        CachedLayer { shown: None, layer: Layer::default() }
     }
 }
 
-impl<K: PartialEq> Kept<K> {
+impl<K: PartialEq> CachedLayer<K> {
     /// Lays it over the picture in `rect`, after drawing it anew with `draw` if it shows something else.
     pub fn lay(&mut self, canvas: &mut Canvas, rect: Rect, shows: K, draw: impl FnOnce(&mut Layer)) {
         if self.layer.rect() != rect || self.shown.as_ref() != Some(&shows) {
@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn what_stays_the_same_is_not_drawn_again() {
-        let (mut frame, mut kept, mut drawn) = (Frame::new(8, 8), Kept::default(), 0);
+        let (mut frame, mut kept, mut drawn) = (Frame::new(8, 8), CachedLayer::default(), 0);
         for (shows, x) in [(1, 0), (1, 0), (2, 0), (2, 1)] {
             kept.lay(&mut Canvas::new(&mut frame), Rect::new(x, 0, 4, 4), shows, |_| drawn += 1);
         }

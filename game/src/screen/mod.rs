@@ -9,6 +9,6 @@ mod placement;
 mod size;
 
 pub use canvas::{Canvas, Color, Rect, over};
-pub use layer::{Kept, Layer};
-pub use placement::{DMD_COLUMNS, DMD_ROWS, Lens, Placement, Side, title_height};
+pub use layer::{CachedLayer, Layer};
+pub use placement::{DMD_COLUMNS, DMD_ROWS, Placement, ScreenFromTable, Side, title_height};
 pub use size::Size;

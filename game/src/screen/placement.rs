@@ -35,7 +35,7 @@ pub struct Placement {
 
 /// Where points of the table are in a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lens {
+pub struct ScreenFromTable {
     /// The playfield's upper left corner, pixels; beyond the picture where that is not shown.
     pub origin: DVec2,
     /// Pixels a metre.

@@ -1,19 +1,19 @@
 //! The last impacts of balls, for as long as they are shown.
 
-use crate::hud::Touch;
+use crate::hud::TrailContact;
 use physics::Contact;
 use std::collections::VecDeque;
 
 /// How long an impact is shown, ticks.
 const SHOWN_TICKS: u64 = 400;
-/// The most impacts that are kept: a ball that rolls along a wall touches it in every tick.
+/// The most impacts that are kept: a ball that rolls along a wall contact_trail it in every tick.
 const KEPT: usize = 256;
 
 /// The last impacts, the oldest first.
 #[derive(Default)]
-pub struct Touches(VecDeque<(u64, Contact)>);
+pub struct ContactTrail(VecDeque<(u64, Contact)>);
 
-impl Touches {
+impl ContactTrail {
     /// The impacts of a tick.
     pub fn add(&mut self, tick: u64, contacts: &[Contact]) {
         self.0.extend(contacts.iter().map(|&contact| (tick, contact)));
@@ -27,9 +27,9 @@ impl Touches {
     }
 
     /// Those that are still shown at a tick.
-    pub fn shown(&self, now: u64) -> Vec<Touch> {
+    pub fn shown(&self, now: u64) -> Vec<TrailContact> {
         let age = |tick: u64| now.saturating_sub(tick) as f64 / SHOWN_TICKS as f64;
         let recent = self.0.iter().filter(|(tick, _)| age(*tick) < 1.0);
-        recent.map(|&(tick, contact)| Touch { contact, age: age(tick) }).collect()
+        recent.map(|&(tick, contact)| TrailContact { contact, age: age(tick) }).collect()
     }
 }

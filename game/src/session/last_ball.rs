@@ -1,6 +1,6 @@
 //! The last ball, kept so that it can be watched again: the state in which it began and every button since.
 
-use super::contact_trail::Touches;
+use super::contact_trail::ContactTrail;
 use crate::simulation::Display;
 use crate::{Buttons, Simulation, Snapshot};
 use std::sync::Arc;
@@ -75,7 +75,7 @@ pub struct Rerun {
 
 impl Rerun {
     /// Plays some ticks; gives the last two.
-    pub fn play(&mut self, ticks: u64, touches: &mut Touches) -> (Arc<Snapshot>, Arc<Snapshot>) {
+    pub fn play(&mut self, ticks: u64, contact_trail: &mut ContactTrail) -> (Arc<Snapshot>, Arc<Snapshot>) {
         let end = self.buttons.len().min(self.played + ticks as usize);
         let mut previous = None;
         while self.played < end {
@@ -83,7 +83,7 @@ impl Rerun {
                 previous = Some(Arc::new(self.simulation.snapshot()));
             }
             self.simulation.tick(self.buttons[self.played]);
-            touches.add(self.simulation.ticks(), self.simulation.contacts());
+            contact_trail.add(self.simulation.ticks(), self.simulation.contacts());
             self.played += 1;
         }
         let current = Arc::new(self.simulation.snapshot());

@@ -1,12 +1,12 @@
 //! A game that is being played: the simulation, who plays it, and what is written down of it.
 
-use super::contact_trail::Touches;
+use super::contact_trail::ContactTrail;
 use super::last_ball::{LastBall, Rerun};
 use crate::bot::Bot;
-use crate::hud::{Badge, Touch};
-use crate::recording::{Recorder, library};
-use crate::{Buttons, Failure, Simulation, Snapshot, Table};
-use std::fs::File;
+use crate::hud::{Badge, TrailContact};
+use crate::storage::library;
+use crate::storage::recordings::RecordingFile;
+use crate::{Buttons, Failure, Simulation, Snapshot, Table, tell};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -15,36 +15,36 @@ use std::time::SystemTime;
 const OPENING_TICKS: u64 = 300;
 
 /// A game in play.
-pub struct Game {
+pub struct LiveGame {
     simulation: Simulation,
     seed: u64,
     previous: Arc<Snapshot>,
     current: Arc<Snapshot>,
     bot: Option<Bot>,
     /// In the player's own folder.
-    library: Option<Recorder<File>>,
+    library: Option<RecordingFile>,
     /// In the file that was asked for.
-    asked: Option<Recorder<File>>,
+    asked: Option<RecordingFile>,
     /// Why that one was given up: told when the window is closed.
     broken_off: Option<Failure>,
     last_ball: LastBall,
     rerun: Option<Rerun>,
-    touches: Touches,
+    contact_trail: ContactTrail,
     complaints: Vec<String>,
 }
 
-impl Game {
+impl LiveGame {
     /// Switches the machine on.
     ///
     /// # Errors
     /// If the rules do not run, or the recording that was asked for cannot be written.
-    pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<Game, Failure> {
+    pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<LiveGame, Failure> {
         let simulation = Simulation::new(table, seed)?;
-        let asked = record.map(|path| Recorder::create(path, &simulation, seed)).transpose()?;
+        let asked = record.map(|path| RecordingFile::create(path, &simulation, seed)).transpose()?;
         let mut complaints = Vec::new();
         let library = begin_in_library(&simulation, seed, &mut complaints);
         let current = Arc::new(simulation.snapshot());
-        Ok(Game {
+        Ok(LiveGame {
             last_ball: LastBall::new(&simulation),
             simulation,
             seed,
@@ -55,7 +55,7 @@ impl Game {
             asked,
             broken_off: None,
             rerun: None,
-            touches: Touches::default(),
+            contact_trail: ContactTrail::default(),
             complaints,
         })
     }
@@ -66,7 +66,7 @@ impl Game {
             return;
         }
         if let Some(rerun) = &mut self.rerun {
-            (self.previous, self.current) = rerun.play(ticks, &mut self.touches);
+            (self.previous, self.current) = rerun.play(ticks, &mut self.contact_trail);
             return;
         }
         for tick in 0..ticks {
@@ -78,7 +78,7 @@ impl Game {
         self.current = Arc::new(self.simulation.snapshot());
         self.last_ball.look(&self.simulation, &self.current.display);
         for complaint in self.simulation.complaints() {
-            Failure::new(&complaint).tell();
+            tell(&Failure::new(&complaint));
             self.complaints.push(complaint);
         }
     }
@@ -89,10 +89,10 @@ impl Game {
             None => self.opening(buttons),
         };
         self.simulation.tick(buttons);
-        self.touches.add(self.simulation.ticks(), self.simulation.contacts());
+        self.contact_trail.add(self.simulation.ticks(), self.simulation.contacts());
         self.last_ball.push(buttons);
         if let Some(failure) = keep_recording(&mut self.library, &self.simulation, buttons) {
-            failure.tell();
+            tell(&failure);
             self.complaints.push(failure.to_string());
         }
         if let Some(failure) = keep_recording(&mut self.asked, &self.simulation, buttons) {
@@ -127,8 +127,8 @@ impl Game {
     }
 
     /// The last impacts.
-    pub fn touches(&self) -> Vec<Touch> {
-        self.touches.shown(self.current.tick)
+    pub fn contact_trail(&self) -> Vec<TrailContact> {
+        self.contact_trail.shown(self.current.tick)
     }
 
     /// What went wrong since the last call.
@@ -173,9 +173,9 @@ impl Game {
             self.simulation = Simulation::restore(table, &self.simulation.save())?;
             return Ok(());
         }
-        let game = Game::new(table, self.seed, None, self.bot.is_some())?;
+        let game = LiveGame::new(table, self.seed, None, self.bot.is_some())?;
         // A game that must be recorded keeps its table; what is lost here is told and no more.
-        self.finish().unwrap_or_else(|failure| failure.tell());
+        self.finish().unwrap_or_else(|failure| tell(&failure));
         *self = game;
         Ok(())
     }
@@ -188,30 +188,30 @@ impl Game {
         if let Some(recorder) = self.library.take()
             && let Err(failure) = library::finish(recorder, &self.simulation)
         {
-            failure.tell();
+            tell(&failure);
         }
         match self.asked.take() {
             Some(recorder) if recorder.ticks() == 0 => recorder.discard(),
-            Some(recorder) => recorder.finish(&self.simulation).map(|_| ()),
+            Some(recorder) => recorder.finish(&self.simulation),
             None => self.broken_off.take().map_or(Ok(()), Err),
         }
     }
 }
 
 /// Records a tick; gives the recording up when that fails, and says why.
-fn keep_recording(recorder: &mut Option<Recorder<File>>, game: &Simulation, buttons: Buttons) -> Option<Failure> {
+fn keep_recording(recorder: &mut Option<RecordingFile>, game: &Simulation, buttons: Buttons) -> Option<Failure> {
     let failure = recorder.as_mut()?.record(game, buttons).err()?;
     *recorder = None;
     Some(failure)
 }
 
 #[expect(clippy::disallowed_methods, reason = "a recording is named after the moment that it was made")]
-fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<String>) -> Option<Recorder<File>> {
+fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<String>) -> Option<RecordingFile> {
     let unix_s = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs());
     let recorder = library::record(simulation, seed, unix_s);
     recorder
         .inspect_err(|failure| {
-            failure.tell();
+            tell(failure);
             complaints.push(failure.to_string());
         })
         .ok()

@@ -1,84 +1,89 @@
-//! What the window shows: a game in play or a recording, and what lies over it.
+//! Sessions: a game that is played live, or a recording that is watched. Each plays the ticks that are due and keeps the
+//! last two snapshots.
+//!
+//! This room refuses to know a window, a key or a thread; it reads the clock only to name a new recording.
 
 mod contact_trail;
 mod last_ball;
 mod live_game;
+mod modal;
 mod replay_session;
 mod tick_clock;
 pub mod zoom;
 
-pub use live_game::Game;
-pub use replay_session::Viewing;
-pub use tick_clock::{Clock, Speed};
+pub use live_game::LiveGame;
+pub use modal::Modal;
+pub use replay_session::ReplaySession;
+pub use tick_clock::{PlaybackSpeed, TickClock};
 
 use crate::Snapshot;
-use crate::hud::{Badge, Card, Chrome, Debug, KEYS, REPLAY_KEYS, Times};
+use crate::hud::{Badge, DebugInfo, FrameTimes, TrailContact, UiState};
 use std::sync::Arc;
 
-/// A game or a recording.
+/// A live game or a replay.
 pub enum Session {
     /// A game in play.
-    Game(Box<Game>),
+    Live(Box<LiveGame>),
     /// A recording that is watched.
-    Viewing(Box<Viewing>),
+    Replay(Box<ReplaySession>),
 }
 
-static PAUSED: Card = Card { title: "PAUSED", rows: KEYS, foot: "Esc  go on      Q  leave" };
-static HELP: Card = Card { title: "KEYS", rows: KEYS, foot: "H  go on      Q  leave" };
-static REPLAY_HELP: Card = Card { title: "KEYS", rows: REPLAY_KEYS, foot: "H  go on" };
-
-/// What covers the table, and stops the game while it does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cover {
-    /// Nothing.
-    None,
-    /// The pause.
-    Paused,
-    /// The keys.
-    Help,
-}
-
-/// The last two ticks.
-pub fn snapshots(session: &Session) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
-    match session {
-        Session::Game(game) => game.snapshots(),
-        Session::Viewing(viewing) => viewing.snapshots(),
+impl Session {
+    /// Whether time passes in it.
+    pub fn is_moving(&self) -> bool {
+        match self {
+            Session::Live(_) => true,
+            Session::Replay(replay) => !replay.paused,
+        }
     }
-}
 
-/// What the window adds to the moment; `overlay` is what the last pictures cost, if that is to be shown.
-pub fn chrome(session: &Session, cover: Cover, notice: Option<String>, overlay: Option<Times>) -> Chrome {
-    let (badge, seek, help) = match session {
-        Session::Game(game) => (game.badge(), None, &HELP),
-        Session::Viewing(viewing) => (Some(Badge::Replay), Some(viewing.progress()), &REPLAY_HELP),
-    };
-    let card = match cover {
-        Cover::None => None,
-        Cover::Paused => Some(&PAUSED),
-        Cover::Help => Some(help),
-    };
-    let debug = overlay.map(|times| {
-        let touches = match session {
-            Session::Game(game) => game.touches(),
-            Session::Viewing(viewing) => viewing.touches(),
+    /// How fast time passes in it.
+    pub fn speed(&self) -> PlaybackSpeed {
+        match self {
+            Session::Live(_) => PlaybackSpeed::REAL,
+            Session::Replay(replay) => replay.speed,
+        }
+    }
+
+    /// The snapshots of the last two ticks.
+    pub fn snapshots(&self) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
+        match self {
+            Session::Live(game) => game.snapshots(),
+            Session::Replay(replay) => replay.snapshots(),
+        }
+    }
+
+    /// What the application adds to the snapshots; `times` is what the last frames cost, if the debug overlay is on.
+    pub fn ui_state(&self, modal: Modal, notice: Option<String>, times: Option<FrameTimes>) -> UiState {
+        let (badge, replay) = match self {
+            Session::Live(game) => (game.badge(), None),
+            Session::Replay(replay) => (Some(Badge::Replay), Some(replay.progress())),
         };
-        Debug { times, touches }
-    });
-    Chrome { badge, notice, card, seek, debug }
-}
-
-/// What went wrong in the session since the last call.
-pub fn complaint(session: &mut Session) -> Option<String> {
-    match session {
-        Session::Game(game) => game.complaints().pop(),
-        Session::Viewing(viewing) => viewing.complaint(),
+        let dialog = modal.dialog(replay.is_some());
+        let debug = times.map(|times| DebugInfo { times, contact_trail: self.contact_trail() });
+        UiState { badge, notice, dialog, replay, debug }
     }
-}
 
-/// What the window is called.
-pub fn title(session: &Session, table: &str) -> String {
-    match session {
-        Session::Game(_) => format!("Caustic \u{2013} {table}"),
-        Session::Viewing(_) => format!("Caustic \u{2013} {table} (replay)"),
+    fn contact_trail(&self) -> Vec<TrailContact> {
+        match self {
+            Session::Live(game) => game.contact_trail(),
+            Session::Replay(replay) => replay.contact_trail(),
+        }
+    }
+
+    /// What went wrong in the session since the last call.
+    pub fn complaint(&mut self) -> Option<String> {
+        match self {
+            Session::Live(game) => game.complaints().pop(),
+            Session::Replay(replay) => replay.complaint(),
+        }
+    }
+
+    /// What the window is called.
+    pub fn title(&self, table: &str) -> String {
+        match self {
+            Session::Live(_) => format!("Caustic \u{2013} {table}"),
+            Session::Replay(_) => format!("Caustic \u{2013} {table} (replay)"),
+        }
     }
 }

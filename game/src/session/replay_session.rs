@@ -1,8 +1,8 @@
 //! A recording that is being watched.
 
-use super::contact_trail::Touches;
-use super::tick_clock::Speed;
-use crate::hud::{Seek, Touch};
+use super::contact_trail::ContactTrail;
+use super::tick_clock::PlaybackSpeed;
+use crate::hud::{ReplayProgress, TrailContact};
 use crate::recording::Replay;
 use crate::{Failure, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
@@ -12,31 +12,31 @@ use std::sync::Arc;
 pub const SEEK_TICKS: u64 = 5 * TICKS_PER_SECOND as u64;
 
 /// A recording that is being watched.
-pub struct Viewing {
+pub struct ReplaySession {
     replay: Replay,
     previous: Arc<Snapshot>,
     current: Arc<Snapshot>,
-    touches: Touches,
+    contact_trail: ContactTrail,
     complaint: Option<String>,
     told: bool,
     /// How fast it runs.
-    pub speed: Speed,
+    pub speed: PlaybackSpeed,
     /// It stands still.
     pub paused: bool,
 }
 
-impl Viewing {
+impl ReplaySession {
     /// Watches a recording from its beginning.
-    pub fn new(replay: Replay) -> Viewing {
+    pub fn new(replay: Replay) -> ReplaySession {
         let current = Arc::new(replay.simulation().snapshot());
-        Viewing {
+        ReplaySession {
             replay,
             previous: current.clone(),
             current,
-            touches: Touches::default(),
+            contact_trail: ContactTrail::default(),
             complaint: None,
             told: false,
-            speed: Speed::REAL,
+            speed: PlaybackSpeed::REAL,
             paused: false,
         }
     }
@@ -57,7 +57,7 @@ impl Viewing {
                 self.show();
                 return;
             }
-            self.touches.add(self.replay.tick(), self.replay.simulation().contacts());
+            self.contact_trail.add(self.replay.tick(), self.replay.simulation().contacts());
         }
         if ticks > 0 {
             self.current = Arc::new(self.replay.simulation().snapshot());
@@ -70,7 +70,7 @@ impl Viewing {
         let now = self.replay.tick();
         let target = if forward { now + SEEK_TICKS } else { now.saturating_sub(SEEK_TICKS) };
         self.replay.seek(target);
-        self.touches.clear();
+        self.contact_trail.clear();
         self.show();
     }
 
@@ -78,7 +78,7 @@ impl Viewing {
     pub fn toggle_pause(&mut self) {
         if self.replay.tick() >= self.replay.recording().ticks() {
             self.replay.seek(0);
-            self.touches.clear();
+            self.contact_trail.clear();
             self.show();
         }
         self.paused = !self.paused;
@@ -93,7 +93,7 @@ impl Viewing {
     fn look_for_difference(&mut self) {
         if let Some(difference) = self.replay.difference().filter(|_| !self.told) {
             let sentence = format!("This replay is not what was recorded: it {difference}.");
-            Failure::new(&sentence).tell();
+            crate::tell(&Failure::new(&sentence));
             self.complaint = Some(sentence);
             self.told = true;
         }
@@ -105,8 +105,8 @@ impl Viewing {
     }
 
     /// The last impacts.
-    pub fn touches(&self) -> Vec<Touch> {
-        self.touches.shown(self.current.tick)
+    pub fn contact_trail(&self) -> Vec<TrailContact> {
+        self.contact_trail.shown(self.current.tick)
     }
 
     /// What went wrong since the last call.
@@ -115,9 +115,9 @@ impl Viewing {
     }
 
     /// How far it is.
-    pub fn progress(&self) -> Seek {
+    pub fn progress(&self) -> ReplayProgress {
         let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
-        Seek {
+        ReplayProgress {
             at_s: seconds(self.replay.tick()),
             length_s: seconds(self.replay.recording().ticks()),
             speed: self.speed.label(),

@@ -7,22 +7,22 @@ const LONGEST_GAP_NS: u64 = 100_000_000;
 
 /// How fast a replay runs, in eighths of real time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Speed(u64);
+pub struct PlaybackSpeed(u64);
 
-impl Speed {
+impl PlaybackSpeed {
     /// Real time.
-    pub const REAL: Speed = Speed(8);
+    pub const REAL: PlaybackSpeed = PlaybackSpeed(8);
     const SLOWEST: u64 = 1;
     const FASTEST: u64 = 64;
 
     /// Twice as fast, up to eight times real time.
-    pub fn faster(self) -> Speed {
-        Speed((self.0 * 2).min(Speed::FASTEST))
+    pub fn faster(self) -> PlaybackSpeed {
+        PlaybackSpeed((self.0 * 2).min(PlaybackSpeed::FASTEST))
     }
 
     /// Half as fast, down to an eighth of real time.
-    pub fn slower(self) -> Speed {
-        Speed((self.0 / 2).max(Speed::SLOWEST))
+    pub fn slower(self) -> PlaybackSpeed {
+        PlaybackSpeed((self.0 / 2).max(PlaybackSpeed::SLOWEST))
     }
 
     /// As it is told: `x1/4`, `x1`, `x8`.
@@ -33,16 +33,16 @@ impl Speed {
 
 /// Real time that has not been played yet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Clock {
+pub struct TickClock {
     /// Always less than a tick between calls.
     owed_ns: u64,
     /// What is left of an eighth of a nanosecond.
     eighths: u64,
 }
 
-impl Clock {
+impl TickClock {
     /// The ticks that are due when `elapsed_ns` of real time have gone by at this speed.
-    pub fn ticks(&mut self, elapsed_ns: u64, speed: Speed) -> u64 {
+    pub fn ticks(&mut self, elapsed_ns: u64, speed: PlaybackSpeed) -> u64 {
         let eighths = elapsed_ns.min(LONGEST_GAP_NS) * speed.0 + self.eighths;
         self.eighths = eighths % 8;
         self.owed_ns += eighths / 8;
@@ -63,30 +63,30 @@ mod tests {
 
     #[test]
     fn no_time_is_lost_however_it_is_cut() {
-        let mut clock = Clock::default();
+        let mut clock = TickClock::default();
         let cuts = (0..10_000_u64).map(|i| i * 7919 % 16_000_003);
-        let (ticks, elapsed) = cuts.fold((0, 0), |(t, e), cut| (t + clock.ticks(cut, Speed::REAL), e + cut));
+        let (ticks, elapsed) = cuts.fold((0, 0), |(t, e), cut| (t + clock.ticks(cut, PlaybackSpeed::REAL), e + cut));
         assert_eq!(ticks, elapsed / TICK_NS);
     }
 
     #[test]
     fn an_eighth_of_real_time_is_exact_over_an_hour_of_single_milliseconds() {
-        let mut clock = Clock::default();
-        let slowest = Speed::REAL.slower().slower().slower().slower();
+        let mut clock = TickClock::default();
+        let slowest = PlaybackSpeed::REAL.slower().slower().slower().slower();
         let ticks: u64 = (0..3_600_000).map(|_| clock.ticks(1_000_001, slowest)).sum();
         assert_eq!(ticks, 3_600_000 * 1_000_001 / 8 / TICK_NS);
     }
 
     #[test]
     fn a_long_stop_is_not_caught_up() {
-        assert_eq!(Clock::default().ticks(60_000_000_000, Speed::REAL), 100);
+        assert_eq!(TickClock::default().ticks(60_000_000_000, PlaybackSpeed::REAL), 100);
     }
 
     #[test]
     fn speeds_double_and_halve_between_an_eighth_and_eight() {
-        let fastest = (0..9).fold(Speed::REAL, |speed, _| speed.faster());
-        let slowest = (0..9).fold(Speed::REAL, |speed, _| speed.slower());
+        let fastest = (0..9).fold(PlaybackSpeed::REAL, |speed, _| speed.faster());
+        let slowest = (0..9).fold(PlaybackSpeed::REAL, |speed, _| speed.slower());
         assert_eq!((fastest.label(), slowest.label()), ("\u{d7}8".to_string(), "\u{d7}1/8".to_string()));
-        assert_eq!(slowest.faster().faster().faster(), Speed::REAL);
+        assert_eq!(slowest.faster().faster().faster(), PlaybackSpeed::REAL);
     }
 }

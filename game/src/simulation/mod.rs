@@ -221,7 +221,7 @@ fn refused(table: &Table, error: &physics::Error) -> Failure {
     match error {
         physics::Error::Layout(part, what) => {
             let name = table.layout.parts.get(usize::from(part.0)).map_or("", |part| part.name.as_str());
-            Failure::new(format!("{}: the part \"{name}\" cannot be played: {what}", table.dir.display()))
+            Failure::new(format!("{}: the part \"{name}\" cannot be played: {what}", table.origin))
         }
         physics::Error::Save(what) => Failure::new(format!("the saved game cannot be read: {what}")),
     }

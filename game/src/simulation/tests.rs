@@ -117,8 +117,7 @@ fn another_table_is_refused() {
 }
 
 fn spectrum() -> Simulation {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/tables/spectrum");
-    let table = crate::Table::load_dir(&folder).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    let table = crate::table::tests::spectrum();
     Simulation::new(Arc::new(table), 1).unwrap_or_else(|mistake| panic!("{mistake}"))
 }
 

@@ -4,9 +4,8 @@ use super::class::Class;
 use super::drawing::Thing;
 use super::numbers::Numbers;
 use super::style::Paint;
-use super::{Lamp, LampKind};
+use super::{Emitter, Lamp, LampKind};
 use geometry::{Circle, DVec2};
-use tracer::Emitter;
 
 /// The largest radius of a lamp and the longest half of a tube, mm: what is larger is no part of a table.
 const MOST_MM: f64 = 1000.0;
@@ -40,7 +39,7 @@ fn form(thing: &Thing) -> Result<(DVec2, Emitter), String> {
     let line = thing.outline.line().ok_or("a lamp is drawn as a circle (a bulb) or as one straight line (a tube)")?;
     let half_mm = line.along() * 0.5;
     let half_length = half_mm.length();
-    if half_length < tracer::Lamp::LEAST_HALF_MM {
+    if half_length < Emitter::LEAST_HALF_MM {
         return Err(format!("its line is {} mm long; draw a lamp as small as that as a circle", 2.0 * half_length));
     }
     within("half its length", half_length).map(|_| ((line.a + line.b) * 0.5, Emitter::Segment { half_mm }))

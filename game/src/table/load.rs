@@ -4,36 +4,44 @@ use super::class::Class;
 use super::drawing::{self, Drawing, Thing};
 use super::numbers::{self, Numbers};
 use super::solids::{self, Groups};
-use super::source::{Mistake, Source};
+use super::source::{self, Mistake, Source};
 use super::{Lamp, Relief, Solid, Table, lamps, parts, split};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
-use std::path::Path;
 
 /// The files of a table.
-pub(super) const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
+pub const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
 /// The largest of each, bytes.
-const LIMITS: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
+pub const LIMITS_BYTES: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
 
 /// Mistakes that are worth reading at once.
 const MOST_TOLD: usize = 100;
 
-/// Reads the table in the folder `dir`.
-pub(super) fn load(dir: &Path) -> Result<Table, Vec<Failure>> {
-    let mut mistakes = Vec::new();
-    let sources = [0, 1, 2].map(|file| {
-        let source = Source::read(&dir.join(FILES[file]), LIMITS[file]);
-        source.map_err(|mistake| mistakes.push(mistake)).ok()
-    });
-    read(dir, sources, mistakes)
+/// What a table is read from.
+#[derive(Clone, Debug)]
+pub struct TableSources {
+    /// The table's name: `spectrum`.
+    pub name: String,
+    /// See [`Table::origin`].
+    pub origin: String,
+    /// See [`Table::folder`].
+    pub folder: String,
+    /// What each of [`FILES`] holds, or why it cannot be read. Of a file that is larger than [`LIMITS_BYTES`] the first
+    /// byte too many is enough.
+    pub files: [Result<Vec<u8>, String>; 3],
 }
 
-/// The table that these texts say, or `mistakes` and every further one. A missing file is already one of them.
-pub(super) fn read(
-    dir: &Path,
-    [svg, toml, rules]: [Option<Source>; 3],
-    mut mistakes: Vec<Mistake>,
-) -> Result<Table, Vec<Failure>> {
+/// The table that these files say, or every mistake in them.
+pub(super) fn load(sources: TableSources) -> Result<Table, Vec<Failure>> {
+    let TableSources { name, origin, folder, files } = sources;
+    let mut mistakes = Vec::new();
+    let mut file = 0;
+    let [svg, toml, rules] = files.map(|bytes| {
+        let path = source::path(&origin, FILES[file]);
+        let source = Source::read(path, bytes, LIMITS_BYTES[file]);
+        file += 1;
+        source.map_err(|mistake| mistakes.push(mistake)).ok()
+    });
     let document = svg.as_ref().and_then(|svg| drawing::parse(svg).map_err(|mistake| mistakes.push(mistake)).ok());
     let drawing =
         svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut mistakes));
@@ -48,9 +56,10 @@ pub(super) fn read(
     }
     let layers = split::split(&svg.text, document);
     let mut table = Table {
-        name: folder_name(dir),
-        title: numbers.title.clone().unwrap_or_else(|| folder_name(dir)),
-        dir: dir.to_path_buf(),
+        title: numbers.title.clone().unwrap_or_else(|| name.clone()),
+        name,
+        origin,
+        folder,
         layout: Layout {
             size_m: drawing.size_mm * 0.001,
             slope_rad: numbers.slope_deg.to_radians(),
@@ -87,11 +96,6 @@ fn told(mut mistakes: Vec<Mistake>) -> Vec<Failure> {
         told.push(Failure::new(format!("and {} more mistakes", mistakes.len() - MOST_TOLD)));
     }
     told
-}
-
-fn folder_name(dir: &Path) -> String {
-    let whole = dir.canonicalize().unwrap_or_else(|_| dir.to_path_buf());
-    whole.file_name().map_or_else(|| "table".to_string(), |name| name.to_string_lossy().into_owned())
 }
 
 fn ambient(numbers: &Numbers) -> [f32; 3] {

@@ -2,7 +2,6 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
-pub mod art;
 mod class;
 mod drawing;
 mod hash;
@@ -22,14 +21,13 @@ mod split;
 mod style;
 #[cfg(test)]
 pub(crate) mod tests;
-mod watch;
 
+pub use load::{FILES, LIMITS_BYTES, TableSources};
 pub use relief::Relief;
-pub use watch::Watch;
 
+use crate::Failure;
 use geometry::{DVec2, Shape};
 use physics::{Layout, Material, PartId};
-use std::path::PathBuf;
 
 /// A table as its folder says it.
 #[derive(Clone, Debug)]
@@ -38,8 +36,10 @@ pub struct Table {
     pub name: String,
     /// What it calls itself: `Spectrum`.
     pub title: String,
-    /// The folder.
-    pub dir: PathBuf,
+    /// Where its files came from, as mistakes name it: `assets/tables/spectrum`.
+    pub origin: String,
+    /// What its recordings say so that a reader finds its files; empty where the table's name finds them.
+    pub folder: String,
     /// What stands on the playfield, in SI units, for the physics.
     pub layout: Layout,
     /// What its things can be made of, by name.
@@ -65,23 +65,17 @@ pub struct Table {
 }
 
 impl Table {
-    /// Reads and checks the table called `name`, or the one in the folder `name`.
+    /// Reads and checks the table that these files say.
     ///
     /// # Errors
-    /// Every mistake in its files, one line each: file, line, what was expected.
-    pub fn load(name: &str) -> Result<Table, Vec<crate::Failure>> {
-        let dir = crate::assets::table_dir(name).map_err(|failure| vec![failure])?;
-        Table::load_dir(&dir)
+    /// Every mistake in them, one line each: file, line, what was expected.
+    pub fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
+        load::load(sources)
     }
 
-    /// Reads and checks the table in the folder `dir`.
-    ///
-    /// # Errors
-    /// As [`Table::load`].
-    pub fn load_dir(dir: &std::path::Path) -> Result<Table, Vec<crate::Failure>> {
-        let table = load::load(dir)?;
-        art::check(&table).map_err(|failure| vec![failure])?;
-        Ok(table)
+    /// What mistakes call a file of the table.
+    pub fn file(&self, name: &str) -> String {
+        source::path(&self.origin, name)
     }
 
     /// The part with this id in the drawing.
@@ -117,7 +111,7 @@ pub enum LampKind {
         /// The middle, mm.
         center_mm: DVec2,
         /// What of it shines.
-        emitter: tracer::Emitter,
+        emitter: Emitter,
         /// The height above the floor, mm.
         height_mm: f64,
         /// Where its light ends, mm.
@@ -146,5 +140,53 @@ pub struct Solid {
     /// Casts a shadow.
     pub shadow: bool,
     /// How its top looks.
-    pub finish: tracer::Finish,
+    pub finish: Finish,
+}
+
+/// What of a bulb shines, seen from above; it lies parallel to the floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Emitter {
+    /// A disc.
+    Disc {
+        /// Its radius, mm; 0 gives hard shadows.
+        radius_mm: f64,
+    },
+    /// A line, every millimetre of it as bright as any other: a neon tube.
+    Segment {
+        /// From the middle to one end, mm, no shorter than [`Emitter::LEAST_HALF_MM`].
+        half_mm: DVec2,
+    },
+}
+
+impl Emitter {
+    /// The shortest half of a line that gives other light than a point, mm.
+    pub const LEAST_HALF_MM: f64 = 0.01;
+}
+
+/// How a solid's top looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finish {
+    /// Reflectance, linear red, green, blue, 0 to 1. With `art` it multiplies the art.
+    pub albedo: [f32; 3],
+    /// Its form.
+    pub profile: Profile,
+    /// Strength of its highlights: 0 is matt, 1 is polished metal.
+    pub gloss: f32,
+    /// Takes its colour from the plastics' art where that is opaque.
+    pub art: bool,
+    /// Light of its own, linear.
+    pub emission: [f32; 3],
+    /// How much of it there is: 1 is solid, 0 is not there.
+    pub opacity: f32,
+    /// How much of the light below it comes through, in the colour of its albedo.
+    pub translucency: f32,
+}
+
+/// A top's form in cross section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Profile {
+    /// Flat, with an edge rounded over this width, mm.
+    Bevel(f32),
+    /// Round all over: a rubber ring, a wire, a dome.
+    Dome,
 }

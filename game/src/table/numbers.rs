@@ -4,11 +4,11 @@ mod read;
 
 pub(super) use read::read;
 
+use super::Profile;
 use super::class::Class;
 use super::relief::Relief;
 use physics::Material;
 use std::collections::BTreeMap;
-use tracer::Profile;
 
 /// All that the file says.
 #[derive(Debug)]

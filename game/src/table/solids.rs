@@ -9,11 +9,10 @@ use super::drawing::Thing;
 use super::numbers::{FinishWords, Numbers};
 use super::outline::Outline;
 use super::pen::Run;
-use super::{Solid, parts, rim};
+use super::{Finish, Profile, Solid, parts, rim};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Part, PartId};
 use std::collections::BTreeMap;
-use tracer::{Finish, Profile};
 
 /// Gives each name a number, and each thing without one a number of its own.
 #[derive(Debug, Default)]

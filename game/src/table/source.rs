@@ -2,10 +2,12 @@
 //!
 //! Refuses to know what the text means.
 
-use crate::failure::because;
 use std::fmt;
-use std::io::Read;
-use std::path::Path;
+
+/// What people should see as the path of the file `name` of a table from `origin`.
+pub(super) fn path(origin: &str, name: &str) -> String {
+    if origin.is_empty() || origin.ends_with('/') { format!("{origin}{name}") } else { format!("{origin}/{name}") }
+}
 
 /// What is wrong, and where. They sort by file and line.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,21 +46,14 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// Reads the file if it is UTF-8 text of at most `limit` bytes.
-    pub fn read(path: &Path, limit: u64) -> Result<Source, Mistake> {
-        let fail = |why: String| Mistake::of_file(path.display(), why);
-        let file = std::fs::File::open(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::NotFound => fail("there is no such file, and a table needs it".to_string()),
-            _ => fail(format!("it cannot be opened: {}", because(&error))),
-        })?;
-        let mut bytes = Vec::new();
-        file.take(limit + 1)
-            .read_to_end(&mut bytes)
-            .map_err(|error| fail(format!("it cannot be read: {}", because(&error))))?;
+    /// The text of the file called `path`, which holds `bytes`, if that is UTF-8 text of at most `limit` bytes.
+    pub fn read(path: String, bytes: Result<Vec<u8>, String>, limit: u64) -> Result<Source, Mistake> {
+        let bytes = bytes.map_err(|why| Mistake::of_file(&path, why))?;
         if bytes.len() as u64 > limit {
-            return Err(fail(format!("it is larger than {} kB, the most that a table may have", limit / 1024)));
+            let why = format!("it is larger than {} kB, the most that a table may have", limit / 1024);
+            return Err(Mistake::of_file(path, why));
         }
-        Source::from_bytes(path.display().to_string(), bytes)
+        Source::from_bytes(path, bytes)
     }
 
     fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Mistake> {

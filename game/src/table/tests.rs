@@ -2,13 +2,10 @@
 
 mod errors;
 mod fuzz;
-mod picture;
-mod relief;
+mod hash;
 mod things;
 
-use super::source::Source;
-use super::{Table, load};
-use std::path::Path;
+use super::{Table, TableSources};
 
 /// A table with one of everything that a table must have. `{}` is where a test draws.
 const SVG: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 1000">
@@ -24,10 +21,13 @@ fn read(drawn: &str, numbers: &str) -> Result<Table, Vec<String>> {
 }
 
 fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> {
-    let source = |name: &str, text: &str| Some(Source::new(name.to_string(), text.to_string()));
-    let sources = [source("table.svg", svg), source("table.toml", toml), source("rules.rhai", rules)];
-    let table = load::read(Path::new("small"), sources, Vec::new());
-    table.map_err(|failures| failures.iter().map(ToString::to_string).collect())
+    let sources = TableSources {
+        name: "small".to_string(),
+        origin: String::new(),
+        folder: String::new(),
+        files: [svg, toml, rules].map(|text| Ok(text.as_bytes().to_vec())),
+    };
+    Table::parse(sources).map_err(|failures| failures.iter().map(ToString::to_string).collect())
 }
 
 /// The small table with `drawn` on it; its mistakes fail the test.
@@ -39,4 +39,14 @@ fn table(drawn: &str) -> Table {
 pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
     let table = read_files(&SVG.replace("{}", drawn), "", rules);
     table.unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+}
+
+/// Spectrum, the project's own table.
+pub(crate) fn spectrum() -> Table {
+    let [svg, toml, rules] = [
+        include_str!("../../../assets/tables/spectrum/table.svg"),
+        include_str!("../../../assets/tables/spectrum/table.toml"),
+        include_str!("../../../assets/tables/spectrum/rules.rhai"),
+    ];
+    read_files(svg, toml, rules).unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
 }

@@ -5,10 +5,8 @@
 
 use crate::cache::packed_planes::{Half, PLANE_MAX, Pair};
 use crate::cache::weighted_sum::MIN_LIGHT;
-use crate::shading::surface::RgbTile;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
-use crate::tile::packed_samples::TILE;
-use crate::visibility::shadow_bounds::RowMask;
+use crate::tile::planes::{RgbTile, RowMask, TILE};
 
 /// Cells of [`CELL`] x [`CELL`] pixels in a tile.
 pub(crate) const CELLS_PER_TILE: usize = (TILE / CELL) * (TILE / CELL);

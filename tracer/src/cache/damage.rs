@@ -5,7 +5,7 @@
 //! between a lamp and a tile is not known here but to [`crate::past`].
 
 use crate::cache::tile_cache::TileMemory;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
 use crate::{Ball, Filter, Glow, Lamp, Mask, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};

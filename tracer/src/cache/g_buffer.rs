@@ -4,7 +4,8 @@
 use crate::shading::surface::{Normals, Surface};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, Lanes};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 
 /// The surfaces of one tile.
 #[derive(Clone, Debug, Default)]

@@ -3,11 +3,8 @@
 use crate::cache::cell_means::Gist;
 use crate::cache::packed_planes::{Half, Pair, encode_rows};
 use crate::cache::weighted_sum::scale_of;
-use crate::realtime::direct_light::FULLY_VISIBLE;
-use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::SimdLevel;
-use crate::tile::packed_samples::Plane;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, RowMask};
 use crate::{Group, Rgb};
 
 /// What is known of a tile in the light of one lamp.

@@ -4,8 +4,7 @@
 //! add up to the same in any order: what was kept first does not show. This module refuses to know what the numbers are.
 
 use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion, round_to_u16, set_bits};
-use crate::tile::packed_samples::{AREA, Plane};
-use crate::visibility::shadow_bounds::RowMask;
+use crate::tile::planes::{AREA, Plane, RowMask};
 use std::num::NonZeroU16;
 
 /// The largest number of a plane.

@@ -10,10 +10,9 @@ use crate::cache::g_buffer::Surfaces;
 use crate::cache::lamp_layer::{Bare, Kept, LayerFormat, Part, Planes, Sight};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::packed_planes::{Gains, Terms};
-use crate::cache::weighted_sum::{AlbedoTile, Steps, Sum, put_together, scale_of};
-use crate::shading::surface::RgbTile;
+use crate::cache::weighted_sum::{Steps, Sum, put_together, scale_of};
 use crate::simd::dispatch::prefetch;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
+use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
 use crate::{Group, Rgb, SimdLevel};
 
 /// The light that a tile is put in.

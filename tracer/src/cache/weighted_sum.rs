@@ -11,12 +11,8 @@ use crate::Rgb;
 use crate::cache::packed_planes::{Baseline, MAX_TOTAL_WEIGHT, Madd, PLANE_MAX, ROWS_AT_ONCE, Sums, Terms};
 #[cfg(target_arch = "x86_64")]
 use crate::cache::packed_planes::{Middle, Wide};
-use crate::shading::surface::RgbTile;
 use crate::simd::dispatch::{InstructionSet, LANES, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
-
-/// What a tile's floor reflects: red, green, blue, in 65,535ths.
-pub(crate) type AlbedoTile = [[u16; AREA]; 3];
+use crate::tile::planes::{AlbedoTile, Plane, RgbTile, TILE};
 
 /// Less light than this is none.
 pub(crate) const MIN_LIGHT: f32 = 1e-20;

@@ -4,7 +4,7 @@
 //! above on the way back. Wide, soft and cheap: the levels together are a twelfth of the picture.
 
 use crate::simd::dispatch::{LANES, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use rayon::prelude::*;
 
 /// How many pixels of the picture, across and down, make one of the finest level.

@@ -2,7 +2,7 @@
 
 use crate::Frame;
 use crate::film::bloom::BloomPyramid;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 
 /// Pixels, and what they were made of.
 ///

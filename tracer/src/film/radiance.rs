@@ -1,6 +1,7 @@
 //! The light that leaves the table towards the eye, before any film has seen it.
 
 use crate::simd::dispatch::LANES;
+use crate::tile::planes::{Plane, RgbTile};
 
 /// A picture in linear light, unbounded above: three planes of `f32`, and its bloom.
 ///
@@ -64,14 +65,14 @@ impl Radiance {
     }
 
     /// The tile whose upper left pixel is (`x`, `y`); what is below the picture is left as it is.
-    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut crate::shading::surface::RgbTile) {
+    pub(crate) fn read_tile(&self, x: usize, y: usize, light: &mut RgbTile) {
         for (channel, tile) in light.iter_mut().enumerate() {
             self.read_plane(channel, x, y, tile);
         }
     }
 
     /// One channel of [`Radiance::read_tile`].
-    pub(crate) fn read_plane(&self, channel: usize, x: usize, y: usize, tile: &mut crate::tile::packed_samples::Plane) {
+    pub(crate) fn read_plane(&self, channel: usize, x: usize, y: usize, tile: &mut Plane) {
         for (row, line) in tile.iter_mut().enumerate().take(self.height - y) {
             line.copy_from_slice(&self.planes[channel][(y + row) * self.stride + x..][..LANES]);
         }

@@ -6,9 +6,8 @@
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel, READ_AHEAD_CELLS};
 use crate::film::blue_noise;
-use crate::shading::surface::{BLACK, RgbTile};
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, clamp, max, multiversion};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{BLACK, RgbTile, TILE};
 use crate::{Frame, Radiance};
 use rayon::prelude::*;
 

@@ -4,12 +4,12 @@ use crate::cache::damage::contact_mm;
 use crate::realtime::direct_light::scatter;
 use crate::realtime::tile_renderer::{Stage, Workspace};
 use crate::shading::albedo_map;
-use crate::shading::surface::{BLACK, RgbTile, shade_floor_ambient, shade_top_ambient};
+use crate::shading::surface::{shade_floor_ambient, shade_top_ambient};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, max, multiversion};
-use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, RgbTile, TILE};
 use crate::tile::rect::TileRect;
-use crate::visibility::shadow_bounds::ALL_ROWS;
 use crate::{Ball, Mask};
 
 impl Workspace {

@@ -4,14 +4,14 @@
 use crate::cache::weighted_sum::scale_of;
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::{BLACK, RgbTile, apply_visibility, floor_irradiance, shade_floor, shade_top};
+use crate::shading::surface::{apply_visibility, floor_irradiance, shade_floor, shade_top};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, Lanes, SimdLevel, set_bits};
-use crate::tile::packed_samples::{PackedSamples, TILE};
+use crate::simd::dispatch::{LANES, SimdLevel, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, RgbTile, RowMask};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
 use crate::visibility::query::VisibilityQuery;
-use crate::visibility::shadow_bounds::{ALL_ROWS, RowMask};
 use crate::visibility::shaft::Shaft;
 use crate::visibility::transmission;
 use crate::{Group, Rgb};
@@ -214,9 +214,11 @@ impl Workspace {
         let count = away.len() + own.iter().len();
         without[away.len()..count].copy_from_slice(own.as_slice());
         let mut query = VisibilityQuery {
-            stage,
+            simd: stage.simd,
+            disc_chains: stage.disc_chains,
+            lamp: &stage.lamps[at].lamp,
+            airborne: &stage.lamps[at].airborne,
             occluders: &self.near[at],
-            lit: &stage.lamps[at],
             rect,
             blockers: &mut self.blockers,
             scratch: &mut self.intervals,
@@ -249,6 +251,3 @@ pub(crate) fn scatter(points: &PackedSamples, blocks: u16, packed: &RgbTile, pic
         }
     }
 }
-
-/// All of a lamp, for every point.
-pub(crate) static FULLY_VISIBLE: [Lanes; TILE] = [[1.0; LANES]; TILE];

@@ -5,7 +5,7 @@ use crate::cache::g_buffer::Surfaces;
 use crate::realtime::tile_renderer::{Stage, Workspace};
 use crate::shading::top_layer::{MIN_COVERAGE, TopLayer};
 use crate::simd::dispatch::{LANES, clamp};
-use crate::tile::packed_samples::{AREA, TILE};
+use crate::tile::planes::{AREA, TILE};
 use crate::tile::rect::TileRect;
 
 impl Workspace {

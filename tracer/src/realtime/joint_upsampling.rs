@@ -9,9 +9,8 @@
 //! the guides' quotient ([`Print`]). This module refuses to know where light, guide and mark come from.
 
 use crate::Radiance;
-use crate::shading::surface::RgbTile;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
+use crate::tile::planes::{AREA, Plane, RgbTile, TILE};
 
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
 const HALF_TILE_SIDE: usize = TILE / 2 + 2;

@@ -3,8 +3,7 @@
 use crate::Scene;
 use crate::cache::cell_means::Means;
 use crate::film::bloom::{CELL_PX, MipLevel};
-use crate::shading::surface::RgbTile;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RgbTile, TILE};
 use crate::tile::rect::TileRect;
 use rayon::prelude::*;
 

@@ -1,9 +1,8 @@
 //! Art in sRGB bytes as the reflectance that light works with.
 
-use crate::cache::weighted_sum::AlbedoTile;
-use crate::shading::surface::{BLACK, Normals, RgbTile};
+use crate::shading::surface::Normals;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, multiversion};
-use crate::tile::packed_samples::{AREA, Plane, TILE};
+use crate::tile::planes::{AREA, AlbedoTile, BLACK, Plane, RgbTile, TILE};
 use crate::{Floor, Scene};
 use rayon::prelude::*;
 

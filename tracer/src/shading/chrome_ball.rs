@@ -6,9 +6,8 @@
 
 use crate::film::bloom::{CELL_PX, MipLevel};
 use crate::shading::environment;
-use crate::shading::surface::RgbTile;
 use crate::simd::dispatch::{SimdLevel, clamp, max};
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RgbTile, TILE};
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
 use crate::visibility::scalar;

@@ -1,7 +1,8 @@
 //! How much of each pixel of a tile the outline of a top covers, and which way its edge looks.
 
 use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 use crate::{Outline, Profile, Top};
 use geometry::{Bounds, Circle, Core, DVec2, Shape, Taper};
 

@@ -3,14 +3,9 @@
 use crate::shading::environment;
 use crate::shading::falloff::{Falloff, IncidentLight};
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, multiversion, set_bits};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{BLACK, Plane, RgbTile, TILE};
 use crate::{Finish, Lamp};
-
-/// Three planes of light: red, green, blue.
-pub(crate) type RgbTile = [Plane; 3];
-
-/// No light.
-pub(crate) const BLACK: RgbTile = [[[0.0; LANES]; TILE]; 3];
 
 /// How the surface at each point of a layer leans.
 #[derive(Clone, Debug)]

@@ -4,7 +4,8 @@ use crate::shading::albedo_map::Albedo;
 use crate::shading::coverage::SignedDistance;
 use crate::shading::surface::Surface;
 use crate::simd::dispatch::{LANES, clamp, max};
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{Plane, TILE};
 
 /// Below this much of a pixel, nobody sees it.
 pub(crate) const MIN_COVERAGE: f32 = 1.0 / 1024.0;

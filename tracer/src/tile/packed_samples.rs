@@ -1,15 +1,7 @@
 //! A tile of the screen and the points of it that some surface needs light at.
 
-use crate::simd::dispatch::{LANES, Lanes};
-
-/// Pixels along a tile's side. A row of a tile is one block of [`LANES`].
-pub(crate) const TILE: usize = LANES;
-
-/// Pixels of a tile.
-pub(crate) const AREA: usize = TILE * TILE;
-
-/// One number a pixel of a tile, or a point of a layer.
-pub(crate) type Plane = [Lanes; TILE];
+use crate::simd::dispatch::LANES;
+use crate::tile::planes::{AREA, Plane, TILE};
 
 /// Some pixels of a tile, packed, as points in mm from the tile's middle.
 #[derive(Clone, Debug)]

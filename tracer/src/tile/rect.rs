@@ -1,6 +1,6 @@
 //! Where a tile is: on the screen, and on the table.
 
-use crate::tile::packed_samples::{Plane, TILE};
+use crate::tile::planes::{Plane, TILE};
 use crate::{Lamp, Mask, View};
 use geometry::{Bounds, DVec2};
 

@@ -12,7 +12,8 @@
 //! larger ones by up to a sixtieth.
 
 use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
-use crate::tile::packed_samples::{PackedSamples, Plane};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
 use crate::tile::rect::TileRect;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::{Ball, Group, Lamp};

@@ -7,7 +7,7 @@
 //! ends of the intervals are weighed by what arrives at P before their union is measured.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
-use crate::tile::packed_samples::Plane;
+use crate::tile::planes::Plane;
 use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::interval_union::{uncovered, uncovered_many};
 use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};

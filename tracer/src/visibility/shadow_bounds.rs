@@ -5,18 +5,12 @@
 //! side.
 
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::{RowMask, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::{Disc, DiscChains, Link};
 use crate::visibility::shaft::SHAFT_MARGIN_MM;
 use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
-
-/// Rows of a tile, one bit each, the topmost in the lowest.
-pub(crate) type RowMask = u16;
-
-/// Every row.
-pub(crate) const ALL_ROWS: RowMask = !0;
 
 /// Lines that are kept of one thing.
 const MAX_LINES: usize = 4;
@@ -146,6 +140,7 @@ mod tests {
     use super::*;
     use crate::scenes::{Random, any_shape};
     use crate::tile::packed_samples::PackedSamples;
+    use crate::tile::planes::ALL_ROWS;
     use crate::visibility::airborne_shadow::AirborneShadow;
     use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;

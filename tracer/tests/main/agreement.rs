@@ -2,14 +2,14 @@
 
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing;
-use tracer::{Floor, Radiance, Renderer, View, exact};
+use tracer::scenes;
+use tracer::{Floor, Radiance, Renderer, View, scalar};
 
 /// 160 x 160 pixels, 1 mm each, all white.
 const SIDE: usize = 160;
 
 fn white() -> Floor {
-    testing::white(SIDE, SIDE)
+    scenes::white(SIDE, SIDE)
 }
 
 #[derive(Default)]
@@ -46,7 +46,7 @@ fn the_lanes_agree_with_monte_carlo() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 0..10 {
-        let scene = testing::jumble(seed, &floor);
+        let scene = scenes::jumble(seed, &floor);
         renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
         for at in (seed as usize..SIDE * SIDE).step_by(211) {
@@ -65,13 +65,13 @@ fn the_lanes_agree_with_double_precision() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 10..20 {
-        let scene = testing::jumble(seed, &floor);
+        let scene = scenes::jumble(seed, &floor);
         renderer.render(&scene, &mut radiance);
         let mut difference = Difference::default();
         for at in (0..SIDE * SIDE).step_by(13) {
             let (x, y) = (at % SIDE, at / SIDE);
             let point = scene.view.table_from_pixel(x, y);
-            let expected = exact::irradiance(&scene, point, None)[0];
+            let expected = scalar::irradiance(&scene, point, None)[0];
             difference.add(f64::from(radiance.pixel(x, y)[0] - expected), point);
         }
         assert_small(&difference, &format!("scene {seed}"));
@@ -85,7 +85,7 @@ fn points_that_touch_an_occluder_are_right_too() {
     let floor = white();
     let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
     for seed in 0..8 {
-        let mut scene = testing::jumble(seed, &floor);
+        let mut scene = scenes::jumble(seed, &floor);
         let shape = scene.occluders[seed as usize].shape;
         let (_, away) = shape.distance(DVec2::splat(80.0));
         let inside = DVec2::splat(80.0) - away * shape.distance(DVec2::splat(80.0)).0;
@@ -108,7 +108,7 @@ fn points_that_touch_an_occluder_are_right_too() {
 #[test]
 fn memory_changes_no_bit() {
     let floor = white();
-    let mut scene = testing::jumble(3, &floor);
+    let mut scene = scenes::jumble(3, &floor);
     let (mut renderer, mut remembered, mut fresh) = (Renderer::new(), Radiance::default(), Radiance::default());
     for frame in 0..12 {
         let moving = &mut scene.occluders[4].shape;
@@ -130,13 +130,13 @@ fn memory_changes_no_bit() {
 /// everywhere, lamps that come, go and change places; and for a picture that another renderer has drawn over.
 #[test]
 fn what_did_not_change_is_left_as_it_was() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let (props, others) = (testing::props(&view), testing::props(&view));
-    let mut scene = testing::table(view, &props);
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let (props, others) = (scenes::props(&view), scenes::props(&view));
+    let mut scene = scenes::table(view, &props);
     let (mut renderer, mut remembered, mut fresh) = (Renderer::new(), Radiance::default(), Radiance::default());
     for frame in 0..24 {
         match frame {
-            2..6 => testing::roll(&mut scene, DVec2::new(9.0, -14.0)),
+            2..6 => scenes::roll(&mut scene, DVec2::new(9.0, -14.0)),
             6 => scene.lamps[3].color = [0.3, 0.0, 0.1],
             7 => scene.lamps.swap(1, 9),
             8 => drop(scene.lamps.remove(2)),
@@ -149,7 +149,7 @@ fn what_did_not_change_is_left_as_it_was() {
             15 => scene.ambient = [0.1; 3],
             16 => scene.floor = &others.floor,
             17 => scene.view.origin_mm.x += 3.0,
-            18 => Renderer::new().render(&testing::table(view, &props), &mut remembered),
+            18 => Renderer::new().render(&scenes::table(view, &props), &mut remembered),
             19 => renderer.forget(),
             20 => scene.balls[0].rotation = [1.0, 0.0, 0.0, 0.0],
             21 => {

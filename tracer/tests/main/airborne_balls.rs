@@ -2,10 +2,10 @@
 
 use geometry::{DVec2, Shape};
 use std::f64::consts::PI;
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{
     Ball, DisplayBuffer, Emitter, Floor, Group, HalfRenderer, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel,
-    View, exact,
+    View, scalar,
 };
 
 /// 160 x 160 pixels, 1 mm each, all white.
@@ -25,7 +25,7 @@ fn ball(x: f64, y: f64, height_mm: f64) -> Ball {
 }
 
 fn scene(floor: &Floor, lamp: Lamp, ball: Ball) -> Scene<'_> {
-    Scene { lamps: vec![lamp], balls: vec![ball], ambient: [0.0; 3], ..testing::white_view(floor, 1.0) }
+    Scene { lamps: vec![lamp], balls: vec![ball], ambient: [0.0; 3], ..scenes::white_view(floor, 1.0) }
 }
 
 fn rendered(scene: &Scene) -> Radiance {
@@ -38,7 +38,7 @@ fn rendered(scene: &Scene) -> Radiance {
 fn seen(scene: &Scene, radiance: &Radiance, x: usize, y: usize) -> (f64, f64) {
     let point = scene.view.table_from_pixel(x, y);
     let whole = scene.lamps[0].falloff(point);
-    let twin = f64::from(exact::irradiance(scene, point, None)[0]) / whole;
+    let twin = f64::from(scalar::irradiance(scene, point, None)[0]) / whole;
     (f64::from(radiance.pixel(x, y)[0]) / whole, twin)
 }
 
@@ -54,7 +54,7 @@ fn pixels() -> impl Iterator<Item = (usize, usize)> {
 /// Straight below a point lamp a ball has a round shadow, which ends where a tangent from the lamp meets the floor.
 #[test]
 fn a_point_lamp_right_above_casts_a_disc() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let scene = scene(&floor, lamp(80.0, 80.0, 150.0, 0.0), ball(80.0, 80.0, 56.5));
     let radiance = rendered(&scene);
     let below = 150.0f64 - (56.5 + BALL_MM);
@@ -89,7 +89,7 @@ fn lens(r: f64, s: f64, d: f64) -> f64 {
 #[test]
 fn from_right_below_a_ball_hides_a_lens() {
     let point = DVec2::splat(80.5);
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for (height, lift, radius) in [(120.0, 40.0, 30.0), (120.0, 40.0, 9.0), (90.0, 20.0, 60.0), (150.0, 3.0, 25.0)] {
         let middle: f64 = lift + BALL_MM;
         let hides = height * BALL_MM / (middle * middle - BALL_MM * BALL_MM).sqrt();
@@ -98,7 +98,7 @@ fn from_right_below_a_ball_hides_a_lens() {
             let lamp = lamp(80.5 + off * 0.6, 80.5 + off * 0.8, height, radius);
             let expected = 1.0 - lens(radius, hides, off) / (PI * radius * radius);
             let small = scene(&floor, lamp, ball(80.5, 80.5, lift));
-            let twin = f64::from(exact::irradiance(&small, point, None)[0]) / lamp.falloff(point);
+            let twin = f64::from(scalar::irradiance(&small, point, None)[0]) / lamp.falloff(point);
             assert!((twin - expected).abs() < 2e-3, "{twin}, not {expected}: {off} off, {lift} high");
         }
     }
@@ -108,7 +108,7 @@ fn from_right_below_a_ball_hides_a_lens() {
 /// above.
 #[test]
 fn the_lanes_agree_with_the_sphere() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let discs = [(0.0, 1e-3), (2.0, 2e-3), (6.0, 2e-3), (13.0, 5e-3), (25.0, 0.02)];
     let discs = discs.map(|(radius_mm, most)| (Emitter::Disc { radius_mm }, most));
     let tubes = [DVec2::new(20.0, 0.0), DVec2::new(-7.0, 15.0)].map(|half_mm| (Emitter::Segment { half_mm }, 1e-4));
@@ -132,10 +132,10 @@ fn the_lanes_agree_with_the_sphere() {
 #[test]
 fn a_shadow_fades_as_the_ball_rises_past_the_lamp() {
     let point = DVec2::new(110.5, 80.5);
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let share = |lift: f64| {
         let scene = scene(&floor, lamp(60.0, 80.0, 40.0, 6.0), ball(69.0, 80.0, lift));
-        f64::from(exact::irradiance(&scene, point, None)[0]) / scene.lamps[0].falloff(point)
+        f64::from(scalar::irradiance(&scene, point, None)[0]) / scene.lamps[0].falloff(point)
     };
     let shares: Vec<f64> = (10..=420).map(|tenth| share(f64::from(tenth) * 0.1)).collect();
     assert!(shares.windows(2).all(|two| (two[1] - two[0]).abs() < 0.025), "{shares:?}");
@@ -148,7 +148,7 @@ fn a_shadow_fades_as_the_ball_rises_past_the_lamp() {
 /// What is above all lamps is in the way of nothing, and what is no number is not there.
 #[test]
 fn heights_that_hide_nothing() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let lying = |height_mm: f64| {
         let lit = lamp(40.0, 60.0, 28.0, 6.0);
         let radiance = rendered(&scene(&floor, lit, ball(80.0, 80.0, height_mm)));
@@ -171,12 +171,12 @@ fn heights_that_hide_nothing() {
 /// sees past it.
 #[test]
 fn a_ball_and_a_wall_are_multiplied() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut both = scene(&floor, lamp(40.0, 80.0, 60.0, 8.0), ball(60.0, 84.0, 15.0));
     let wall = Occluder { shape: Shape::capsule(DVec2::new(90.0, 20.0), DVec2::new(90.0, 80.0), 1.0), group: Group(1) };
     both.occluders.push(wall);
     let point = DVec2::new(120.5, 79.5);
-    let light = |scene: &Scene| f64::from(exact::irradiance(scene, point, None)[0]) / scene.lamps[0].falloff(point);
+    let light = |scene: &Scene| f64::from(scalar::irradiance(scene, point, None)[0]) / scene.lamps[0].falloff(point);
     let by_wall = light(&Scene { balls: Vec::new(), ..both.clone() });
     let by_ball = light(&Scene { occluders: Vec::new(), ..both.clone() });
     assert!((0.1..0.9).contains(&by_wall) && (0.1..0.9).contains(&by_ball), "{by_wall} {by_ball}");
@@ -188,7 +188,7 @@ fn a_ball_and_a_wall_are_multiplied() {
 }
 
 fn table(view: View, props: &Props) -> Scene<'_> {
-    let mut scene = testing::table(view, props);
+    let mut scene = scenes::table(view, props);
     scene.lamps.iter_mut().step_by(2).for_each(|lamp| lamp.height_mm = 90.0);
     scene
 }
@@ -197,18 +197,18 @@ fn table(view: View, props: &Props) -> Scene<'_> {
 /// instruction set and any number of threads.
 #[test]
 fn memory_changes_no_bit() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let props = testing::props(&view);
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let props = scenes::props(&view);
     for (path, threads) in SimdLevel::available().into_iter().zip([1, 3].into_iter().cycle()) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let (mut renderer, mut remembered, mut fresh) = (Renderer::on(path), Radiance::default(), Radiance::default());
         let (mut scene, grounded) = (table(view, &props), table(view, &props));
         for frame in 0..26 {
             match frame {
-                1..9 => testing::lift(&mut scene, &[4.0 * f64::from(frame), 70.0, 1.0]),
+                1..9 => scenes::lift(&mut scene, &[4.0 * f64::from(frame), 70.0, 1.0]),
                 9 => scene.balls.swap(0, 1),
                 10 => scene.lamps[3].color = [0.0; 3],
-                11..16 => testing::roll(&mut scene, DVec2::new(9.0, -14.0)),
+                11..16 => scenes::roll(&mut scene, DVec2::new(9.0, -14.0)),
                 16 => scene.lamps[3].color = [0.4, 0.2, 0.7],
                 17 => scene.balls[2].rotation = [1.0, 0.0, 0.0, 0.0],
                 18 => scene.balls.push(scene.balls[0]),
@@ -217,7 +217,7 @@ fn memory_changes_no_bit() {
                 21 => scene.lamps[0].height_mm = 60.0,
                 22 => scene.tops[31].finish.opacity = 0.4,
                 23 => (scene.balls, scene.occluders) = (grounded.balls.clone(), grounded.occluders.clone()),
-                24 => testing::lift(&mut scene, &[30.0]),
+                24 => scenes::lift(&mut scene, &[30.0]),
                 _ => {}
             }
             pool.install(|| renderer.render(&scene, &mut remembered));
@@ -230,10 +230,10 @@ fn memory_changes_no_bit() {
 /// What is kept in steps is what is made from nothing.
 #[test]
 fn kept_and_made_anew_are_the_same_picture() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let props = testing::props(&view);
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let props = scenes::props(&view);
     let mut scene = table(view, &props);
-    testing::lift(&mut scene, &[40.0, 3.0]);
+    scenes::lift(&mut scene, &[40.0, 3.0]);
     let (kept, mut anew) = (rendered(&scene), Radiance::default());
     Renderer::new().render_anew(&scene, &mut anew);
     for at in 0..150 * 300 {
@@ -246,8 +246,8 @@ fn kept_and_made_anew_are_the_same_picture() {
 /// At half the resolution a floating ball has its shadow too, and what was drawn before leaves no trace.
 #[test]
 fn light_of_half_the_resolution_has_floating_balls() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let (props, Props { floor: half, .. }) = (testing::props(&view), testing::props(&view.halved()));
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let (props, Props { floor: half, .. }) = (scenes::props(&view), scenes::props(&view.halved()));
     let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
         let mut film = DisplayBuffer::default();
         let mut scene = scene.clone();
@@ -256,13 +256,13 @@ fn light_of_half_the_resolution_has_floating_balls() {
     };
     let mut renderer = HalfRenderer::new();
     let mut scene = table(view, &props);
-    testing::lift(&mut scene, &[20.0, 20.0, 20.0]);
+    scenes::lift(&mut scene, &[20.0, 20.0, 20.0]);
     for step in 0..4 {
-        testing::roll(&mut scene, DVec2::new(5.0, -8.0));
+        scenes::roll(&mut scene, DVec2::new(5.0, -8.0));
         let expected = drawn(&mut HalfRenderer::new(), &mut scene);
         assert!(drawn(&mut renderer, &mut scene) == expected, "step {step}");
         let mut high = scene.clone();
-        testing::lift(&mut high, &[1e4, 1e4, 1e4]);
+        scenes::lift(&mut high, &[1e4, 1e4, 1e4]);
         let without = drawn(&mut HalfRenderer::new(), &mut high);
         let darker = expected.to_rgb8().iter().zip(without.to_rgb8()).filter(|(a, b)| a.saturating_add(8) < *b).count();
         assert!(darker > 100, "{darker} channels are darker");

@@ -3,13 +3,13 @@
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper};
 use tracer::{
     Ball, Emitter, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Profile, Radiance, Renderer, Scene, SimdLevel,
-    Top, View, exact, testing, tone,
+    Top, View, scalar, scenes, tone_map,
 };
 
 const SIDE: usize = 96;
 
 fn white() -> Floor {
-    testing::white(SIDE, SIDE)
+    scenes::white(SIDE, SIDE)
 }
 
 /// 96 x 96 mm around the origin, one lamp 60 mm above the middle of the view.
@@ -26,7 +26,7 @@ fn lone_lamp(floor: &Floor) -> Scene<'_> {
     Scene {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::splat(-half), mm_per_px: 1.0 },
         lamps: vec![lamp],
-        ..testing::white_view(floor, 1.0)
+        ..scenes::white_view(floor, 1.0)
     }
 }
 
@@ -237,16 +237,16 @@ fn degenerate_scenes_give_numbers() {
         let light = radiance.pixel(pixel % SIDE, pixel / SIDE);
         assert!(light.iter().all(|c| c.is_finite() && *c >= 0.0), "{light:?} at {pixel}");
     }
-    let direct = exact::irradiance(&scene, at, None);
+    let direct = scalar::irradiance(&scene, at, None);
     assert!(direct.iter().all(|c| c.is_finite()), "{direct:?}");
 }
 
 /// One picture of everything: the same on every instruction set, on any number of threads, and the second time.
 #[test]
 fn a_picture_has_the_same_bytes_everywhere() {
-    let view = View::fit(250, 500, testing::SIZE_MM);
-    let props = testing::props(&view);
-    let scene = testing::table(view, &props);
+    let view = View::fit(250, 500, scenes::SIZE_MM);
+    let props = scenes::props(&view);
+    let scene = scenes::table(view, &props);
     let picture = |path: SimdLevel, threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
@@ -254,7 +254,7 @@ fn a_picture_has_the_same_bytes_everywhere() {
             let mut frames = [Frame::default(), Frame::default()];
             for frame in &mut frames {
                 renderer.render(&scene, &mut radiance);
-                tone::map_on(path, &radiance, 1.0, frame);
+                tone_map::map_on(path, &radiance, 1.0, frame);
             }
             assert!(frames[0] == frames[1], "a still scene changed");
             (radiance, frames)

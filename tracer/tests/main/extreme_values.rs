@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use tracer::monte_carlo::{self, Sampling};
 use tracer::{
     Ball, Emitter, Finish, Floor, Frame, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Radiance, Renderer,
-    Scene, Top, View, exact, testing, tone,
+    Scene, Top, View, scalar, scenes, tone_map,
 };
 
 const SIDE: usize = 40;
@@ -89,7 +89,7 @@ fn ball() -> impl Strategy<Value = Ball> {
 }
 
 fn scene(floor: &Floor) -> Scene<'_> {
-    Scene { ambient: [0.02; 3], ..testing::white_view(floor, 1.0) }
+    Scene { ambient: [0.02; 3], ..scenes::white_view(floor, 1.0) }
 }
 
 /// Renders, and finds no pixel that is no light.
@@ -101,7 +101,7 @@ fn render(scene: &Scene) -> Radiance {
         assert!(light.iter().all(|channel| !channel.is_nan() && *channel >= 0.0), "{light:?} at {at}");
     }
     let mut frame = Frame::default();
-    tone::map(&radiance, 1.0, &mut frame);
+    tone_map::map(&radiance, 1.0, &mut frame);
     radiance
 }
 
@@ -115,12 +115,12 @@ proptest! {
         tops in prop::collection::vec(top(), 0..3),
         balls in prop::collection::vec(ball(), 0..2),
     ) {
-        let floor = testing::white(SIDE, SIDE);
+        let floor = scenes::white(SIDE, SIDE);
         let occluders = (0..).zip(shapes).map(|(at, shape)| Occluder { shape, group: Group(at % 4) }).collect();
         let scene = Scene { lamps, occluders, tops, balls, ..scene(&floor) };
         render(&scene);
         for point in [DVec2::splat(20.5), DVec2::new(0.5, 5.5)] {
-            let direct = exact::irradiance(&scene, point, None);
+            let direct = scalar::irradiance(&scene, point, None);
             prop_assert!(direct.iter().all(|channel| !channel.is_nan() && *channel >= 0.0), "{direct:?}");
             let sampling = Sampling { samples: 8, seed: 1, stratified: true };
             let sampled = monte_carlo::irradiance(&scene, point, None, sampling);
@@ -130,14 +130,14 @@ proptest! {
 
     #[test]
     fn every_view_gives_numbers(x in number(), y in number(), mm_per_px in number(), width in 0..50usize, height in 0..50usize) {
-        let floor = testing::white(SIDE, SIDE);
-        let jumble = testing::mixed_jumble(1, &floor);
+        let floor = scenes::white(SIDE, SIDE);
+        let jumble = scenes::mixed_jumble(1, &floor);
         render(&Scene { view: View { width, height, origin_mm: DVec2::new(x, y), mm_per_px }, ..jumble });
     }
 
     #[test]
     fn every_mask_is_taken(x in any::<usize>(), y in any::<usize>(), width in any::<usize>(), length in 0..99usize) {
-        let floor = testing::white(SIDE, SIDE);
+        let floor = scenes::white(SIDE, SIDE);
         let masks = [(x, y, width), (x % 50, y % 50, width % 50)]
             .map(|(x, y, width)| Mask { x, y, width, coverage: vec![255; length] });
         let glows = masks.iter().map(|mask| Glow { mask, color: [1.0; 3] }).collect();
@@ -148,8 +148,8 @@ proptest! {
 /// As if it were at the origin: a table with coordinates of a million millimetres.
 #[test]
 fn a_table_far_from_the_origin_looks_the_same() {
-    let floor = testing::white(160, 160);
-    let here = testing::mixed_jumble(4, &floor);
+    let floor = scenes::white(160, 160);
+    let here = scenes::mixed_jumble(4, &floor);
     let mut there = here.clone();
     let shift = DVec2::new(1e6, -1e6);
     there.view.origin_mm += shift;
@@ -176,7 +176,7 @@ fn a_table_far_from_the_origin_looks_the_same() {
 /// A wall that goes on for kilometres, and a lamp that is larger than the table.
 #[test]
 fn very_long_walls_and_very_large_lamps_are_right() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let lamp = Lamp {
         center_mm: DVec2::new(20.0, -30.0),
         emitter: Emitter::Disc { radius_mm: 5.0 },
@@ -202,7 +202,7 @@ fn compare(scene: &Scene) {
     let radiance = render(scene);
     for at in (0..SIDE * SIDE).step_by(7) {
         let point = scene.view.table_from_pixel(at % SIDE, at / SIDE);
-        let expected = exact::irradiance(scene, point, None)[0];
+        let expected = scalar::irradiance(scene, point, None)[0];
         let got = radiance.pixel(at % SIDE, at / SIDE)[0];
         assert!((got - expected).abs() <= 0.02, "{got}, in double precision {expected} at {point}");
     }
@@ -210,9 +210,9 @@ fn compare(scene: &Scene) {
 
 #[test]
 fn thousands_of_lamps_add_up() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for (count, reach_mm) in [(5000, 6.0), (2000, 500.0)] {
-        let mut random = testing::Random(8);
+        let mut random = scenes::Random(8);
         let lamp = |_| Lamp {
             center_mm: random.within(DVec2::splat(SIDE as f64)),
             emitter: Emitter::Disc { radius_mm: 1.0 },

@@ -1,7 +1,7 @@
 //! Light at half the resolution against its slow twin, the full one.
 
 use geometry::{DVec2, Shape};
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{
     Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, HalfRenderer, Lamp, Occluder, Outline, Profile,
     Renderer, Scene, SimdLevel, Top, View,
@@ -16,13 +16,13 @@ struct Set {
 
 impl Set {
     fn new(width: usize, height: usize) -> Set {
-        let view = View::fit(width, height, testing::SIZE_MM);
-        let Props { floor: half, .. } = testing::props(&view.halved());
-        Set { view, props: testing::props(&view), half }
+        let view = View::fit(width, height, scenes::SIZE_MM);
+        let Props { floor: half, .. } = scenes::props(&view.halved());
+        Set { view, props: scenes::props(&view), half }
     }
 
     fn scene(&self) -> Scene<'_> {
-        testing::table(self.view, &self.props)
+        scenes::table(self.view, &self.props)
     }
 }
 
@@ -132,7 +132,7 @@ fn an_edge_stays_where_it_is_and_light_does_not_bleed() {
             occluders: vec![Occluder { shape: wall, group: Group(1) }],
             tops: vec![Top { outline: Outline::Polygon(corners), group: Group(1), finish }],
             ambient: [0.001; 3],
-            ..testing::white_view(&floor, 1.0)
+            ..scenes::white_view(&floor, 1.0)
         };
         let full = drawn_full(&scene);
         let drawn = drawn_half(&mut scene, &half);
@@ -166,7 +166,7 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
             let (mut renderer, mut film) = (HalfRenderer::on(path), DisplayBuffer::default());
             pool.install(|| {
                 let mut other = scene.clone();
-                testing::roll(&mut other, DVec2::new(31.0, -14.0));
+                scenes::roll(&mut other, DVec2::new(31.0, -14.0));
                 other.tops.pop();
                 other.lamps[3].color = [0.0; 3];
                 other.glows.pop();

@@ -1,7 +1,7 @@
 //! Balls below what hangs above them.
 
 use geometry::Shape;
-use tracer::testing;
+use tracer::scenes;
 use tracer::{Overhang, Radiance, Renderer, Scene, View};
 
 const SIZE: (usize, usize) = (182, 391);
@@ -14,9 +14,9 @@ fn lit(scene: &Scene) -> Vec<[f32; 3]> {
 
 #[test]
 fn a_ball_below_an_opaque_veil_is_not_seen_and_one_above_it_is() {
-    let view = View::fit(SIZE.0, SIZE.1, testing::SIZE_MM);
-    let props = testing::props(&view);
-    let mut scene = testing::table(view, &props);
+    let view = View::fit(SIZE.0, SIZE.1, scenes::SIZE_MM);
+    let props = scenes::props(&view);
+    let mut scene = scenes::table(view, &props);
     let veil = |ball: &tracer::Ball| Overhang { shape: Shape::disc(ball.center_mm, 3.0 * ball.radius_mm), passes: 0.0 };
     scene.overhangs = scene.balls.iter().map(veil).collect();
     // What a ball shows of its scratches when it turns.

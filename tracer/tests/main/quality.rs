@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use tracer::quality::{Quality, judge};
-use tracer::{Scene, View, testing};
+use tracer::{Scene, View, scenes};
 
 fn passes(what: &str, quality: Quality) {
     assert!(quality.points > 0 && quality.passes(), "{what}: {quality:?}");
@@ -18,27 +18,27 @@ fn smaller<'a>(scene: &Scene<'a>, floor: &'a tracer::Floor) -> Scene<'a> {
 
 #[test]
 fn the_table_passes() {
-    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, testing::SIZE_MM));
-    let (props, small_props) = (testing::props(&view), testing::props(&small));
-    let scene = testing::table(view, &props);
-    passes("table", judge(&scene, Some(&testing::table(small, &small_props)), 60, 1));
+    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, scenes::SIZE_MM));
+    let (props, small_props) = (scenes::props(&view), scenes::props(&small));
+    let scene = scenes::table(view, &props);
+    passes("table", judge(&scene, Some(&scenes::table(small, &small_props)), 60, 1));
 }
 
 /// Balls in the air: low and high on the table, and of all sizes among lamps and walls.
 #[test]
 fn floating_balls_pass() {
-    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, testing::SIZE_MM));
-    let (props, small_props) = (testing::props(&view), testing::props(&small));
+    let [view, small] = [(180, 360), (14, 28)].map(|(width, height)| View::fit(width, height, scenes::SIZE_MM));
+    let (props, small_props) = (scenes::props(&view), scenes::props(&small));
     let [scene, small] = [(view, &props), (small, &small_props)].map(|(view, props)| {
-        let mut scene = testing::table(view, props);
+        let mut scene = scenes::table(view, props);
         scene.lamps.iter_mut().step_by(2).for_each(|lamp| lamp.height_mm = 120.0);
-        testing::lift(&mut scene, &[60.0, 20.0, 0.5]);
+        scenes::lift(&mut scene, &[60.0, 20.0, 0.5]);
         scene
     });
     passes("table", judge(&scene, Some(&small), 60, 3));
-    let (floor, small) = (testing::white(160, 160), testing::white(10, 10));
+    let (floor, small) = (scenes::white(160, 160), scenes::white(10, 10));
     (0..16).into_par_iter().for_each(|seed| {
-        let scene = testing::floating_jumble(seed, &floor);
+        let scene = scenes::floating_jumble(seed, &floor);
         let small = (seed % 4 == 0).then(|| smaller(&scene, &small));
         passes(&format!("jumble {seed}"), judge(&scene, small.as_ref(), 60, seed));
     });
@@ -46,9 +46,9 @@ fn floating_balls_pass() {
 
 #[test]
 fn twenty_jumbles_pass() {
-    let (floor, small) = (testing::white(160, 160), testing::white(10, 10));
+    let (floor, small) = (scenes::white(160, 160), scenes::white(10, 10));
     (0..20).into_par_iter().for_each(|seed| {
-        let scene = testing::mixed_jumble(seed, &floor);
+        let scene = scenes::mixed_jumble(seed, &floor);
         let small = (seed % 4 == 0).then(|| smaller(&scene, &small));
         passes(&format!("jumble {seed}"), judge(&scene, small.as_ref(), 40, seed));
     });

@@ -1,19 +1,19 @@
 //! What is remembered of tiles, against pictures that are made from nothing.
 
 use geometry::DVec2;
-use tracer::testing::{self, Props};
-use tracer::{DisplayBuffer, Finish, Frame, Lamp, Radiance, Renderer, Rgb, Scene, SimdLevel, View, tone};
+use tracer::scenes::{self, Props};
+use tracer::{DisplayBuffer, Finish, Frame, Lamp, Radiance, Renderer, Rgb, Scene, SimdLevel, View, tone_map};
 
 const SIZE: (usize, usize) = (182, 391);
 
 fn view() -> View {
-    View::fit(SIZE.0, SIZE.1, testing::SIZE_MM)
+    View::fit(SIZE.0, SIZE.1, scenes::SIZE_MM)
 }
 
 /// The generated table, on a floor that leans and shines.
 fn props() -> Props {
     let view = view();
-    let mut props = testing::props(&view);
+    let mut props = scenes::props(&view);
     let lean = |at: usize| [(at * 37 % 41) as i8 - 20, (at * 53 % 31) as i8 - 15];
     props.floor.normals = (0..SIZE.0 * SIZE.1).map(lean).collect();
     props.floor.gloss = 0.4;
@@ -41,7 +41,7 @@ fn what_is_kept_is_within_half_a_step_of_what_is_made_anew() {
     let props = props();
     let mut white = props.clone();
     white.floor.floor.fill([255; 4]);
-    let mut scene = testing::table(view(), &props);
+    let mut scene = scenes::table(view(), &props);
     scene.balls.clear();
     scene.glows.clear();
     scene.ambient = [0.0; 3];
@@ -85,7 +85,7 @@ fn play(scene: &mut Scene, frame: usize) {
         }
     }
     match frame % 5 {
-        0 => testing::roll(scene, DVec2::new(7.0, -11.0)),
+        0 => scenes::roll(scene, DVec2::new(7.0, -11.0)),
         1 => scene.tops[20].finish.emission = [0.1 * frame as f32, 0.2, 0.0],
         2 => scene.glows.iter_mut().for_each(|glow| glow.color = glow.color.map(|c| c * 0.8)),
         3 => scene.tops[25].finish = Finish { gloss: 0.7, translucency: 0.5, ..scene.tops[25].finish },
@@ -101,7 +101,7 @@ fn drawing_is_rendering_and_developing() {
     for (path, threads) in SimdLevel::available().into_iter().flat_map(|path| [(path, 1), (path, 3)]) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
-            let mut scene = testing::table(view(), &props);
+            let mut scene = scenes::table(view(), &props);
             let (mut drawing, mut rendering) = (Renderer::on(path), Renderer::on(path));
             let (mut film, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
             for number in 0..12 {
@@ -109,7 +109,7 @@ fn drawing_is_rendering_and_developing() {
                 let exposure = if number > 8 { 1.25 } else { 1.0 };
                 drawing.draw(&scene, exposure, &mut film);
                 rendering.render(&scene, &mut radiance);
-                tone::map_on(path, &radiance, exposure, &mut frame);
+                tone_map::map_on(path, &radiance, exposure, &mut frame);
                 assert!(*film.frame() == frame, "frame {number} on {} with {threads} threads", path.name());
                 drawing.draw(&scene, exposure, &mut film);
                 assert!(*film.frame() == frame, "frame {number} again");
@@ -122,7 +122,7 @@ fn drawing_is_rendering_and_developing() {
 #[test]
 fn a_part_is_drawn_as_if_it_were_all() {
     let props = props();
-    let mut scene = testing::table(view(), &props);
+    let mut scene = scenes::table(view(), &props);
     let (mut part, mut whole) = (Renderer::new(), Renderer::new());
     let (mut seen, mut all) = (DisplayBuffer::default(), DisplayBuffer::default());
     for number in 0..20 {
@@ -144,7 +144,7 @@ fn a_part_is_drawn_as_if_it_were_all() {
 #[test]
 fn a_thousand_lamps_are_the_sum_of_a_thousand_pictures() {
     let props = props();
-    let mut scene = testing::table(view(), &props);
+    let mut scene = scenes::table(view(), &props);
     scene.balls.clear();
     scene.lamps.truncate(2);
     let dim = |lamp: &Lamp, parts: f32| Lamp { color: lamp.color.map(|c| c / parts), ..*lamp };

@@ -2,8 +2,8 @@
 
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing::{self, Random};
-use tracer::{Filter, Group, Occluder, Radiance, Renderer, Scene, SimdLevel, exact};
+use tracer::scenes::{self, Random};
+use tracer::{Filter, Group, Occluder, Radiance, Renderer, Scene, SimdLevel, scalar};
 
 const SIDE: usize = 160;
 
@@ -15,7 +15,7 @@ fn anew(scene: &Scene) -> Radiance {
 
 /// The generated jumbles, some of whose shapes are of coloured glass; shapes that overlap belong to one pane or to two.
 fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
-    let mut scene = testing::mixed_jumble(seed, floor);
+    let mut scene = scenes::mixed_jumble(seed, floor);
     let mut random = Random(seed + 77);
     for number in 0..3 {
         let tint = [0, 1, 2].map(|_| random.unit() as f32);
@@ -34,8 +34,8 @@ fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
 /// leave the product.
 #[test]
 fn a_pane_tints_once_and_two_panes_tint_twice() {
-    let floor = testing::white(SIDE, SIDE);
-    let mut scene = testing::jumble(1, &floor);
+    let floor = scenes::white(SIDE, SIDE);
+    let mut scene = scenes::jumble(1, &floor);
     scene.occluders.clear();
     scene.lamps.truncate(1);
     scene.lamps[0].center_mm = DVec2::new(80.5, 20.0);
@@ -64,7 +64,7 @@ fn a_pane_tints_once_and_two_panes_tint_twice() {
 /// A black filter is a wall, and a clear one is not there.
 #[test]
 fn the_ends_of_the_scale_are_walls_and_air() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for seed in 0..4 {
         let mut scene = stained(seed, &floor);
         scene.filters.iter_mut().for_each(|filter| filter.tint = [0.0; 3]);
@@ -87,7 +87,7 @@ fn the_ends_of_the_scale_are_walls_and_air() {
 /// Rays that are tinted by whatever they meet know nothing of intervals, or of inclusion and exclusion.
 #[test]
 fn filters_agree_with_monte_carlo_and_with_double_precision() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let (mut coloured, mut count) = (0, 0);
     for seed in 0..6 {
         let scene = stained(seed, &floor);
@@ -97,7 +97,7 @@ fn filters_agree_with_monte_carlo_and_with_double_precision() {
             let point = scene.view.table_from_pixel(x, y);
             let sampling = Sampling { samples: 1024, seed, stratified: true };
             let sampled = monte_carlo::irradiance(&scene, point, None, sampling);
-            let exact = exact::irradiance(&scene, point, None);
+            let exact = scalar::irradiance(&scene, point, None);
             for channel in 0..3 {
                 let (fast, sampled, exact) = (fast.pixel(x, y)[channel], sampled[channel], exact[channel]);
                 assert!((fast - exact).abs() <= 1e-3, "{fast}, {exact} in double precision, at {point}, scene {seed}");
@@ -112,7 +112,7 @@ fn filters_agree_with_monte_carlo_and_with_double_precision() {
 
 #[test]
 fn coloured_shadows_have_the_same_bits_everywhere() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let scene = stained(3, &floor);
     let expected = anew(&scene);
     for path in SimdLevel::available() {

@@ -2,8 +2,8 @@
 
 use geometry::{Arc, Circle, Core, DVec2, Shape, trig};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::testing::{self, Random};
-use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, exact};
+use tracer::scenes::{self, Random};
+use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, scalar};
 
 const SIDE: usize = 96;
 
@@ -20,7 +20,7 @@ fn lone_tube(floor: &Floor) -> Scene<'_> {
     Scene {
         view: View { width: SIDE, height: SIDE, origin_mm: DVec2::splat(-0.5 * SIDE as f64), mm_per_px: 1.0 },
         lamps: vec![lamp],
-        ..testing::white_view(floor, 1.0)
+        ..scenes::white_view(floor, 1.0)
     }
 }
 
@@ -49,7 +49,7 @@ fn added_up(lamp: &Lamp, half: DVec2, point: DVec2) -> f64 {
 #[test]
 fn the_closed_form_is_the_integral() {
     let mut random = Random(3);
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     for _ in 0..40 {
         let half_mm = trig::direction(random.between(0.0, 7.0)) * random.between(0.02, 90.0);
@@ -70,7 +70,7 @@ fn the_closed_form_is_the_integral() {
 
 #[test]
 fn a_short_segment_is_a_point() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     scene.lamps[0].emitter = Emitter::Disc { radius_mm: 0.0 };
     cast(&mut scene, Shape::disc(DVec2::new(3.0, 0.0), 8.0), 1);
@@ -94,7 +94,7 @@ fn a_short_segment_is_a_point() {
 /// The wall's edge is on the perpendicular bisector of the tube, and so is the point.
 #[test]
 fn a_tube_that_is_half_hidden_by_symmetry_gives_half() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     for emitter in [DVec2::new(30.0, 0.0), DVec2::new(3.0, 0.0), DVec2::new(0.2, 0.0)] {
         scene.occluders.clear();
@@ -111,7 +111,7 @@ fn a_tube_that_is_half_hidden_by_symmetry_gives_half() {
 /// From 45 degrees before one end, a wall hides that half of a tube which gives more of the light: not half of it.
 #[test]
 fn near_parts_of_a_tube_count_more() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     scene.lamps[0].reach_mm = 1e4;
     let (x, y) = (SIDE - 3, 60);
@@ -133,7 +133,7 @@ fn near_parts_of_a_tube_count_more() {
 
 #[test]
 fn what_stands_behind_a_tube_hides_nothing_and_what_crosses_it_hides_beyond() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     let open = rendered(&scene);
     cast(&mut scene, Shape::capsule(DVec2::new(-60.0, -33.0), DVec2::new(60.0, -33.0), 2.5), 1);
@@ -161,7 +161,7 @@ fn what_stands_behind_a_tube_hides_nothing_and_what_crosses_it_hides_beyond() {
 /// Every row of the view is on the tube's line or next to it: points on it, before it and beyond its ends.
 #[test]
 fn points_on_the_line_of_a_tube_agree_with_double_precision() {
-    let floor = testing::white(SIDE, SIDE);
+    let floor = scenes::white(SIDE, SIDE);
     for (angle, mm_per_px) in [(0.0, 1.0), (0.0, 0.003), (0.6, 0.01)] {
         let mut scene = lone_tube(&floor);
         let along = trig::direction(angle);
@@ -180,7 +180,7 @@ fn points_on_the_line_of_a_tube_agree_with_double_precision() {
             for at in (0..SIDE * SIDE).step_by(7) {
                 let (x, y) = (at % SIDE, at / SIDE);
                 let point = scene.view.table_from_pixel(x, y);
-                let expected = exact::irradiance(&scene, point, None)[0];
+                let expected = scalar::irradiance(&scene, point, None)[0];
                 let difference = f64::from(radiance.pixel(x, y)[0] - expected);
                 square += difference * difference;
                 most = most.max(difference.abs());
@@ -194,17 +194,17 @@ fn points_on_the_line_of_a_tube_agree_with_double_precision() {
 
 #[test]
 fn the_lanes_agree_with_both_twins() {
-    let floor = testing::white(160, 160);
+    let floor = scenes::white(160, 160);
     let mut radiance = Radiance::default();
     for seed in 0..12 {
-        let scene = testing::mixed_jumble(seed, &floor);
+        let scene = scenes::mixed_jumble(seed, &floor);
         Renderer::new().render(&scene, &mut radiance);
         let (mut square, mut count) = (0.0, 0);
         for at in (seed as usize..160 * 160).step_by(29) {
             let (x, y) = (at % 160, at / 160);
             let point = scene.view.table_from_pixel(x, y);
             let lanes = radiance.pixel(x, y)[0];
-            let exact = exact::irradiance(&scene, point, None)[0];
+            let exact = scalar::irradiance(&scene, point, None)[0];
             let difference = f64::from(lanes - exact);
             assert!(difference.abs() <= 0.02, "seed {seed} at {point}: {lanes}, in double precision {exact}");
             square += difference * difference;
@@ -222,9 +222,9 @@ fn the_lanes_agree_with_both_twins() {
 
 #[test]
 fn tubes_have_the_same_bits_on_every_path() {
-    let floor = testing::white(160, 160);
+    let floor = scenes::white(160, 160);
     for seed in 0..3 {
-        let scene = testing::mixed_jumble(seed, &floor);
+        let scene = scenes::mixed_jumble(seed, &floor);
         let mut expected = Radiance::default();
         Renderer::new().render(&scene, &mut expected);
         for path in SimdLevel::available() {

@@ -10,7 +10,7 @@ use crate::commands::parallel;
 use crate::screen::Size;
 use geometry::DVec2;
 use rayon::ThreadPool;
-use tracer::testing::{self, Props};
+use tracer::scenes::{self, Props};
 use tracer::{DisplayBuffer, Renderer, Rgb, Scene, View};
 
 /// The size that figures are quoted at.
@@ -52,15 +52,15 @@ type Change = fn(&mut Scene);
 
 /// Scenes of the size that is asked for, by what they have in them.
 const SCENES: [(&str, Change); 9] = [
-    ("4 lamps", |scene| testing::with_lamps(scene, 4)),
-    ("16 lamps", |scene| testing::with_lamps(scene, 16)),
-    ("64 lamps", |scene| testing::with_lamps(scene, 64)),
-    ("0 more posts", |scene| testing::with_posts(scene, 0)),
-    ("100 more posts", |scene| testing::with_posts(scene, 100)),
-    ("400 more posts", |scene| testing::with_posts(scene, 400)),
-    ("0 balls", |scene| testing::with_balls(scene, 0)),
-    ("3 balls", |scene| testing::with_balls(scene, 3)),
-    ("12 balls", |scene| testing::with_balls(scene, 12)),
+    ("4 lamps", |scene| scenes::with_lamps(scene, 4)),
+    ("16 lamps", |scene| scenes::with_lamps(scene, 16)),
+    ("64 lamps", |scene| scenes::with_lamps(scene, 64)),
+    ("0 more posts", |scene| scenes::with_posts(scene, 0)),
+    ("100 more posts", |scene| scenes::with_posts(scene, 100)),
+    ("400 more posts", |scene| scenes::with_posts(scene, 400)),
+    ("0 balls", |scene| scenes::with_balls(scene, 0)),
+    ("3 balls", |scene| scenes::with_balls(scene, 3)),
+    ("12 balls", |scene| scenes::with_balls(scene, 12)),
 ];
 
 /// Times every scene in every state.
@@ -72,10 +72,10 @@ pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Fail
     let size = size.unwrap_or(SIZE);
     let mut rows = Vec::new();
     for size in sizes(size) {
-        let props = testing::props(&view(size));
+        let props = scenes::props(&view(size));
         rows.extend(states("the table", size, &props, |_| {}, &pool));
     }
-    let props = testing::props(&view(size));
+    let props = scenes::props(&view(size));
     for (name, change) in SCENES {
         rows.extend(states(name, size, &props, change, &pool));
     }
@@ -89,12 +89,12 @@ fn sizes(size: Size) -> impl Iterator<Item = Size> {
 }
 
 fn view(size: Size) -> View {
-    View::fit(size.width, size.height, testing::SIZE_MM)
+    View::fit(size.width, size.height, scenes::SIZE_MM)
 }
 
 /// A row for each state of a scene.
 fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPool) -> Vec<Row> {
-    let mut scene = testing::table(view(size), props);
+    let mut scene = scenes::table(view(size), props);
     change(&mut scene);
     let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
     let row = |state: State| {
@@ -122,7 +122,7 @@ fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mu
             State::Flash => flash(scene, &colors, frame),
             State::FlashAndRoll => {
                 flash(scene, &colors, frame);
-                testing::roll(scene, if frame.is_multiple_of(2) { STEP_MM } else { -STEP_MM });
+                scenes::roll(scene, if frame.is_multiple_of(2) { STEP_MM } else { -STEP_MM });
             }
             State::FromNothing => renderer.forget(),
         }

@@ -6,6 +6,7 @@ use super::cone::Cone;
 use super::shots::{Aim, Tally, shoot_all};
 use crate::bot::Chance;
 use crate::commands::parallel;
+use crate::storage::tables;
 use crate::{Failure, Table};
 use geometry::DVec2;
 use physics::{Command, Controls, Machine};
@@ -24,7 +25,7 @@ const CROWDED: usize = 20_000;
 /// # Errors
 /// If the table cannot be read, a ball came through something, or an impact rubbed harder than its friction allows.
 pub fn rows(shots: u64, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
-    let table = Table::load("spectrum").map_err(Failure::of_many)?;
+    let table = tables::load("spectrum").map_err(Failure::of_many)?;
     let fresh = live(&table)?;
     let pool = parallel::pool(threads)?;
     let flips = shots / FLIPPERS_PART;

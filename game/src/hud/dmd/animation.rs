@@ -1,4 +1,4 @@
-//! What the dot-matrix display shows at a tick.
+//! The DMD animation: what the dot-matrix display shows at a tick.
 //!
 //! It is a function of what the display says and of the tick alone: no clock and no memory, so that a recording shows
 //! the same dots at every frame rate.
@@ -22,8 +22,8 @@ const DIM: u8 = 110;
 const SOFT: u8 = 170;
 const MIDDLE: i32 = DMD_COLUMNS as i32 / 2;
 
-/// The display's dots.
-pub fn page(display: &Display, tick: u64) -> Dots {
+/// The dots of the animation at a tick.
+pub fn animation_dots(display: &Display, tick: u64) -> Dots {
     let step = tick / STEP_TICKS;
     if display.tilted {
         return tilt(step);
@@ -181,7 +181,7 @@ mod tests {
     fn another_score_is_another_picture() {
         let mut other = display();
         other.scores[0] += 10;
-        assert_ne!(page(&display(), 500), page(&other, 500));
+        assert_ne!(animation_dots(&display(), 500), animation_dots(&other, 500));
     }
 
     #[test]
@@ -198,7 +198,7 @@ mod tests {
     fn a_tilt_is_shown_whatever_else_there_is_to_say() {
         let tilted = Display { tilted: true, message: vec!["JACKPOT".to_string()], ..display() };
         let plain = Display { tilted: true, ..display() };
-        assert_eq!(page(&tilted, 3000), page(&plain, 3000));
+        assert_eq!(animation_dots(&tilted, 3000), animation_dots(&plain, 3000));
     }
 
     #[test]
@@ -211,9 +211,9 @@ mod tests {
             ..Display::default()
         };
         for tick in [0, 1, 12_345, u64::MAX] {
-            page(&odd, tick);
-            page(&Display { message: Vec::new(), playing: true, ..odd.clone() }, tick);
-            page(&Display { message: Vec::new(), playing: false, ..odd.clone() }, tick);
+            animation_dots(&odd, tick);
+            animation_dots(&Display { message: Vec::new(), playing: true, ..odd.clone() }, tick);
+            animation_dots(&Display { message: Vec::new(), playing: false, ..odd.clone() }, tick);
         }
     }
 }

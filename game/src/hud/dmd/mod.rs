@@ -4,6 +4,6 @@ mod animation;
 mod dots;
 mod raster;
 
-pub use animation::{grouped, page};
+pub use animation::{animation_dots, grouped};
 pub use dots::Dots;
-pub use raster::{Matrix, housing};
+pub use raster::{DmdRaster, housing};

@@ -1,13 +1,13 @@
-//! Dots into pixels: amber lamps in rows behind smoked glass.
+//! The raster of the dot-matrix display: dots into pixels, amber lamps in rows behind smoked glass.
 
 use super::dots::Dots;
-use crate::hud::BRASS;
+use crate::hud::palette::BRASS;
 use crate::screen::{Canvas, Color, DMD_COLUMNS, DMD_ROWS, Layer, Rect, over};
 use geometry::{DVec2, Shape};
 
 const GLASS: Color = 0x0a_0705;
 const ASLEEP: Color = 0x22_1708;
-const AMBER: Color = 0xff_9d1e;
+const LIT: Color = 0xff_9d1e;
 const HOT: Color = 0xff_d58c;
 
 /// The glass and its brass bezel, without a dot.
@@ -27,7 +27,7 @@ const ACROSS: i32 = DMD_COLUMNS as i32 + 2;
 const DOWN: i32 = DMD_ROWS as i32 + 2;
 
 /// What stands on the picture: only places that change are drawn again.
-pub struct Matrix {
+pub struct DmdRaster {
     pitch: i32,
     sprite: Vec<u32>,
     colors: Vec<Color>,
@@ -35,12 +35,12 @@ pub struct Matrix {
     cells: Vec<Cell>,
 }
 
-impl Matrix {
+impl DmdRaster {
     /// A display that has drawn nothing yet, `pitch` pixels from dot to dot.
-    pub fn new(pitch: i32) -> Matrix {
+    pub fn new(pitch: i32) -> DmdRaster {
         let bare = (None, 0);
         let cells = vec![bare; (ACROSS * DOWN) as usize];
-        Matrix { pitch, sprite: sprite(pitch), colors: (0..=255).map(lamp).collect(), cells }
+        DmdRaster { pitch, sprite: sprite(pitch), colors: (0..=255).map(lamp).collect(), cells }
     }
 
     /// Draws what has changed; the housing in `rect` must be there.
@@ -59,7 +59,7 @@ impl Matrix {
     }
 
     fn draw_cell(&self, canvas: &mut Canvas, (left, top): (i32, i32), (level, glow): Cell) {
-        let glass = over(GLASS, AMBER, glow);
+        let glass = over(GLASS, LIT, glow);
         let color = level.map_or(glass, |level| self.colors[usize::from(level)]);
         let cell = Rect::new(left, top, self.pitch, self.pitch);
         canvas.blend(cell, |index| (over(glass, color, self.sprite[index]), 255));
@@ -75,7 +75,7 @@ fn sprite(pitch: i32) -> Vec<u32> {
 
 /// The colour of a dot: asleep, amber, and hotter at the top.
 fn lamp(level: u32) -> Color {
-    let warm = over(ASLEEP, AMBER, level);
+    let warm = over(ASLEEP, LIT, level);
     over(warm, HOT, level.saturating_sub(150) * 2)
 }
 
@@ -108,13 +108,13 @@ mod tests {
     fn what_has_changed_and_everything_anew_are_the_same_picture() {
         let rect = Rect::new(0, 0, ACROSS * 3 + 6, DOWN * 3 + 6);
         let empty = || Frame::new(rect.width as usize, rect.height as usize);
-        let (mut kept, mut matrix) = (empty(), Matrix::new(3));
+        let (mut kept, mut matrix) = (empty(), DmdRaster::new(3));
         for text in ["BALL SAVED", "77,440", ""] {
             let mut dots = Dots::default();
             dots.write(text, Face::Large, 3, 5, FULL);
             matrix.draw(&mut Canvas::new(&mut kept), rect, &dots);
             let mut anew = empty();
-            Matrix::new(3).draw(&mut Canvas::new(&mut anew), rect, &dots);
+            DmdRaster::new(3).draw(&mut Canvas::new(&mut anew), rect, &dots);
             assert_eq!(kept, anew, "{text}");
         }
     }

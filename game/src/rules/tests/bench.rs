@@ -10,7 +10,6 @@ use physics::{
     BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, FlipperControl, Kickback, Kind, Layout, Magnet,
     Material, Part, PartId, Plunger, Rollover, Saucer,
 };
-use std::path::PathBuf;
 use std::sync::Arc;
 
 const MATERIAL: Material = Material { restitution: 0.5, falloff_s_per_m: 0.0, friction: 0.2 };
@@ -21,7 +20,8 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
     Table {
         name: "bench".into(),
         title: String::new(),
-        dir: PathBuf::from("bench"),
+        origin: "bench".to_string(),
+        folder: String::new(),
         layout: Layout {
             size_m: DVec2::new(0.5, 1.0),
             slope_rad: 0.11,
@@ -90,7 +90,7 @@ fn kind(name: &str, row: f64) -> Kind {
 fn lamp(name: &str) -> Lamp {
     let kind = LampKind::Bulb {
         center_mm: DVec2::new(100.0, 100.0),
-        emitter: tracer::Emitter::Disc { radius_mm: 5.0 },
+        emitter: crate::table::Emitter::Disc { radius_mm: 5.0 },
         height_mm: 20.0,
         reach_mm: 200.0,
         inside: None,

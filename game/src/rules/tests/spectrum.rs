@@ -2,14 +2,11 @@
 
 use super::bench::Bench;
 use crate::rules::Value;
-use crate::{Buttons, Table};
+use crate::{Buttons, table};
 use physics::Command;
-use std::path::Path;
 
 fn spectrum() -> Bench {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/tables/spectrum");
-    let table = Table::load_dir(&folder).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
-    Bench::new(table).unwrap_or_else(|mistake| panic!("{mistake}"))
+    Bench::new(table::tests::spectrum()).unwrap_or_else(|mistake| panic!("{mistake}"))
 }
 
 /// A game whose first ball has just been shot.

@@ -3,6 +3,7 @@
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
 use super::{FinishWords, Numbers, Settings};
+use crate::table::Profile;
 use crate::table::class::{Class, Key};
 use crate::table::source::{Mistake, Source};
 use crate::table::style;
@@ -11,7 +12,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tracer::Profile;
 
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
 pub(in crate::table) fn read(

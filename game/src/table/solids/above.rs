@@ -3,13 +3,12 @@
 //! They hang above the lamps, so they cast no shadows.
 
 use super::finish;
-use crate::table::Solid;
 use crate::table::class::Class;
 use crate::table::drawing::Thing;
 use crate::table::numbers::Numbers;
+use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};
 use physics::{Leg, PartId, Ramp};
-use tracer::{Finish, Profile};
 
 /// Half the thickness of a ramp's sides and of a wire, mm.
 const SIDE_MM: f64 = 1.1;

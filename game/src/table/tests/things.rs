@@ -273,7 +273,7 @@ fn lamps_shine_in_their_fill_and_know_what_they_stand_in() {
     assert_eq!((bulb.name.as_str(), bulb.color, bulb.power), ("bulb", [255, 128, 0], 2.5));
     let group = table.solids.iter().find(|solid| solid.part == table.part("pop")).map(|solid| solid.group);
     let LampKind::Bulb { inside, reach_mm, emitter, .. } = bulb.kind else { panic!() };
-    assert_eq!((inside, reach_mm, emitter), (group, 300.0, tracer::Emitter::Disc { radius_mm: 5.0 }));
+    assert_eq!((inside, reach_mm, emitter), (group, 300.0, crate::table::Emitter::Disc { radius_mm: 5.0 }));
     let LampKind::Insert { outlines_mm } = &arrow.kind else { panic!() };
     assert_eq!(outlines_mm[0], [(200.0, 200.0), (220.0, 200.0), (220.0, 220.0), (200.0, 220.0)].map(DVec2::from));
     assert_eq!(table.lamp("arrow"), Some(1));
@@ -287,7 +287,7 @@ fn a_lamp_that_is_drawn_as_a_line_is_a_tube_in_the_colour_of_its_line() {
     assert_eq!(table.lamps[0].color, [255, 0, 128]);
     let LampKind::Bulb { center_mm, emitter, .. } = table.lamps[0].kind else { panic!() };
     assert_eq!(center_mm, DVec2::new(70.0, 100.0));
-    assert_eq!(emitter, tracer::Emitter::Segment { half_mm: DVec2::new(30.0, 40.0) });
+    assert_eq!(emitter, crate::table::Emitter::Segment { half_mm: DVec2::new(30.0, 40.0) });
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::Renderer;
 use crate::film::bloom::BloomPyramid;
 use crate::realtime::schedule::write_planes;
 use crate::shading::chrome_ball::{BallSprite, TableImage};
-use crate::shading::surface::BLACK;
+use crate::tile::planes::BLACK;
 use crate::{Radiance, Scene};
 use rayon::prelude::*;
 

@@ -3,7 +3,7 @@
 use super::Renderer;
 use crate::realtime::schedule::BLOCK;
 use crate::shading::chrome_ball::BallSprite;
-use crate::tile::packed_samples::TILE;
+use crate::tile::planes::TILE;
 use crate::{Radiance, Scene, View};
 
 impl Renderer {

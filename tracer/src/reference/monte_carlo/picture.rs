@@ -10,12 +10,11 @@ use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Name, Near, Rays};
 use crate::shading::falloff::Falloff;
-use crate::shading::surface::BLACK;
 use crate::simd::dispatch::LANES;
-use crate::tile::packed_samples::{PackedSamples, Plane, TILE};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::{ALL_ROWS, BLACK, Plane, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
-use crate::visibility::shadow_bounds::ALL_ROWS;
 use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
 use geometry::DVec2;
 

@@ -21,7 +21,7 @@ const FIBRES: [(f64, f64, f32); 4] = [(9.0, 26.0, 0.020), (3.4, 34.0, 0.030), (1
 
 /// The wood of a table at one resolution.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::table) struct Wood {
+pub(in crate::art) struct Wood {
     planks_mm: f64,
     grain: f32,
     mm_per_px: f64,

@@ -1,6 +1,7 @@
 //! The player's own folder: the last games that were played, recorded without being asked.
 
-use super::Recorder;
+use super::file_failure::file_failure;
+use super::recordings::RecordingFile;
 use crate::{Failure, Simulation};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -18,7 +19,7 @@ pub fn folder() -> Option<PathBuf> {
 ///
 /// # Errors
 /// If the folder or the file cannot be made: a sentence to warn with; the game itself can go on.
-pub fn record(simulation: &Simulation, seed: u64, unix_s: u64) -> Result<Recorder<File>, Failure> {
+pub fn record(simulation: &Simulation, seed: u64, unix_s: u64) -> Result<RecordingFile, Failure> {
     let folder = folder().ok_or_else(|| Failure::new("the game is not recorded: this system names no data folder"))?;
     record_in(&folder, simulation, seed, unix_s)
 }
@@ -27,9 +28,9 @@ pub fn record(simulation: &Simulation, seed: u64, unix_s: u64) -> Result<Recorde
 ///
 /// # Errors
 /// As [`record`].
-pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64) -> Result<Recorder<File>, Failure> {
+pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64) -> Result<RecordingFile, Failure> {
     let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
-    fs::create_dir_all(folder).map_err(|error| unrecorded(Failure::of_file("make the folder", folder, &error)))?;
+    fs::create_dir_all(folder).map_err(|error| unrecorded(file_failure("make the folder", folder, &error)))?;
     let moment = moment(unix_s);
     let table = &simulation.table().name;
     for number in 1..=u32::MAX {
@@ -37,13 +38,13 @@ pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64)
         let path = folder.join(name + ".caustic");
         match File::create_new(&path) {
             Ok(file) => {
-                let recorder = Recorder::begin(file, &path, simulation, seed).map_err(unrecorded)?;
+                let recorder = RecordingFile::begin(file, &path, simulation, seed).map_err(unrecorded)?;
                 // Only now is there a new one in the old one's place.
                 remove_oldest(folder);
                 return Ok(recorder);
             }
             Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(unrecorded(Failure::of_file("make", &path, &error))),
+            Err(error) => return Err(unrecorded(file_failure("make", &path, &error))),
         }
     }
     Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
@@ -53,8 +54,8 @@ pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64)
 ///
 /// # Errors
 /// If the file cannot be written or removed.
-pub fn finish(recorder: Recorder<File>, simulation: &Simulation) -> Result<(), Failure> {
-    if recorder.started() { recorder.finish(simulation).map(|_| ()) } else { recorder.discard() }
+pub fn finish(recorder: RecordingFile, simulation: &Simulation) -> Result<(), Failure> {
+    if recorder.started() { recorder.finish(simulation) } else { recorder.discard() }
 }
 
 /// The recordings in `folder`, the oldest first: their names begin with their moment.

@@ -1,8 +1,7 @@
 //! What leans on the floor, and which way.
 
-use super::{read, table};
-use crate::Table;
-use crate::table::art;
+use crate::small_table::{read, table};
+use crate::{Table, art};
 use geometry::DVec2;
 use tracer::{Floor, View};
 

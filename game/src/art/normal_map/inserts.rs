@@ -5,7 +5,8 @@
 
 use super::heights::Heights;
 use super::noise;
-use crate::table::{LampKind, Table, art};
+use crate::art::mask::mask;
+use crate::table::{LampKind, Table};
 use geometry::{DVec2, trig};
 use std::f64::consts::{PI, TAU};
 use tracer::{Mask, View};
@@ -57,7 +58,7 @@ pub(super) fn heights(table: &Table, view: &View) -> Option<Heights> {
 }
 
 /// Prints the facets of the inserts on `floor`: they are brighter over the lamp and darker at the rim, lit or not.
-pub(in crate::table) fn facet(table: &Table, view: &View, floor: &mut [[u8; 4]]) {
+pub(in crate::art) fn facet(table: &Table, view: &View, floor: &mut [[u8; 4]]) {
     let strength = table.relief.inserts as f32;
     if strength <= 0.0 {
         return;
@@ -92,7 +93,7 @@ fn inserts<'a>(table: &'a Table, view: &'a View) -> impl Iterator<Item = Insert>
 
 impl Insert {
     fn new(outlines_mm: &[Vec<DVec2>], view: &View, index: usize) -> Option<Insert> {
-        let mask = art::mask(outlines_mm, view)?;
+        let mask = mask(outlines_mm, view)?;
         let corners = || outlines_mm.iter().flatten();
         let count = corners().count().max(1) as f64;
         let low = corners().copied().reduce(DVec2::min)?;

@@ -1,6 +1,7 @@
 //! Reads a table again when its files are saved, on a thread of its own: the game never waits for a file.
 
-use crate::table::{Watch, art};
+use crate::desktop::Waker;
+use crate::storage::{TableWatch, tables};
 use crate::{Failure, Table};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,9 +9,9 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 /// Watches one table's folder.
-pub struct Reload {
+pub struct TableReload {
     dir: PathBuf,
-    watch: Watch,
+    watch: TableWatch,
     loading: bool,
     loaded: Receiver<Loaded>,
     outbox: Sender<Loaded>,
@@ -19,16 +20,16 @@ pub struct Reload {
 /// A table that was read again, or every mistake in it.
 pub type Loaded = Result<Arc<Table>, Failure>;
 
-impl Reload {
+impl TableReload {
     /// Watches the table in `dir`.
-    pub fn new(dir: &Path) -> Reload {
+    pub fn new(dir: &Path) -> TableReload {
         let (outbox, loaded) = channel();
-        Reload { dir: dir.to_path_buf(), watch: Watch::new(dir), loading: false, loaded, outbox }
+        TableReload { dir: dir.to_path_buf(), watch: TableWatch::new(dir), loading: false, loaded, outbox }
     }
 
     /// Looks whether a file was saved, and begins to read the table if so; `now` is the time since any fixed moment.
-    /// `wake` is called when the table has been read.
-    pub fn look(&mut self, now: Duration, wake: impl FnOnce() + Send + 'static) {
+    /// The main thread is woken when the table has been read.
+    pub fn look(&mut self, now: Duration, waker: Waker) {
         if self.loading || self.watch.changed(now).is_empty() {
             return;
         }
@@ -36,7 +37,7 @@ impl Reload {
         let read = move || {
             // Nobody waits for it any more when the window is being closed.
             let _ = outbox.send(read(&dir));
-            wake();
+            waker.wake();
         };
         self.loading = std::thread::Builder::new().name("reload".to_string()).spawn(read).is_ok();
     }
@@ -50,7 +51,6 @@ impl Reload {
 }
 
 fn read(dir: &Path) -> Loaded {
-    let table = Table::load_dir(dir).map_err(Failure::of_many)?;
-    art::check(&table)?;
+    let table = tables::load_dir(dir).map_err(Failure::of_many)?;
     Ok(Arc::new(table))
 }

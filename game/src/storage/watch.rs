@@ -4,7 +4,7 @@
 //! alone for a moment, because editors write in several steps. It reads no clock and loads nothing: the window says
 //! what time it is, and keeps the last good table if the new one is bad.
 
-use super::load::FILES;
+use crate::table::FILES;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -18,7 +18,7 @@ type Stamp = Option<(SystemTime, u64)>;
 
 /// The three files of a table, and what they were like.
 #[derive(Clone, Debug)]
-pub struct Watch {
+pub struct TableWatch {
     dir: PathBuf,
     loaded: [Stamp; 3],
     seen: [Stamp; 3],
@@ -26,11 +26,11 @@ pub struct Watch {
     looked_at: Option<Duration>,
 }
 
-impl Watch {
+impl TableWatch {
     /// Watches the table in `dir`. Make it before the table is loaded, so that nothing is missed.
-    pub fn new(dir: &Path) -> Watch {
+    pub fn new(dir: &Path) -> TableWatch {
         let stamps = stamps(dir);
-        Watch { dir: dir.to_path_buf(), loaded: stamps, seen: stamps, seen_at: Duration::ZERO, looked_at: None }
+        TableWatch { dir: dir.to_path_buf(), loaded: stamps, seen: stamps, seen_at: Duration::ZERO, looked_at: None }
     }
 
     /// The names of the files that were saved since they were last told of; empty when there are none or they are still

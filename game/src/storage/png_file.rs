@@ -1,17 +1,17 @@
-//! A picture as a PNG file.
+//! Frames as PNG files.
 
-use crate::{Failure, new_file};
+use super::{file_failure, new_file};
+use crate::Failure;
 use std::io::{self, Write};
 use std::path::Path;
 use tracer::Frame;
 
-/// Writes a picture as a PNG file. It appears whole or not at all.
+/// Writes a frame as a PNG file. It appears whole or not at all.
 ///
 /// # Errors
 /// If the file cannot be written.
 pub fn save_png(frame: &Frame, path: &Path) -> Result<(), Failure> {
-    new_file::write(path, |file| encode(frame, file))
-        .map_err(|error| Failure::of_file("write the picture", path, &error))
+    new_file::write(path, |file| encode(frame, file)).map_err(|error| file_failure("write the picture", path, &error))
 }
 
 fn encode(frame: &Frame, file: &mut impl Write) -> io::Result<()> {

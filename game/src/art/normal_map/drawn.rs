@@ -2,7 +2,8 @@
 
 use super::heights::Heights;
 use crate::Failure;
-use crate::table::{Table, art};
+use crate::art::print::print;
+use crate::table::Table;
 use tiny_skia::Color;
 use tracer::View;
 
@@ -12,7 +13,7 @@ const LEVEL: u8 = 128;
 /// The heights of the table's relief layer; `None` if it has none.
 pub(super) fn heights(table: &Table, view: &View) -> Result<Option<Heights>, Failure> {
     let Some(svg) = table.relief.svg.as_ref().filter(|_| table.relief.height_mm > 0.0) else { return Ok(None) };
-    let pixels = art::print(table, svg, view, Color::from_rgba8(LEVEL, LEVEL, LEVEL, 255))?;
+    let pixels = print(table, svg, view, Color::from_rgba8(LEVEL, LEVEL, LEVEL, 255))?;
     let step_mm = table.relief.height_mm as f32 / 255.0;
     // A colour counts as the mean of its channels.
     let height = |[red, green, blue, _]: [u8; 4]| {
