@@ -358,7 +358,7 @@ impl FlipperModel {
         }
     }
 
-    /// One over the moment of inertia against a push at the lever `arm`, m, that turns it the way of the arm's sign, by
+    /// One over the moment of inertia against a push at the lever `arm`, m, that turns it in the sense of the arm's sign, by
     /// something that comes at `approach`, m/s: 0 where it is rigid.
     ///
     /// A flipper that lies on its lower stop gives way only upwards; one that lies still at the end of its stroke gives
