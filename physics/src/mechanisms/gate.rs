@@ -47,7 +47,7 @@ impl Gate {
         gates.push(Numbered { part, numbers: self.clone() });
     }
 
-    /// Whether the flap stops a ball on this path, `distance` from touching it: one that comes back from beyond it.
+    /// Whether the flap stops a ball on this path, `distance` from touching it: a ball that comes back from beyond it.
     pub(crate) fn stops(&self, path: &StraightPath, distance: f64) -> bool {
         let beyond = (path.center - self.segment.a).dot(self.direction) > 0.0;
         beyond && distance > -SKIN_M && path.velocity.dot(self.direction) <= 0.0
