@@ -29,6 +29,7 @@ pub use realtime::half_resolution::HalfRenderer;
 pub use realtime::renderer::Renderer;
 pub use realtime::stage_timing::RenderStage;
 pub use reference::{flip, monte_carlo, quality};
+pub use scene::id::{ItemId, Revision};
 pub use scene::lamp::{Emitter, Lamp};
 pub use scene::overhang::Overhang;
 pub use scene::validation;

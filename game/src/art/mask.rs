@@ -32,5 +32,5 @@ pub(super) fn mask(outlines_mm: &[Vec<DVec2>], view: &View) -> Option<Mask> {
     }
     skia.fill_path(&builder.finish()?, FillRule::EvenOdd, true, Transform::identity());
     let (x, y) = (low.x as usize, low.y as usize);
-    Some(Mask { x, y, width: size.x as usize, coverage: skia.data().to_vec() })
+    Some(Mask { x, y, width: size.x as usize, coverage: skia.data().to_vec(), ..Mask::default() })
 }

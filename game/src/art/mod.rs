@@ -36,7 +36,15 @@ pub fn floor(table: &Table, view: &View) -> Result<Floor, Failure> {
     let ((mut floor, wood), (tops, _)) = (floor?, tops?);
     normal_map::facet(table, view, &mut floor);
     let normals = normal_map::normals(table, view, &wood)?;
-    Ok(Floor { width: view.width, height: view.height, floor, tops, normals, gloss: table.relief.gloss })
+    Ok(Floor {
+        width: view.width,
+        height: view.height,
+        floor,
+        tops,
+        normals,
+        gloss: table.relief.gloss,
+        ..Floor::default()
+    })
 }
 
 fn background() -> Color {

@@ -151,9 +151,6 @@ impl FrameComposer {
     fn fit(&mut self, width: usize, height: usize) -> Result<(), Failure> {
         if !self.assets.as_ref().is_some_and(|assets| assets.fits(width, height, self.zoom)) {
             let assets = SizeDependentAssets::new(&self.table, width, height, self.zoom)?;
-            // The new art may lie in memory where the old art lay.
-            self.renderer.forget();
-            self.half.forget();
             self.hud.fit(assets.placement, &mut self.frame);
             self.assets = Some(assets);
         }
@@ -198,11 +195,10 @@ impl FrameComposer {
         if light == LightResolution::Half
             && let Some((floor, printed, display)) = assets.half()
         {
-            let mut scene = self.scene_builder.scene(&self.table, snapshot, view, printed);
+            let scene = self.scene_builder.scene(&self.table, snapshot, view, printed);
             clock(None);
             let half = &mut self.half;
-            self.pool
-                .install(|| half.draw_watched(&mut scene, floor, exposure, display, &mut |step| clock(Some(step))));
+            self.pool.install(|| half.draw_watched(&scene, floor, exposure, display, &mut |step| clock(Some(step))));
             return;
         }
         let scene = self.scene_builder.scene(&self.table, snapshot, view, &assets.printed);

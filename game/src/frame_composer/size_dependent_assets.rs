@@ -1,7 +1,6 @@
 //! The assets that depend on the frame's size and zoom: placement, printed art, and the playfield's display buffer.
 
-use crate::art;
-use crate::scene_builder::Printed;
+use crate::scene_builder::{Printed, print_floor};
 use crate::screen::{Placement, Rect, ScreenFromTable, Size};
 use crate::{Failure, Table};
 use geometry::DVec2;
@@ -54,7 +53,7 @@ impl SizeDependentAssets {
     /// If it cannot be printed at this size.
     pub fn print_half(&mut self, table: &Table) -> Result<(), Failure> {
         if self.half.is_none() {
-            self.half = Some(Box::new(art::floor(table, &self.view.halved())?));
+            self.half = Some(Box::new(print_floor(table, &self.view.halved())?));
         }
         Ok(())
     }

@@ -2,10 +2,11 @@
 //!
 //! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
 //! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
-//! picture, always in the same order, so that a renderer can tell what has changed. It refuses to know what a pixel, a
-//! window, a rule or a clock is.
+//! picture, always under the same ids ([`ids`]), so that a renderer can tell what has changed. It refuses to know what a
+//! pixel, a window, a rule or a clock is.
 
 mod blend;
+mod ids;
 mod light;
 mod motion;
 mod rod;
@@ -20,9 +21,10 @@ use crate::art;
 use crate::simulation::{LampLight, Snapshot};
 use crate::table::{Finish, Lamp, LampKind, Solid, Table};
 use geometry::{DVec2, Shape};
+use ids::FirstIds;
 use motion::Motion;
 use physics::{Kind, Leg};
-use tracer::{Filter, Floor, Glow, Group, Mask, Occluder, Outline, Overhang, Rgb, Scene, Top, View};
+use tracer::{Filter, Floor, Glow, Group, ItemId, Mask, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -60,8 +62,18 @@ impl Printed {
     /// # Errors
     /// If the table's art cannot be printed at this size.
     pub fn new(table: &Table, view: &View) -> Result<Printed, Failure> {
-        Ok(Printed { floor: art::floor(table, view)?, masks: art::masks(table, view) })
+        let mut masks = art::masks(table, view);
+        masks.iter_mut().for_each(|mask| mask.revision = Revision::fresh());
+        Ok(Printed { floor: print_floor(table, view)?, masks })
     }
+}
+
+/// Prints the floor and the plastics as `view` shows them.
+///
+/// # Errors
+/// If the table's art cannot be printed at this size.
+pub fn print_floor(table: &Table, view: &View) -> Result<Floor, Failure> {
+    Ok(Floor { revision: Revision::fresh(), ..art::floor(table, view)? })
 }
 
 /// What of a table a scene is built from: everything that does not change from picture to picture.
@@ -80,6 +92,8 @@ struct Actor {
     solid: Solid,
     /// What it belongs to in the light.
     group: Group,
+    /// The first ids of its occluders and of its tops.
+    ids: FirstIds,
     motion: Motion,
     /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
     bulb: Option<usize>,
@@ -91,8 +105,10 @@ impl SceneBuilder {
     /// Everything of `table` that does not change from picture to picture.
     pub fn new(table: &Table) -> SceneBuilder {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
-        let rods = rod::Rod::all(&table.layout, Group(free_group));
-        let mut actors: Vec<Actor> = (0..table.solids.len()).filter_map(|index| Actor::new(table, index)).collect();
+        let mut ids = FirstIds::default();
+        let rods = rod::Rod::all(&table.layout, Group(free_group), &mut ids);
+        let solids = 0..table.solids.len();
+        let mut actors: Vec<Actor> = solids.filter_map(|index| Actor::new(table, index, &mut ids)).collect();
         let mut filters = Vec::new();
         for actor in actors.iter_mut().filter(|actor| actor.is_filter()) {
             // A group of its own: what it belongs to may be as opaque as ever.
@@ -128,16 +144,17 @@ impl SceneBuilder {
     }
 
     fn place_balls(&self, moment: &Snapshot, scene: &mut Scene) {
-        let captives = moment.pose.captives.iter().map(|(_, captive)| captive);
-        for (index, pose) in captives.chain(&moment.pose.balls).enumerate() {
+        let captives = moment.pose.captives.iter().map(|(part, pose)| (ids::captive(*part), pose));
+        let balls = moment.pose.balls.iter().map(|pose| (ids::ball(pose.id), pose));
+        for (index, (id, pose)) in captives.chain(balls).enumerate() {
             let group = Group(self.free_group.saturating_add(1 + index as u16));
             let center_mm = pose.center * MM_PER_M;
             let height_mm = pose.height_m * MM_PER_M;
             let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
             let rotation = pose.rotation.map(|part| part as f32);
-            let ball = tracer::Ball { center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
+            let ball = tracer::Ball { id, center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
             if !ball.is_airborne() {
-                scene.occluders.push(Occluder { shape: Shape::disc(center_mm, radius_mm), group });
+                scene.occluders.push(Occluder::opaque(id, Shape::disc(center_mm, radius_mm), group));
             }
             scene.balls.push(ball);
         }
@@ -146,7 +163,7 @@ impl SceneBuilder {
 
 impl Actor {
     /// `None` for what is not drawn from its solid.
-    fn new(table: &Table, index: usize) -> Option<Actor> {
+    fn new(table: &Table, index: usize, ids: &mut FirstIds) -> Option<Actor> {
         let solid = table.solids[index].clone();
         let motion = Motion::of(&table.layout, &solid)?;
         let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
@@ -154,7 +171,9 @@ impl Actor {
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);
         let group = Group(solid.group);
-        Some(Actor { solid, group, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
+        let (occluders, tops) = motion.most_pieces(&solid);
+        let ids = ids.take(occluders, tops);
+        Some(Actor { solid, group, ids, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
     }
 
     /// Whether light passes it on its way over the table.
@@ -163,10 +182,11 @@ impl Actor {
     }
 
     fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
-        let group = self.group;
+        let (group, ids) = (self.group, self.ids);
         let placed = self.motion.place(&self.solid, &moment.pose);
         if self.solid.shadow {
-            scene.occluders.extend(placed.shadows.iter().map(|&shape| Occluder { shape, group }));
+            let occluder = |&(number, shape): &(u32, Shape)| Occluder::opaque(ids.occluder(number), shape, group);
+            scene.occluders.extend(placed.shadows.iter().map(occluder));
         }
         let mut finish = placed.finish;
         finish.emission = std::array::from_fn(|i| finish.emission[i] + finish.albedo[i] * glow[i]);
@@ -175,7 +195,8 @@ impl Actor {
             finish.gloss *= FROSTED_GLOSS;
         }
         let finish = light::finish(finish);
-        scene.tops.extend(placed.outlines.into_iter().map(|outline| Top { outline, group, finish }));
+        let top = |(number, outline)| Top { id: ids.top(number), outline, group, finish };
+        scene.tops.extend(placed.outlines.into_iter().map(top));
     }
 }
 
@@ -218,22 +239,23 @@ fn outlines(solid: &Solid) -> Vec<Outline> {
 }
 
 fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
-    let bulb = |(lamp, lit): (&Lamp, &LampLight)| match lamp.kind {
+    let bulb = |(id, (lamp, lit)): (u32, (&Lamp, &LampLight))| match lamp.kind {
         LampKind::Insert { .. } => None,
         LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
             let (color, emitter) = (radiance(lamp, lit), light::emitter(emitter));
-            Some(tracer::Lamp { center_mm, emitter, height_mm, reach_mm, color, inside: inside.map(Group) })
+            let (id, inside) = (ItemId(id), inside.map(Group));
+            Some(tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color, inside })
         }
     };
-    lamps.iter().zip(lights).filter_map(bulb).collect()
+    (0..).zip(lamps.iter().zip(lights)).filter_map(bulb).collect()
 }
 
 fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glow<'a>> {
-    let lit = |((lamp, light), mask): ((&Lamp, &LampLight), &'a Mask)| {
+    let lit = |(id, ((lamp, light), mask)): (u32, ((&Lamp, &LampLight), &'a Mask))| {
         let shines = matches!(lamp.kind, LampKind::Insert { .. }) && light.level > 0;
-        shines.then(|| Glow { mask, color: radiance(lamp, light) })
+        shines.then(|| Glow { id: ItemId(id), mask, color: radiance(lamp, light) })
     };
-    lamps.iter().zip(lights).zip(masks).filter_map(lit).collect()
+    (0..).zip(lamps.iter().zip(lights).zip(masks)).filter_map(lit).collect()
 }
 
 /// A lamp's light: its colour, linear, times its power and its level.

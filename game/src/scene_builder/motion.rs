@@ -12,8 +12,6 @@ const FLAP_MM: f64 = 11.0;
 const FLAP_EDGE_MM: f64 = 0.9;
 /// How far a slingshot's arm pushes its rubber out, mm.
 const SLING_REACH_MM: f64 = 7.0;
-/// Where nothing is seen, mm.
-const AWAY_MM: DVec2 = DVec2::new(-1e4, -1e4);
 /// How much smaller a bumper's ring looks when it is pulled down.
 const RING_PULL: f64 = 0.07;
 /// Below this much of its height a drop target's shadow is under the floor.
@@ -39,10 +37,10 @@ pub enum Motion {
 
 /// A solid in its place.
 pub struct Placed {
-    /// What casts its shadow, mm.
-    pub shadows: Vec<Shape>,
-    /// What is seen of it.
-    pub outlines: Vec<Outline>,
+    /// What casts its shadow, mm, each piece with its number among them: the same in every pose.
+    pub shadows: Vec<(u32, Shape)>,
+    /// What is seen of it, each piece with its number among them.
+    pub outlines: Vec<(u32, Outline)>,
     /// How it looks.
     pub finish: Finish,
 }
@@ -64,6 +62,18 @@ impl Motion {
             Kind::Slingshot(sling) => Motion::Bends { slingshot: id, out: into_play(layout, sling.segment) },
             _ => Motion::Still,
         })
+    }
+
+    /// How many pieces of `solid` may cast shadows, and how many may be seen: numbers above those have none.
+    pub fn most_pieces(&self, solid: &Solid) -> (u32, u32) {
+        let shapes = solid.shapes_mm.len() as u32;
+        let drawn = if solid.plastic_mm.is_some() { 1 } else { shapes };
+        match self {
+            // The plate and the two pins of its axle.
+            Motion::Swings { .. } | Motion::Spins { .. } => (1, 3),
+            Motion::Bends { .. } if solid.plastic_mm.is_none() => (2 * shapes, 2 * shapes),
+            _ => (shapes, drawn),
+        }
     }
 
     /// `solid` in this pose.
@@ -106,7 +116,17 @@ fn into_play(layout: &Layout, rubber: Segment) -> DVec2 {
 }
 
 fn as_drawn(solid: &Solid) -> Placed {
-    Placed { shadows: solid.shapes_mm.clone(), outlines: outlines(solid), finish: solid.finish }
+    Placed { shadows: shadows(solid), outlines: numbered(outlines(solid)), finish: solid.finish }
+}
+
+/// What casts a solid's shadow as it is drawn.
+fn shadows(solid: &Solid) -> Vec<(u32, Shape)> {
+    numbered(solid.shapes_mm.iter().copied())
+}
+
+/// Pieces with their numbers.
+fn numbered<T>(pieces: impl IntoIterator<Item = T>) -> Vec<(u32, T)> {
+    (0..).zip(pieces).collect()
 }
 
 /// Turned and scaled round a point.
@@ -144,8 +164,8 @@ impl Turn {
             Outline::Shape(shape) => Outline::Shape(self.shape(shape)),
             Outline::Polygon(points) => Outline::Polygon(points.into_iter().map(|p| self.point(p)).collect()),
         };
-        let shadows = solid.shapes_mm.iter().map(|&shape| self.shape(shape)).collect();
-        Placed { shadows, outlines: outlines(solid).into_iter().map(outline).collect(), finish: solid.finish }
+        let shadows = numbered(solid.shapes_mm.iter().map(|&shape| self.shape(shape)));
+        Placed { shadows, outlines: numbered(outlines(solid).into_iter().map(outline)), finish: solid.finish }
     }
 }
 
@@ -168,7 +188,7 @@ fn swung(solid: &Solid, axle: Segment, way: DVec2, angle_rad: f64) -> Placed {
     let lean = way * (FLAP_MM * sin);
     let mut outlines = vec![plate(axle, -way * FLAP_EDGE_MM, lean + way * FLAP_EDGE_MM)];
     outlines.extend(axle_pins(solid, axle));
-    Placed { shadows: shortened(solid, axle, cos), outlines, finish: solid.finish }
+    Placed { shadows: shortened(solid, axle, cos), outlines: numbered(outlines), finish: solid.finish }
 }
 
 /// A plate that turns with its middle on its axle: broad and bright when it lies flat, a line when it hangs.
@@ -181,7 +201,7 @@ fn spun(solid: &Solid, axle: Segment, angle_rad: f64) -> Placed {
     finish.albedo = finish.albedo.map(|channel| channel * (0.45 + 0.55 * sin.abs() as f32) * face);
     let mut outlines = vec![plate(axle, -across, across)];
     outlines.extend(axle_pins(solid, axle));
-    Placed { shadows: shortened(solid, axle, cos.abs()), outlines, finish }
+    Placed { shadows: shortened(solid, axle, cos.abs()), outlines: numbered(outlines), finish }
 }
 
 fn plate(axle: Segment, from: DVec2, to: DVec2) -> Outline {
@@ -195,11 +215,11 @@ fn axle_pins(solid: &Solid, axle: Segment) -> impl Iterator<Item = Outline> {
 }
 
 /// What a plate still hides when only `part` of its height is left in the light's way.
-fn shortened(solid: &Solid, axle: Segment, part: f64) -> Vec<Shape> {
+fn shortened(solid: &Solid, axle: Segment, part: f64) -> Vec<(u32, Shape)> {
     let middle = (axle.a + axle.b) * 0.5;
     let half = axle.along() * (0.5 * part);
     let radius = solid.shapes_mm.first().map_or(FLAP_EDGE_MM, |shape| shape.radius);
-    vec![Shape::capsule(middle - half, middle + half, radius)]
+    vec![(0, Shape::capsule(middle - half, middle + half, radius))]
 }
 
 /// A bumper's ring, `pull` of the way down: further from the eye, so smaller, and in the skirt's shade.
@@ -208,28 +228,26 @@ fn pulled(solid: &Solid, center: DVec2, pull: f64) -> Placed {
         return as_drawn(solid);
     }
     let turn = Turn { pivot: center, by_rad: 0.0, scale: 1.0 - RING_PULL * pull.min(1.0) };
-    Placed { shadows: solid.shapes_mm.clone(), ..turn.place(solid) }
+    Placed { shadows: shadows(solid), ..turn.place(solid) }
 }
 
-/// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle.
-///
-/// A band that does not break has its second half far away: a thing must have as many outlines in every picture, or all
-/// that is drawn after it would seem to be new.
+/// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle. The second half
+/// has a number of its own, which is free while the band does not break.
 fn bent(solid: &Solid, out: DVec2, kick: f64) -> Placed {
     if solid.plastic_mm.is_some() {
         return as_drawn(solid);
     }
-    let bend = |shape: &Shape| match shape.core {
-        Core::Segment(Segment { a, b }) if kick > 0.0 => {
-            let knee = (a + b) * 0.5 + out * (SLING_REACH_MM * kick.min(1.0));
-            [Shape::capsule(a, knee, shape.radius), Shape::capsule(knee, b, shape.radius)]
+    let mut shadows = Vec::with_capacity(2 * solid.shapes_mm.len());
+    for (first, shape) in (0..).step_by(2).zip(&solid.shapes_mm) {
+        match shape.core {
+            Core::Segment(Segment { a, b }) if kick > 0.0 => {
+                let knee = (a + b) * 0.5 + out * (SLING_REACH_MM * kick.min(1.0));
+                shadows.push((first, Shape::capsule(a, knee, shape.radius)));
+                shadows.push((first + 1, Shape::capsule(knee, b, shape.radius)));
+            }
+            _ => shadows.push((first, *shape)),
         }
-        _ => [*shape, Shape::disc(AWAY_MM, 0.0)],
-    };
-    let shapes: Vec<Shape> = solid.shapes_mm.iter().flat_map(bend).collect();
-    Placed {
-        outlines: shapes.iter().map(|&shape| Outline::Shape(shape)).collect(),
-        shadows: shapes,
-        finish: solid.finish,
     }
+    let outlines = shadows.iter().map(|&(number, shape)| (number, Outline::Shape(shape))).collect();
+    Placed { outlines, shadows, finish: solid.finish }
 }

@@ -1,10 +1,12 @@
 //! Rods that shoot: the plunger's, of steel with a rubber tip and the spring that drives it, and those of kickbacks, whose
 //! coils are below the playfield.
 
+use super::ids::FirstIds;
 use super::motion::value;
 use super::{MM_PER_M, mm};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Layout, PartId, Pose};
+use std::iter;
 use tracer::{Finish, Group, Occluder, Outline, Profile, Scene, Top};
 
 const ROD_RADIUS_MM: f64 = 3.0;
@@ -34,13 +36,15 @@ pub struct Rod {
     half_width: f64,
     stroke: f64,
     group: Group,
+    /// The first ids of its occluders and of its tops.
+    ids: FirstIds,
     /// The kickback that it is; else it is the plunger's.
     kickback: Option<PartId>,
 }
 
 impl Rod {
     /// The rods of a layout.
-    pub fn all(layout: &Layout, group: Group) -> Vec<Rod> {
+    pub fn all(layout: &Layout, group: Group, ids: &mut FirstIds) -> Vec<Rod> {
         let mut rods = Vec::new();
         for (index, part) in layout.parts.iter().enumerate() {
             let (tip, way, half_width_m, stroke_m, kickback) = match &part.kind {
@@ -49,7 +53,8 @@ impl Rod {
                 _ => continue,
             };
             let (half_width, stroke) = (half_width_m * MM_PER_M, stroke_m * MM_PER_M);
-            rods.push(Rod { tip: mm(tip), way, half_width, stroke, group, kickback });
+            let tops = if kickback.is_some() { 2 } else { 2 + COILS as u32 };
+            rods.push(Rod { tip: mm(tip), way, half_width, stroke, group, ids: ids.take(2, tops), kickback });
         }
         rods
     }
@@ -75,15 +80,15 @@ impl Rod {
         let reach = self.way.perp() * (self.half_width - TIP_RADIUS_MM).max(0.5);
         let rod = Shape::capsule(tip_middle, tip_middle - self.way * self.length(out), ROD_RADIUS_MM);
         let tip = Shape::capsule(tip_middle - reach, tip_middle + reach, TIP_RADIUS_MM);
-        let mut show = |shape, finish| {
-            scene.tops.push(Top { outline: Outline::Shape(shape), group: self.group, finish });
-        };
-        show(rod, STEEL);
-        if self.kickback.is_none() {
-            self.coils(face).for_each(|coil| show(coil, WIRE));
-        }
-        show(tip, RUBBER);
-        scene.occluders.extend([rod, tip].map(|shape| Occluder { shape, group: self.group }));
+        let coils = self.coils(face).filter(|_| self.kickback.is_none()).map(|coil| (coil, WIRE));
+        let shown = iter::once((rod, STEEL)).chain(coils).chain(iter::once((tip, RUBBER)));
+        scene.tops.extend((0..).zip(shown).map(|(number, (shape, finish))| {
+            let outline = Outline::Shape(shape);
+            Top { id: self.ids.top(number), outline, group: self.group, finish }
+        }));
+        let occluders = (0..).zip([rod, tip]);
+        let occluder = |(number, shape)| Occluder::opaque(self.ids.occluder(number), shape, self.group);
+        scene.occluders.extend(occluders.map(occluder));
     }
 
     /// The turns of the spring between the tip's collar and the housing: the same number however far it is pressed.

@@ -5,7 +5,9 @@ use crate::storage::tables;
 use crate::table::Emitter;
 use crate::{Buttons, Simulation, small_table};
 use physics::Kind;
+use std::collections::BTreeMap;
 use std::sync::Arc;
+use tracer::Profile;
 
 fn set() -> (Arc<Table>, Snapshot) {
     let table = Arc::new(tables::load("spectrum").expect("the project's table is whole"));
@@ -72,20 +74,30 @@ fn dark_inserts_do_not_glow_and_the_parts_keep_their_order() {
     assert_eq!(before.0, after.0, "what casts shadows does not depend on the lamps");
 }
 
+/// What a top is, whatever it does: its group and the form of its edge.
+fn kinds(scene: &Scene) -> BTreeMap<u32, (Group, Profile)> {
+    scene.tops.iter().map(|top| (top.id.0, (top.group, top.finish.profile))).collect()
+}
+
 #[test]
-fn a_thing_has_as_many_outlines_in_every_picture() {
+fn a_thing_keeps_its_ids_in_every_picture() {
     let (table, moment) = set();
-    let count = |moment: &Snapshot| {
-        let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
-        SceneBuilder::new(&table).scene(&table, moment, view(&table), &printed).tops.len()
-    };
-    let still = count(&moment);
-    let mut moved = moment;
+    let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
+    let builder = SceneBuilder::new(&table);
+    let scene = |moment: &Snapshot| builder.scene(&table, moment, view(&table), &printed);
+    let mut moved = moment.clone();
     moved.pose.kickers.iter_mut().for_each(|(_, out)| *out = 0.7);
     moved.pose.drop_targets.iter_mut().for_each(|(_, up)| *up = 0.0);
     moved.pose.gates_rad.iter_mut().chain(&mut moved.pose.spinners_rad).for_each(|(_, angle)| *angle = 1.0);
     moved.pose.plunger = 1.0;
-    assert_eq!(count(&moved), still, "or all that is drawn after it would be made anew");
+    let (still, moved) = (scene(&moment), scene(&moved));
+    assert_eq!((still.check(), moved.check()), (Ok(()), Ok(())), "no id is there twice");
+    let (before, after) = (kinds(&still), kinds(&moved));
+    let same = before.iter().filter(|(id, kind)| after.get(id) == Some(kind)).count();
+    assert_eq!(same, still.tops.len(), "all that was there is there under its id");
+    assert!(moved.tops.len() > still.tops.len(), "the slingshots' rubbers are in two parts");
+    let far = |outline: &Outline| matches!(outline, Outline::Shape(shape) if shape.bounds().min.x < -1e3);
+    assert!(!still.tops.iter().any(|top| far(&top.outline)), "nothing is there only to be counted");
 }
 
 #[test]
@@ -163,7 +175,8 @@ fn the_light_that_an_eye_gets_used_to_is_the_integral_of_a_bulbs_falloff() {
     let kind = LampKind::Bulb { center_mm, emitter: bulb, height_mm, reach_mm, inside: None };
     let lamp = Lamp { name: String::new(), color: [255; 3], power: 2.0, kind };
     let emitter = light::emitter(bulb);
-    let light = tracer::Lamp { center_mm, emitter, height_mm, reach_mm, color: [1.0; 3], inside: None };
+    let id = ItemId(0);
+    let light = tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color: [1.0; 3], inside: None };
     let points = (0..1000).flat_map(|x| (0..1000).map(move |y| DVec2::new(f64::from(x), f64::from(y))));
     let mean = points.map(|point| light.falloff(point + DVec2::splat(0.5))).sum::<f64>() * 2.0 / 1e6;
     let found = crate::lamps::given(&lamp, DVec2::splat(1000.0));

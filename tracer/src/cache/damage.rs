@@ -4,10 +4,12 @@
 //! Every answer is on the safe side: a tile that is drawn again for nothing has the same bits as before. What moves
 //! between a lamp and a tile is not known here but to [`crate::past`].
 
+use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;
+use crate::scene::id::Item;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
-use crate::{Ball, Filter, Glow, Lamp, Mask, Rgb, Scene, View};
+use crate::{Ball, Filter, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
@@ -22,25 +24,67 @@ pub(crate) fn contact_mm(ball: &Ball) -> f64 {
     ball.radius_mm * CONTACT_RADII + ball.lift_mm()
 }
 
-/// An insert as the last picture showed it: its mask by its place in memory.
+/// An insert as the last picture showed it.
 #[derive(Clone, Debug, PartialEq)]
 struct Inlay {
-    mask: (usize, usize),
+    id: ItemId,
+    revision: Revision,
     color: Rgb,
+    /// The pixels of its mask: left, top, right, bottom.
     pixels: [usize; 4],
+}
+
+impl Item for Inlay {
+    fn id(&self) -> ItemId {
+        self.id
+    }
+}
+
+/// A lamp that shone in the last picture.
+#[derive(Clone, Debug, PartialEq)]
+struct LitLamp {
+    lamp: Lamp,
+    /// Its number in the tiles' memory.
+    number: usize,
+}
+
+impl Item for LitLamp {
+    fn id(&self) -> ItemId {
+        self.lamp.id
+    }
+}
+
+/// What tells the floor's art from other art.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct ArtKey {
+    revision: Revision,
+    size: [usize; 2],
+    /// How many pixels there are of the floor, of tops and of normals.
+    lengths: [usize; 3],
+    gloss: u32,
+}
+
+impl ArtKey {
+    fn of(floor: &Floor) -> ArtKey {
+        ArtKey {
+            revision: floor.revision,
+            size: [floor.width, floor.height],
+            lengths: [floor.floor.len(), floor.tops.len(), floor.normals.len()],
+            gloss: floor.gloss.to_bits(),
+        }
+    }
 }
 
 impl Inlay {
     fn new(glow: &Glow) -> Inlay {
-        let &Mask { x, y, width, .. } = glow.mask;
+        let &Mask { revision, x, y, width, .. } = glow.mask;
         let height = glow.mask.height();
-        let mask = glow.mask.place();
-        Inlay { mask, color: glow.color, pixels: [x, y, x + width, y + height] }
+        Inlay { id: glow.id, revision, color: glow.color, pixels: [x, y, x + width, y + height] }
     }
 }
 
 /// A lamp that does not shine as it did.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Flash {
     circle: (DVec2, f64),
     /// Its number in the tiles' memory, if what is remembered of it counts.
@@ -50,15 +94,18 @@ struct Flash {
 /// What the last picture showed beside shadows and tops, and what is new in this one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Changes {
-    lamps: Vec<Lamp>,
+    lamps: Vec<LitLamp>,
     inlays: Vec<Inlay>,
     balls: Vec<Ball>,
+    overhangs: Vec<Overhang>,
     ambient: Rgb,
     filters: Vec<Filter>,
     view: Option<View>,
-    art: [usize; 8],
-    /// The glows of this picture, kept for the next.
+    art: ArtKey,
+    /// The lamps and the glows of this picture, kept for the next.
+    next_lamps: Vec<LitLamp>,
     next: Vec<Inlay>,
+    pairing: ItemPairing,
     /// Whether all is different.
     pub everything: bool,
     /// Whether the art is another, or what passes through filters: nothing that was seen holds.
@@ -83,10 +130,7 @@ impl Changes {
     ///
     /// `number` gives the number by which the tiles' memory knows a lamp.
     pub fn turn_page(&mut self, scene: &Scene, number: impl FnMut(&Lamp) -> usize) {
-        let floor = scene.floor;
-        let (below, above) = (floor.floor.as_ptr() as usize, floor.tops.as_ptr() as usize);
-        let (has_normals, gloss) = (floor.normals.as_ptr() as usize, floor.gloss.to_bits() as usize);
-        let art = [floor.width, floor.height, below, floor.floor.len(), above, floor.tops.len(), has_normals, gloss];
+        let art = ArtKey::of(scene.floor);
         self.repainted = self.art != art || self.view != Some(scene.view) || self.filters != scene.filters;
         self.filters.clone_from(&scene.filters);
         self.dawned = self.ambient != scene.ambient;
@@ -98,8 +142,9 @@ impl Changes {
         for ball in self.balls.iter().chain(&scene.balls) {
             self.contacts.push((ball.center_mm, contact_mm(ball)));
         }
-        self.still = self.balls == scene.balls;
+        self.still = self.balls == scene.balls && self.overhangs == scene.overhangs;
         self.balls.clone_from(&scene.balls);
+        self.overhangs.clone_from(&scene.overhangs);
     }
 
     /// Leaves balls as they are that lie still where nothing is new; nor has anything moved before a lamp.
@@ -110,27 +155,17 @@ impl Changes {
         }
     }
 
-    /// Light is added up in the lamps' order, so a lamp that has changed places has changed.
+    /// Balls add light up in the lamps' order, so a lamp that has changed places has changed.
     fn compare_lamps(&mut self, scene: &Scene, mut number: impl FnMut(&Lamp) -> usize) {
-        self.flashes.clear();
-        let mut flash = |lamp: &Lamp| Flash { circle: (lamp.center_mm, lamp.far_mm()), number: Some(number(lamp)) };
-        let black = |lamp: &Lamp| Lamp { color: [0.0; 3], ..*lamp };
-        let mut old = self.lamps.as_slice();
-        for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
-            match old.iter().position(|old| black(old) == black(lamp)) {
-                Some(at) => {
-                    self.flashes.extend(old[..at].iter().map(&mut flash));
-                    if old[at].color != lamp.color {
-                        self.flashes.push(flash(lamp));
-                    }
-                    old = &old[at + 1..];
-                }
-                None => self.flashes.push(flash(lamp)),
-            }
-        }
-        self.flashes.extend(old.iter().map(&mut flash));
-        self.lamps.clear();
-        self.lamps.extend(scene.lamps.iter().filter(|lamp| lamp.shines()));
+        let Changes { lamps, next_lamps, flashes, pairing, .. } = self;
+        flashes.clear();
+        next_lamps.clear();
+        let lit = scene.lamps.iter().filter(|lamp| lamp.shines());
+        next_lamps.extend(lit.map(|lamp| LitLamp { lamp: *lamp, number: number(lamp) }));
+        pairing.each_change(lamps, next_lamps, |LitLamp { lamp, number }| {
+            push_new(flashes, Flash { circle: (lamp.center_mm, lamp.far_mm()), number: Some(*number) });
+        });
+        std::mem::swap(lamps, next_lamps);
     }
 
     /// Notes that a lamp has to be looked at from everywhere.
@@ -139,24 +174,12 @@ impl Changes {
     }
 
     fn compare_glows(&mut self, scene: &Scene) {
-        self.glows.clear();
-        self.next.clear();
-        self.next.extend(scene.glows.iter().map(Inlay::new));
-        let mut old = self.inlays.as_slice();
-        for new in &self.next {
-            match old.iter().position(|old| old.mask == new.mask && old.pixels == new.pixels) {
-                Some(at) => {
-                    self.glows.extend(old[..at].iter().map(|inlay| inlay.pixels));
-                    if old[at].color != new.color {
-                        self.glows.push(new.pixels);
-                    }
-                    old = &old[at + 1..];
-                }
-                None => self.glows.push(new.pixels),
-            }
-        }
-        self.glows.extend(old.iter().map(|inlay| inlay.pixels));
-        std::mem::swap(&mut self.inlays, &mut self.next);
+        let Changes { inlays, next, glows, pairing, .. } = self;
+        glows.clear();
+        next.clear();
+        next.extend(scene.glows.iter().map(Inlay::new));
+        pairing.each_change(inlays, next, |inlay| push_new(glows, inlay.pixels));
+        std::mem::swap(inlays, next);
     }
 
     /// What may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
@@ -210,6 +233,14 @@ impl Nearby {
                 .glows
                 .iter()
                 .any(|&[left, top, right, bottom]| left < x + TILE && right > x && top < y + TILE && bottom > y)
+    }
+}
+
+/// Puts something at the end of a list, unless it is there: what has only changed its colour is told of as it was and as it
+/// is.
+fn push_new<T: PartialEq>(list: &mut Vec<T>, item: T) {
+    if list.last() != Some(&item) {
+        list.push(item);
     }
 }
 

@@ -1,7 +1,8 @@
 //! What the last picture was made of, what has moved since, and the tiles that remember it.
 
+use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;
-use crate::{Ball, Group, Lamp, Occluder, Scene, View};
+use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
@@ -35,8 +36,11 @@ pub(crate) struct Past {
     airborne: Vec<Ball>,
     /// Those of the picture that is to come.
     next: Vec<Ball>,
-    /// The lamps, by the numbers that [`TileMemory`] knows them by.
+    /// The lamps, by the numbers that [`TileMemory`] knows them by; and those that have been where they are not any more.
     pub known: Vec<Known>,
+    /// The lamps' numbers, in the order of their ids.
+    numbers: Vec<(ItemId, usize)>,
+    pairing: ItemPairing,
     /// The tiles, band by band.
     pub bands: Vec<Vec<TileMemory>>,
     /// Where tops have moved.
@@ -50,21 +54,19 @@ impl Past {
         if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
+            self.numbers.clear();
             self.bands.resize_with(bands, Vec::new);
             for band in &mut self.bands {
                 band.resize_with(tiles, TileMemory::default);
                 band.iter_mut().for_each(TileMemory::forget);
             }
         }
-        let Past { occluders: old, airborne, next, known, .. } = self;
-        let group = |occluder: &Occluder| occluder.group;
-        each_move(old, occluders, group, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        let Past { occluders: old, airborne, next, known, pairing, .. } = self;
+        pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
         next.clear();
-        next.extend(
-            scene.balls.iter().filter(|ball| ball.is_airborne()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }),
-        );
-        let group = |ball: &Ball| ball.group;
-        each_move(airborne, next, group, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
+        let is_airborne = |ball: &&Ball| ball.is_airborne();
+        next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        pairing.each_change(airborne, next, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
         std::mem::swap(airborne, next);
         for known in &mut self.known {
             if known.moved.len() + known.moved_balls.len() > MAX_MOVES {
@@ -82,13 +84,22 @@ impl Past {
         self.bands.iter().flatten().any(|tile| tile.fresh)
     }
 
-    /// The number of a lamp, which is given one if it is new.
+    /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
     pub fn number(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
-        self.known.iter().position(|known| known.lamp == black).unwrap_or_else(|| {
-            self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
-            self.known.len() - 1
-        })
+        let at = self.numbers.binary_search_by_key(&lamp.id, |&(id, _)| id);
+        if let Ok(at) = at
+            && self.known[self.numbers[at].1].lamp == black
+        {
+            return self.numbers[at].1;
+        }
+        let number = self.known.len();
+        self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
+        match at {
+            Ok(at) => self.numbers[at].1 = number,
+            Err(at) => self.numbers.insert(at, (lamp.id, number)),
+        }
+        number
     }
 
     /// The lamp of this number has been looked at from everywhere.
@@ -97,24 +108,4 @@ impl Past {
         self.known[number].moved_balls.clear();
         self.known[number].lost = false;
     }
-}
-
-/// Calls `moved` for what was in the old list and is not in the new one, and the other way round. What comes and goes
-/// leaves the others where they were, as long as they keep their order.
-fn each_move<T: PartialEq>(mut old: &[T], mut new: &[T], group: impl Fn(&T) -> Group, mut moved: impl FnMut(&T)) {
-    while let (Some((before, older)), Some((now, newer))) = (old.split_first(), new.split_first()) {
-        let changed = before != now;
-        let another = changed && group(before) != group(now);
-        let came = another && newer.iter().any(|other| group(other) == group(before));
-        let gone = another && !came;
-        if changed && !came {
-            moved(before);
-        }
-        if changed && !gone {
-            moved(now);
-        }
-        old = if came { old } else { older };
-        new = if gone { new } else { newer };
-    }
-    old.iter().chain(new).for_each(moved);
 }

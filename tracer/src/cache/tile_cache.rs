@@ -11,6 +11,7 @@ use crate::cache::lamp_layer::{Bare, Kept, LayerFormat, Part, Planes, Sight};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::packed_planes::{Gains, Terms};
 use crate::cache::weighted_sum::{Steps, Sum, put_together, scale_of};
+use crate::scene::GlowKey;
 use crate::simd::dispatch::prefetch;
 use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
 use crate::{Group, Rgb, SimdLevel};
@@ -53,8 +54,8 @@ pub(crate) struct TileMemory {
     /// needs of it, in white light.
     pub base: Sight,
     kept_base: Kept,
-    /// In the light of inserts, known by their masks' places in memory.
-    glows: Vec<((usize, usize), Sight, Kept)>,
+    /// In the light of inserts, known by their ids and their masks' printings.
+    glows: Vec<(GlowKey, Sight, Kept)>,
     /// What it shows.
     pub surfaces: Surfaces,
 }
@@ -82,9 +83,9 @@ impl TileMemory {
     }
 
     /// What an insert's light does in the tile.
-    pub fn glow(&mut self, mask: (usize, usize)) -> &mut Sight {
-        let at = self.glows.iter().position(|glow| glow.0 == mask).unwrap_or_else(|| {
-            self.glows.push((mask, Sight::default(), Kept::default()));
+    pub fn glow(&mut self, glow: GlowKey) -> &mut Sight {
+        let at = self.glows.iter().position(|known| known.0 == glow).unwrap_or_else(|| {
+            self.glows.push((glow, Sight::default(), Kept::default()));
             self.glows.len() - 1
         });
         &mut self.glows[at].1
@@ -177,8 +178,8 @@ impl TileMemory {
     }
 
     /// Keeps the picture in an insert's light.
-    pub fn keep_glow(&mut self, mask: (usize, usize), simd: SimdLevel, light: &RgbTile) {
-        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|glow| glow.0 == mask) {
+    pub fn keep_glow(&mut self, glow: GlowKey, simd: SimdLevel, light: &RgbTile) {
+        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|known| known.0 == glow) {
             kept.gauge(scale_of(simd, light));
             kept.keep_colors(simd, light, ALL_ROWS, &mut self.planes);
             sight.renew(kept.is_lit, None);
@@ -189,24 +190,24 @@ impl TileMemory {
     fn pictures<'a>(
         &'a self,
         light: &'a Illumination,
-        glows: impl Iterator<Item = ((usize, usize), Rgb)>,
+        glows: impl Iterator<Item = (GlowKey, Rgb)>,
     ) -> impl Iterator<Item = (&'a Kept, Rgb)> {
         let base = Some((&self.kept_base, [1.0; 3])).filter(|_| self.base.is_lit() && !light.shaded);
         let lamps = self.kept.iter().map(|kept| (kept, light.lamps[usize::from(kept.lamp)]));
         // Few tiles have inserts.
-        let glows = glows.take_while(|_| !self.glows.is_empty()).filter_map(|(mask, color)| {
-            self.glows.iter().find(|glow| glow.0 == mask).map(|(_, _, kept)| (kept, color))
-        });
+        let glows = glows
+            .take_while(|_| !self.glows.is_empty())
+            .filter_map(|(key, color)| self.glows.iter().find(|glow| glow.0 == key).map(|(_, _, kept)| (kept, color)));
         base.into_iter().chain(lamps).chain(glows).filter(|(kept, color)| kept.is_lit && *color != [0.0; 3])
     }
 
-    /// Puts the tile in light, and in that of inserts, given by their masks; `means` becomes what the bloom needs of it,
+    /// Puts the tile in light, and in that of inserts, given by their keys; `means` becomes what the bloom needs of it,
     /// unless the light from everywhere is shaded. `parts` is room.
     pub fn light(
         &mut self,
         simd: SimdLevel,
         light: &Illumination,
-        glows: impl Iterator<Item = ((usize, usize), Rgb)> + Clone,
+        glows: impl Iterator<Item = (GlowKey, Rgb)> + Clone,
         parts: &mut Vec<Part>,
         means: &mut Means,
     ) {

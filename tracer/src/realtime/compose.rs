@@ -28,7 +28,7 @@ impl Workspace {
     pub(crate) fn read_prints(&mut self, stage: &Stage, rect: &TileRect, layers: usize) {
         let (scene, floor) = (stage.scene, stage.scene.floor);
         let (width, height) = rect.visible_px;
-        let has_art = |layer: &TopLayer| floor.fits(scene) && scene.tops[layer.form].finish.art;
+        let has_art = |layer: &TopLayer| floor.fits(scene) && stage.tops.top(layer.form).finish.art;
         if self.tops[..layers].iter().any(has_art) {
             albedo_map::read(stage.simd, &floor.tops, floor.width, rect.x, rect.y, width, height, &mut self.printed);
             self.printed.clamp_to_edge(width, height);
@@ -81,7 +81,7 @@ impl Workspace {
             scatter(&self.floor, ALL_ROWS, &self.packed, &mut self.picture);
         }
         for TopLayer { form, points, surface, .. } in &self.tops[..layers] {
-            let finish = &stage.scene.tops[*form].finish;
+            let finish = &stage.tops.top(*form).finish;
             shade_top_ambient(simd, points.blocks(), surface, finish, ambient, &mut self.packed);
             scatter(points, ALL_ROWS, &self.packed, &mut self.picture);
         }

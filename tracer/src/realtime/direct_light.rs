@@ -172,7 +172,7 @@ impl Workspace {
         verdict: VisibilityClass,
     ) {
         let TopLayer { form, points, surface, .. } = &self.tops[layer];
-        let (finish, blocks) = (&stage.scene.tops[*form].finish, points.blocks_in(rows));
+        let (finish, blocks) = (&stage.tops.top(*form).finish, points.blocks_in(rows));
         let fraction = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &self.fraction };
         shade_top(stage.simd, points, blocks, surface, finish, falloff, fraction, &mut self.packed);
         scatter(points, blocks, &self.packed, &mut self.picture);
@@ -206,7 +206,7 @@ impl Workspace {
         let mut own = None;
         let (points, blocks) = if let Some(layer) = layer {
             let TopLayer { form, points, .. } = &self.tops[layer];
-            own = Some(stage.scene.tops[*form].group);
+            own = Some(stage.tops.top(*form).group);
             (points, points.blocks_in(rows))
         } else {
             (if self.whole { stage.full_tile } else { &self.floor }, self.floor_blocks(rows))

@@ -58,7 +58,7 @@ impl Workspace {
         self.remaining = [[1.0; LANES]; TILE];
         let mut layers = 0;
         for &at in self.forms.iter().rev() {
-            let Some(form) = &stage.forms[at] else { continue };
+            let Some(form) = stage.tops.outline(at) else { continue };
             if !form.bounds.overlaps(&bounds) {
                 continue;
             }
@@ -68,7 +68,7 @@ impl Workspace {
             }
             let layer = &mut self.tops[layers];
             layer.form = at;
-            let opacity = clamp(stage.scene.tops[at].finish.opacity, 0.0, 1.0);
+            let opacity = clamp(stage.tops.top(at).finish.opacity, 0.0, 1.0);
             layer.pack(&self.edge, form.bevel_mm(), opacity, mm_per_px as f32, &mut self.remaining);
             layers += usize::from(layer.points.count > 0);
         }

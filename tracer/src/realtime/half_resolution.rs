@@ -4,16 +4,20 @@
 //! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
-use crate::film::bloom::{CELL_PX, MipLevel};
+use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
 use crate::realtime::joint_upsampling::{Guides, Print};
 use crate::realtime::renderer::drawable;
+use crate::realtime::schedule::write_planes;
+use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::planes::{BLACK, RgbTile, TILE};
-use crate::{DisplayBuffer, Finish, Floor, Radiance, RenderStage, Renderer, Scene, View};
+use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
 use rayon::prelude::*;
-use std::borrow::Cow;
-use std::mem::take;
+
+mod lists;
+
+use lists::{Lists, add_lamps};
 
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
 /// in it than before.
@@ -27,9 +31,11 @@ pub struct HalfRenderer {
     marks: [Layer; 2],
     /// Light that surfaces have of their own, at the full resolution.
     glows: Layer,
-    /// The tops' finishes, while others are in their place.
-    finishes: Vec<Finish>,
+    /// The lists of the layers' scenes.
+    lists: Lists,
     tiles: Vec<Tile>,
+    /// Room to check a scene in.
+    ids: Vec<ItemId>,
 }
 
 /// A tile of the picture.
@@ -55,6 +61,12 @@ impl Layer {
         self.renderer.render_table(scene, &mut self.radiance);
         self.fresh = self.renderer.is_fresh();
     }
+
+    /// Renders `scene` with this art, from this view.
+    fn render_at<'a>(&mut self, (floor, view): (&'a Floor, View), scene: &mut Scene<'a>) {
+        (scene.floor, scene.view) = (floor, view);
+        self.render(scene);
+    }
 }
 
 impl Default for HalfRenderer {
@@ -78,65 +90,41 @@ impl HalfRenderer {
             guides: [layer(), layer()],
             marks: [layer(), layer()],
             glows: layer(),
-            finishes: Vec::new(),
+            lists: Lists::default(),
             tiles: Vec::new(),
+            ids: Vec::new(),
         }
     }
 
-    /// Draws `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
-    /// any number. The scene is as it was afterwards. What [`Scene::check`] refuses is not drawn; of a view that it refuses
-    /// there is no picture.
-    pub fn draw<'a>(&mut self, scene: &mut Scene<'a>, half: &'a Floor, exposure: f32, display: &mut DisplayBuffer) {
+    /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
+    pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        radiance.resize(scene.view.width, scene.view.height);
+        let known = radiance.source == Some(self.lamps.renderer.picture());
+        self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
+        self.compose(radiance);
+        radiance.source = Some(self.lamps.renderer.picture());
+    }
+
+    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go.
+    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, display: &mut DisplayBuffer) {
         self.draw_watched(scene, half, exposure, display, &mut |_| {});
     }
 
     /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
-    pub fn draw_watched<'a>(
+    pub fn draw_watched(
         &mut self,
-        scene: &mut Scene<'a>,
-        half: &'a Floor,
+        scene: &Scene,
+        half: &Floor,
         exposure: f32,
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let View { width, height, .. } = scene.view;
-        if width == 0 || height == 0 {
-            return display.resize(width, height);
-        }
-        let cleaned = match drawable(scene) {
-            None => return display.resize(0, 0),
-            Some(Cow::Owned(cleaned)) => Some(cleaned),
-            Some(Cow::Borrowed(_)) => None,
-        };
-        match cleaned {
-            Some(mut cleaned) => self.draw_whole(&mut cleaned, half, exposure, display, done),
-            None => self.draw_whole(scene, half, exposure, display, done),
-        }
-    }
-
-    /// Draws a scene in which nothing is wrong.
-    fn draw_whole<'a>(
-        &mut self,
-        scene: &mut Scene<'a>,
-        half: &'a Floor,
-        exposure: f32,
-        display: &mut DisplayBuffer,
-        done: &mut (dyn FnMut(RenderStage) + Send),
-    ) {
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         let known = display.source == Some((self.lamps.renderer.picture(), exposure));
-        self.render_layers(scene, half, done);
-        let changed = self.look_for_stale(&scene.view, known);
-        if changed {
-            self.take_means(display);
-        }
-        done(RenderStage::Shaded);
-        self.lamps.renderer.render_balls(scene, &mut display.bloom);
-        done(RenderStage::Mirrored);
-        if changed {
-            display.bloom.compute(self.simd);
-        }
-        done(RenderStage::Glared);
+        self.find_light(scene, half, known, &mut display.bloom, done);
         self.develop(exposure, display);
         done(RenderStage::Developed);
         display.source = Some((self.lamps.renderer.picture(), exposure));
@@ -150,44 +138,52 @@ impl HalfRenderer {
         }
     }
 
-    /// Makes every layer true, from the scene with parts of it left out.
-    fn render_layers<'a>(
+    /// Makes every layer true, the balls and the bloom; `known` says that the last picture is there to go on from.
+    fn find_light(
         &mut self,
-        scene: &mut Scene<'a>,
-        half: &'a Floor,
+        scene: &Scene,
+        half: &Floor,
+        known: bool,
+        bloom: &mut BloomPyramid,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let (full, view) = (scene.floor, scene.view);
-        let (lamps, occluders, balls) = (take(&mut scene.lamps), take(&mut scene.occluders), take(&mut scene.balls));
-        let ambient = std::mem::replace(&mut scene.ambient, [0.0; 3]);
-        self.glows.render(scene);
-        let glows = take(&mut scene.glows);
-        self.finishes.clear();
-        self.finishes.extend(scene.tops.iter().map(|top| top.finish));
-        for (number, top) in scene.tops.iter_mut().enumerate() {
-            top.finish.emission = [mark(number), 0.0, 0.0];
-            top.finish.art = false;
+        self.render_layers(scene, half, done);
+        let changed = self.look_for_stale(&scene.view, known);
+        if changed {
+            self.take_means(bloom);
+        }
+        done(RenderStage::Shaded);
+        self.lamps.renderer.render_balls(scene, bloom);
+        done(RenderStage::Mirrored);
+        if changed {
+            bloom.compute(self.simd);
+        }
+        done(RenderStage::Glared);
+    }
+
+    /// Makes every layer true: each is a picture of a scene of its own, with a part of what is in `scene`.
+    fn render_layers(&mut self, scene: &Scene, half: &Floor, done: &mut (dyn FnMut(RenderStage) + Send)) {
+        let (full, half) = ((scene.floor, scene.view), (half, scene.view.halved()));
+        let mut layer = self.lists.surfaces_of(scene);
+        self.glows.render(&layer);
+        layer.glows.clear();
+        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+            top.finish = Finish { emission: [mark(top.id), 0.0, 0.0], art: false, ..original.finish };
         }
         let [half_marks, full_marks] = &mut self.marks;
-        full_marks.render(scene);
-        (scene.floor, scene.view) = (half, view.halved());
-        half_marks.render(scene);
-        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
-            top.finish = Finish { emission: [0.0; 3], ..*finish };
+        full_marks.render_at(full, &mut layer);
+        half_marks.render_at(half, &mut layer);
+        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+            top.finish = Finish { emission: [0.0; 3], ..original.finish };
         }
-        scene.ambient = [1.0; 3];
+        layer.ambient = [1.0; 3];
         let [half_guide, full_guide] = &mut self.guides;
-        half_guide.render(scene);
-        (scene.floor, scene.view) = (full, view);
-        full_guide.render(scene);
+        half_guide.render_at(half, &mut layer);
+        full_guide.render_at(full, &mut layer);
         done(RenderStage::Prepared);
-        (scene.lamps, scene.occluders, scene.balls, scene.ambient) = (lamps, occluders, balls, ambient);
-        (scene.floor, scene.view) = (half, view.halved());
-        self.lamps.render(scene);
-        (scene.floor, scene.view, scene.glows) = (full, view, glows);
-        for (top, finish) in scene.tops.iter_mut().zip(&self.finishes) {
-            top.finish = *finish;
-        }
+        add_lamps(scene, &mut layer);
+        self.lamps.render_at(half, &mut layer);
+        self.lists = Lists::of(layer);
     }
 
     /// Finds which tiles have to be developed again; says whether there is any.
@@ -231,10 +227,10 @@ impl HalfRenderer {
     }
 
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
-    fn take_means(&self, display: &mut DisplayBuffer) {
+    fn take_means(&self, bloom: &mut BloomPyramid) {
         let lamps = &self.lamps.radiance;
         let glows = self.glows.radiance.bloom.means();
-        let (Some((level, means)), Some((_, glows))) = (display.bloom.means_mut(), glows) else { return };
+        let (Some((level, means)), Some((_, glows))) = (bloom.means_mut(), glows) else { return };
         means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
             mean_of_four(
                 &lamps.planes[channel],
@@ -246,15 +242,30 @@ impl HalfRenderer {
         });
     }
 
-    /// Puts the tiles on film that are not there as they should be.
+    /// Puts together the tiles that are not in `radiance` as they should be.
+    fn compose(&mut self, radiance: &mut Radiance) {
+        let (width, stride) = (radiance.width(), radiance.stride());
+        let (surfaces, tiles) = (Surfaces::of(self.simd, &self.lamps, &self.glows), &mut self.tiles);
+        let [red, green, blue] = &mut radiance.planes;
+        let rows = red.par_chunks_mut(stride * TILE).zip(green.par_chunks_mut(stride * TILE));
+        let bands = rows.zip(blue.par_chunks_mut(stride * TILE)).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (((red, green), blue), tiles))| {
+            let (mut planes, mut out) = ([red, green, blue], BLACK);
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| tile.stale) {
+                tile.stale = false;
+                surfaces.compose(tile, x, band * TILE, &mut out);
+                write_planes(&out, x, 0, stride, &mut planes);
+            }
+        });
+    }
+
+    /// Tone-maps the tiles that are not on display as they should be.
     fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
-        let HalfRenderer { simd, lamps, glows, tiles, .. } = self;
-        let (simd, width, scissor) = (*simd, display.frame.width, display.scissor);
-        let (bloom, light, glows, balls) =
-            (&display.bloom, &lamps.radiance, &glows.radiance, lamps.renderer.ball_sprites());
+        let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
+        let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
         let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
-            let (mut own, mut out, mut developed) = (BLACK, BLACK, [[0; LANES]; TILE]);
+            let (mut out, mut developed) = (BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
                 tile.stale |= bloom.has_changed_at(x, y);
@@ -262,16 +273,36 @@ impl HalfRenderer {
                     continue;
                 }
                 tile.stale = false;
-                tile.print.light(simd, light, x, y, &mut out);
-                if tile.glows {
-                    glows.read_tile(x, y, &mut own);
-                    add(&own, &mut out);
-                }
-                balls.iter().for_each(|ball| ball.blend(x, y, &mut out));
+                surfaces.compose(tile, x, y, &mut out);
                 tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
                 tone_map::store_tile(&developed, x, width, pixels);
             }
         });
+    }
+}
+
+/// What tiles of the full resolution are put together of.
+struct Surfaces<'a> {
+    simd: SimdLevel,
+    light: &'a Radiance,
+    glows: &'a Radiance,
+    balls: &'a [BallSprite],
+}
+
+impl<'a> Surfaces<'a> {
+    fn of(simd: SimdLevel, lamps: &'a Layer, glows: &'a Layer) -> Surfaces<'a> {
+        Surfaces { simd, light: &lamps.radiance, glows: &glows.radiance, balls: lamps.renderer.ball_sprites() }
+    }
+
+    /// Puts together the tile whose upper left pixel is (`x`, `y`).
+    fn compose(&self, tile: &Tile, x: usize, y: usize, out: &mut RgbTile) {
+        tile.print.light(self.simd, self.light, x, y, out);
+        if tile.glows {
+            let mut own = BLACK;
+            self.glows.read_tile(x, y, &mut own);
+            add(&own, out);
+        }
+        self.balls.iter().for_each(|ball| ball.blend(x, y, out));
     }
 }
 
@@ -283,10 +314,14 @@ fn add(more: &RgbTile, light: &mut RgbTile) {
     }
 }
 
-/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of the tops
-/// before and after it (multiples of the golden ratio are as far from each other as they can be).
-fn mark(number: usize) -> f32 {
-    let turns = number as f32 * 0.618_034;
+/// The ids that marks tell apart; single precision has no finer turns for more.
+const MARKS: u32 = 4096;
+
+/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of tops of
+/// neighbouring ids (multiples of the golden ratio are as far from each other as they can be). Tops whose ids are
+/// [`MARKS`] apart have the same one: where they meet, light bleeds from one to the other.
+fn mark(id: ItemId) -> f32 {
+    let turns = (id.0 % MARKS) as f32 * 0.618_034;
     0.25 + 0.75 * (turns - turns.floor())
 }
 

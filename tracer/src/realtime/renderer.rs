@@ -6,6 +6,7 @@ use crate::cache::damage::Changes;
 use crate::cache::frame_history::Past;
 use crate::cache::lamp_set::Numbers;
 use crate::cache::tile_cache::{to_be_composed, to_be_lit};
+use crate::cache::top_history::TopHistory;
 use crate::film::bloom::BloomPyramid;
 use crate::film::tone_map;
 use crate::realtime::schedule::{BLOCK, each_tile, means_bands, write_means, write_planes};
@@ -13,13 +14,12 @@ use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::scene::validation;
 use crate::shading::albedo_map::AlbedoMap;
 use crate::shading::chrome_ball::BallSprite;
-use crate::shading::coverage::OutlineSdf;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::DiscChains;
-use crate::{DisplayBuffer, Radiance, RenderStage, Rgb, Scene, Top};
+use crate::{DisplayBuffer, ItemId, Radiance, RenderStage, Rgb, Scene};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -43,13 +43,14 @@ pub struct Renderer {
     places: Vec<usize>,
     /// The lamps of which nothing is remembered.
     lost: Numbers,
-    tops: Vec<Top>,
-    forms: Vec<Option<OutlineSdf>>,
+    tops: TopHistory,
     full_tile: (f64, PackedSamples),
     ball_sprites: Vec<BallSprite>,
     art: AlbedoMap,
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
+    /// Room to check a scene in.
+    pub(crate) ids: Vec<ItemId>,
 }
 
 /// What the tiles of a picture have in common.
@@ -65,7 +66,7 @@ macro_rules! stage {
             lost: &$renderer.lost,
             moved_tops: &$renderer.past.moved_tops,
             changes: &$renderer.changes,
-            forms: &$renderer.forms,
+            tops: &$renderer.tops,
             full_tile: &$renderer.full_tile.1,
             art: &$renderer.art,
         }
@@ -103,19 +104,19 @@ impl Renderer {
             colors: Vec::new(),
             places: Vec::new(),
             lost: Numbers::default(),
-            tops: Vec::new(),
-            forms: Vec::new(),
+            tops: TopHistory::default(),
             full_tile: (0.0, PackedSamples::none()),
             ball_sprites: Vec::new(),
             art: AlbedoMap::default(),
             radiance: Radiance::default(),
+            ids: Vec::new(),
         }
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
     /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.source == Some(self.picture)) {
             return self.render_afresh(scene, true, radiance);
@@ -165,7 +166,7 @@ impl Renderer {
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         let known = display.source == Some((self.picture, exposure));
         if !self.prepare(scene, known) {
@@ -194,15 +195,15 @@ impl Renderer {
 
     /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
     pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_afresh(scene, true, radiance);
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
     ///
-    /// Art and masks are known by where they are in memory. Whoever prints others in the place of those that were drawn
-    /// has to call this.
+    /// No picture needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
+    /// costs.
     pub fn forget(&mut self) {
         self.past = Past::default();
         self.changes = Changes::default();
@@ -315,11 +316,11 @@ impl Renderer {
     }
 }
 
-/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing.
-pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>) -> Option<Cow<'b, Scene<'a>>> {
+/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing. `ids` is room to work in.
+pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>, ids: &mut Vec<ItemId>) -> Option<Cow<'b, Scene<'a>>> {
     let empty = scene.view.width == 0 || scene.view.height == 0;
     if empty || validation::wrong_with_view(&scene.view).is_some() {
         return None;
     }
-    Some(if scene.check().is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
+    Some(if scene.check_in(ids).is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
 }

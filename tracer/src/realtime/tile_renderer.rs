@@ -9,12 +9,14 @@ use crate::cache::g_buffer::Surfaces;
 use crate::cache::lamp_layer::{Bare, Part};
 use crate::cache::lamp_set::Numbers;
 use crate::cache::tile_cache::{Illumination, TileMemory};
+use crate::cache::top_history::TopHistory;
 use crate::realtime::compose::{has_contacts, shade_contacts};
 use crate::realtime::direct_light::{Lighted, add};
 use crate::realtime::schedule::BLOCK;
+use crate::scene::GlowKey;
 use crate::shading::albedo_map::{Albedo, AlbedoMap};
 use crate::shading::chrome_ball;
-use crate::shading::coverage::{OutlineSdf, SignedDistance};
+use crate::shading::coverage::SignedDistance;
 use crate::shading::surface::{Normals, Surface};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, SimdLevel};
@@ -46,8 +48,8 @@ pub(crate) struct Stage<'a> {
     pub moved_tops: &'a [Bounds],
     /// What else is different from the last picture.
     pub changes: &'a Changes,
-    /// The tops' outlines; `None` where there is nothing to see.
-    pub forms: &'a [Option<OutlineSdf>],
+    /// The tops and their outlines.
+    pub tops: &'a TopHistory,
     /// Every pixel of a tile.
     pub full_tile: &'a PackedSamples,
     /// The floor's art.
@@ -55,9 +57,9 @@ pub(crate) struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    /// The inserts that glow, by their masks' places in memory, with their colours.
-    pub fn glows(&self) -> impl Iterator<Item = ((usize, usize), Rgb)> + Clone {
-        self.scene.glows.iter().map(|glow| (glow.mask.place(), glow.color))
+    /// The inserts that glow, with their colours.
+    pub fn glows(&self) -> impl Iterator<Item = (GlowKey, Rgb)> + Clone {
+        self.scene.glows.iter().map(|glow| (glow.key(), glow.color))
     }
 }
 
@@ -206,7 +208,8 @@ impl Workspace {
         let middle = corner + DVec2::splat(half);
         self.block = (middle, half * std::f64::consts::SQRT_2);
         self.entered = false;
-        self.moved.resize_with(stage.lamps.len(), Vec::new);
+        // Never shorter: other renderers share the thread, and what they have grown is not given back.
+        self.moved.resize_with(stage.lamps.len().max(self.moved.len()), Vec::new);
         self.stirred.clear();
         stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
         for (at, Lit { circle, moved, .. }) in stage.lamps.iter().enumerate() {
@@ -231,9 +234,9 @@ impl Workspace {
         let half = radius / std::f64::consts::SQRT_2;
         let bounds = Bounds::of(middle, middle).grown(half + 2.0 * stage.scene.view.mm_per_px);
         self.forms.clear();
-        let overlaps = |form: &Option<OutlineSdf>| form.as_ref().is_some_and(|form| form.bounds.overlaps(&bounds));
-        self.forms.extend((0..stage.forms.len()).filter(|&at| overlaps(&stage.forms[at])));
-        self.near.resize_with(stage.lamps.len(), PotentialOccluders::default);
+        let overlaps = |&slot: &usize| stage.tops.outline(slot).is_some_and(|outline| outline.bounds.overlaps(&bounds));
+        self.forms.extend(stage.tops.order().iter().copied().filter(overlaps));
+        self.near.resize_with(stage.lamps.len().max(self.near.len()), PotentialOccluders::default);
         self.is_near.clear();
         self.is_near.resize(stage.lamps.len(), false);
         self.lit.clear();
@@ -283,11 +286,11 @@ impl Workspace {
             self.remember_lamp(stage, at, rect, memory, &mut layers);
         }
         for glow in stage.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
-            if !memory.glow(glow.mask.place()).holds {
+            if !memory.glow(glow.key()).holds {
                 layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
                 self.glow(rect, glow.mask);
                 rect.clamp_to_edge(&mut self.picture.each_mut());
-                memory.keep_glow(glow.mask.place(), stage.simd, &self.picture);
+                memory.keep_glow(glow.key(), stage.simd, &self.picture);
             }
         }
         let shaded = has_contacts(stage, rect);

@@ -28,10 +28,10 @@ pub struct Sampling {
 pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampling: Sampling) -> Rgb {
     let mut sum = [0.0; 3];
     let mut near = Near::default();
-    for (index, lamp) in scene.lamps.iter().enumerate().filter(|(_, lamp)| lamp.shines()) {
+    for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
         let rest = lamp.rest(point_mm);
         if rest > 0.0 {
-            let name = Name::new(sampling.seed, index as u64).at(point_mm);
+            let name = Name::new(sampling.seed, u64::from(lamp.id.0)).at(point_mm);
             let rays = Rays { sampling, name, point: point_mm };
             let seen = rays.arriving(scene, lamp, exclude, &mut near).seen;
             let open = rays.unoccluded_fraction(&scene.balls, lamp, exclude);

@@ -1,7 +1,7 @@
 //! A lamp: where it is, what form of it shines, and how much of its light a floor point gets that sees all of it.
 
 use crate::scene::validation;
-use crate::{Group, Rgb};
+use crate::{Group, ItemId, Rgb};
 use geometry::{DVec2, Segment};
 
 /// What of a lamp shines, seen from above; it lies parallel to the floor.
@@ -27,6 +27,8 @@ pub enum Emitter {
 /// the segment's points, where hidden ones count 0; there the reach counts from the segment's closest point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
+    /// The caller's name for it.
+    pub id: ItemId,
     /// The middle, mm.
     pub center_mm: DVec2,
     /// What of it shines.

@@ -1,11 +1,12 @@
 //! What is lit, what lights it and what is in the way: plain data.
 
+pub(crate) mod id;
 pub(crate) mod lamp;
 pub(crate) mod overhang;
 pub mod validation;
 pub(crate) mod view;
 
-use crate::{Lamp, Overhang, View};
+use crate::{ItemId, Lamp, Overhang, Revision, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -44,6 +45,8 @@ pub struct Scene<'a> {
 /// Something that casts shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occluder {
+    /// The caller's name for it.
+    pub id: ItemId,
     /// Its outline from above, mm.
     pub shape: Shape,
     /// What it belongs to.
@@ -63,6 +66,8 @@ pub struct Filter {
 /// A visible surface above the floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Top {
+    /// The caller's name for it.
+    pub id: ItemId,
     /// Its outline from above, mm.
     pub outline: Outline,
     /// What it belongs to.
@@ -113,6 +118,8 @@ pub enum Profile {
 /// there, and hides lamps from what is below it as the sphere that it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
+    /// The caller's name for it.
+    pub id: ItemId,
     /// The middle, mm.
     pub center_mm: DVec2,
     /// The radius, mm.
@@ -130,6 +137,8 @@ pub struct Ball {
 /// An insert that glows: a mask on the screen and its light.
 #[derive(Clone, Debug)]
 pub struct Glow<'a> {
+    /// The caller's name for it.
+    pub id: ItemId,
     /// Which pixels, and how much.
     pub mask: &'a Mask,
     /// Its radiance.
@@ -139,6 +148,8 @@ pub struct Glow<'a> {
 /// Coverage of some pixels of a view.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mask {
+    /// Which printing of it this is.
+    pub revision: Revision,
     /// The leftmost pixel.
     pub x: usize,
     /// The topmost pixel.
@@ -153,6 +164,8 @@ pub struct Mask {
 /// leaves them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Floor {
+    /// Which printing of it this is.
+    pub revision: Revision,
     /// Pixels across.
     pub width: usize,
     /// Pixels down.
@@ -165,6 +178,24 @@ pub struct Floor {
     pub normals: Vec<[i8; 2]>,
     /// Strength of the highlights on the floor's lacquer: 0 is matt, 1 is a mirror's.
     pub gloss: f32,
+}
+
+/// A glow with the printing of its mask: what a tile knows its light by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct GlowKey(ItemId, Revision);
+
+impl Glow<'_> {
+    /// Whose light it is, through which mask.
+    pub(crate) fn key(&self) -> GlowKey {
+        GlowKey(self.id, self.mask.revision)
+    }
+}
+
+impl Occluder {
+    /// A piece of a wall, a post: light does not pass it.
+    pub fn opaque(id: ItemId, shape: Shape, group: Group) -> Occluder {
+        Occluder { id, shape, group }
+    }
 }
 
 impl Ball {
@@ -187,11 +218,6 @@ impl Mask {
     /// Whole rows of pixels.
     pub fn height(&self) -> usize {
         self.coverage.len().checked_div(self.width).unwrap_or(0)
-    }
-
-    /// What a renderer knows it by: where it is in memory, and how much there is.
-    pub(crate) fn place(&self) -> (usize, usize) {
-        (self.coverage.as_ptr() as usize, self.coverage.len())
     }
 }
 

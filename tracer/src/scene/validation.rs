@@ -10,8 +10,10 @@
 //! hide are multiplied, as if neither knew of the other: where both hide some of it, that is wrong by a quarter of the lamp
 //! at the worst. A ball that takes off exchanges the shadow of a column for that of a sphere, which may end.
 
-use crate::{Ball, Emitter, Filter, Finish, Glow, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+use crate::scene::id::Item;
+use crate::{Ball, Emitter, Filter, Finish, Glow, ItemId, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
 use geometry::{Core, DVec2, Shape, Taper};
+use std::collections::BTreeSet;
 use std::iter::once;
 
 /// The farthest that anything may be from the origin across or down, mm.
@@ -35,6 +37,11 @@ impl Scene<'_> {
     /// # Errors
     /// One sentence about the first thing that is not.
     pub fn check(&self) -> Result<(), String> {
+        self.check_in(&mut Vec::new())
+    }
+
+    /// [`Scene::check`], with room to work in.
+    pub(crate) fn check_in(&self, ids: &mut Vec<ItemId>) -> Result<(), String> {
         fn first<T>(what: &str, things: &[T], wrong: impl Fn(&T) -> Option<&'static str>) -> Option<String> {
             let mut found = things.iter().enumerate().filter_map(|(at, thing)| wrong(thing).map(|why| (at, why)));
             found.next().map(|(at, why)| format!("{what} {at} {why}"))
@@ -47,7 +54,12 @@ impl Scene<'_> {
             .or_else(|| first("top", &self.tops, wrong_with_top))
             .or_else(|| first("ball", &self.balls, wrong_with_ball))
             .or_else(|| first("glow", &self.glows, |glow: &Glow| wrong_with_glow(glow)))
-            .or_else(|| wrong_with_color(&self.ambient).map(|why| format!("the ambient light {why}")));
+            .or_else(|| wrong_with_color(&self.ambient).map(|why| format!("the ambient light {why}")))
+            .or_else(|| repeated("lamp", &self.lamps, ids))
+            .or_else(|| repeated("occluder", &self.occluders, ids))
+            .or_else(|| repeated("top", &self.tops, ids))
+            .or_else(|| repeated("ball", &self.balls, ids))
+            .or_else(|| repeated("glow", &self.glows, ids));
         wrong.map_or(Ok(()), Err)
     }
 
@@ -64,8 +76,33 @@ impl Scene<'_> {
         if wrong_with_color(&scene.ambient).is_some() {
             scene.ambient = [0.0; 3];
         }
+        leave_first(&mut scene.lamps);
+        leave_first(&mut scene.occluders);
+        leave_first(&mut scene.tops);
+        leave_first(&mut scene.balls);
+        leave_first(&mut scene.glows);
         scene
     }
+}
+
+/// A sentence about the first item with the id of one before it. Ids that rise need no more than one look at each.
+fn repeated<T: Item>(what: &str, items: &[T], ids: &mut Vec<ItemId>) -> Option<String> {
+    if items.is_sorted_by(|a, b| a.id() < b.id()) {
+        return None;
+    }
+    ids.clear();
+    ids.extend(items.iter().map(Item::id));
+    ids.sort_unstable();
+    let twice = ids.windows(2).any(|two| two[0] == two[1]);
+    let mut seen = BTreeSet::new();
+    let at = twice.then(|| items.iter().position(|item| !seen.insert(item.id()))).flatten()?;
+    Some(format!("{what} {at} must have an id of its own"))
+}
+
+/// Leaves out every item with the id of one before it.
+fn leave_first<T: Item>(items: &mut Vec<T>) {
+    let mut seen = BTreeSet::new();
+    items.retain(|item| seen.insert(item.id()));
 }
 
 fn within(value: f64, most: f64) -> bool {
@@ -162,8 +199,8 @@ fn wrong_with_color(color: &Rgb) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scenes;
-    use crate::{Filter, Group};
+    use super::*;
+    use crate::{Group, scenes};
 
     #[test]
     fn what_is_not_drawn_is_said_in_one_sentence() {
@@ -183,5 +220,35 @@ mod tests {
         }
         scene.view.mm_per_px = 0.0;
         assert!(scene.check().unwrap_err().starts_with("the view must lie within 10 km"));
+    }
+
+    #[test]
+    fn an_id_names_one_item_of_a_kind() {
+        let view = View::fit(16, 32, scenes::SIZE_MM);
+        let props = scenes::props(&view);
+        let mut scene = scenes::table(view, &props);
+        scene.lamps.reverse();
+        scene.tops.rotate_left(3);
+        assert_eq!(scene.check(), Ok(()), "ids may come in any order");
+        let whole = scene.drawable();
+        let refused = |change: &dyn Fn(&mut Scene)| {
+            let mut scene = scene.clone();
+            change(&mut scene);
+            let left = scene.drawable();
+            assert_eq!(left.check(), Ok(()));
+            let count = |scene: &Scene| scene.lamps.len() + scene.occluders.len() + scene.tops.len();
+            let all = |scene: &Scene| count(scene) + scene.balls.len() + scene.glows.len();
+            assert_eq!(all(&left) + 1, all(&whole), "one item is left out");
+            scene.check().unwrap_err()
+        };
+        let said = [
+            refused(&|scene| scene.lamps[5].id = scene.lamps[2].id),
+            refused(&|scene| scene.occluders[7].id = scene.occluders[9].id),
+            refused(&|scene| scene.tops[4].id = scene.tops[0].id),
+            refused(&|scene| scene.balls[2].id = scene.balls[1].id),
+            refused(&|scene| scene.glows[6].id = scene.glows[0].id),
+        ];
+        let expected = ["lamp 5", "occluder 9", "top 4", "ball 2", "glow 6"];
+        assert_eq!(said, expected.map(|item| format!("{item} must have an id of its own")));
     }
 }

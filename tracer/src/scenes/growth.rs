@@ -3,7 +3,7 @@
 //! What is added stands where chance puts it, in the same places every time.
 
 use super::{Random, SIZE_MM};
-use crate::{Ball, Group, Lamp, Occluder, Scene};
+use crate::{Ball, Group, ItemId, Lamp, Occluder, Scene};
 use geometry::Shape;
 
 /// The radius of a post, mm.
@@ -17,14 +17,19 @@ const BALL_MM: f64 = 13.5;
 pub fn with_lamps(scene: &mut Scene, count: usize) {
     let mut random = Random(11);
     let first = scene.lamps.clone();
-    let more = first.iter().cycle().map(|lamp| Lamp { center_mm: random.within(SIZE_MM), ..*lamp });
+    let copies = (free_id(first.iter().map(|lamp| lamp.id))..).zip(first.iter().cycle());
+    let more = copies.map(|(id, lamp)| Lamp { id: ItemId(id), center_mm: random.within(SIZE_MM), ..*lamp });
     scene.lamps = first.iter().copied().chain(more).take(count).collect();
 }
 
 /// Adds `count` posts of 2 mm to what stands there already.
 pub fn with_posts(scene: &mut Scene, count: u16) {
     let mut random = Random(12);
-    let post = |at| Occluder { shape: Shape::disc(random.within(SIZE_MM), POST_MM), group: Group(2000 + at) };
+    let free = free_id(scene.occluders.iter().map(|occluder| occluder.id));
+    let post = |at: u16| {
+        let shape = Shape::disc(random.within(SIZE_MM), POST_MM);
+        Occluder::opaque(ItemId(free + u32::from(at)), shape, Group(2000 + at))
+    };
     scene.occluders.extend((0..count).map(post));
 }
 
@@ -33,9 +38,11 @@ pub fn with_balls(scene: &mut Scene, count: u16) {
     let mut random = Random(13);
     let groups: Vec<Group> = scene.balls.drain(..).map(|ball| ball.group).collect();
     scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
+    let free = free_id(scene.occluders.iter().map(|occluder| occluder.id));
     for at in 0..count {
         let (center_mm, group) = (random.within(SIZE_MM), Group(1000 + at));
         scene.balls.push(Ball {
+            id: ItemId(at.into()),
             center_mm,
             radius_mm: BALL_MM,
             height_mm: 0.0,
@@ -43,7 +50,8 @@ pub fn with_balls(scene: &mut Scene, count: u16) {
             group,
             rotation: [0.0, 0.0, 0.0, 1.0],
         });
-        scene.occluders.push(Occluder { shape: Shape::disc(center_mm, BALL_MM), group });
+        let id = ItemId(free + u32::from(at));
+        scene.occluders.push(Occluder::opaque(id, Shape::disc(center_mm, BALL_MM), group));
     }
 }
 
@@ -54,6 +62,11 @@ pub fn lift(scene: &mut Scene, heights_mm: &[f64]) {
     }
     let Scene { balls, occluders, .. } = scene;
     occluders.retain(|occluder| !balls.iter().any(|ball| ball.is_airborne() && ball.group == occluder.group));
+}
+
+/// The first number above all ids.
+fn free_id(ids: impl Iterator<Item = ItemId>) -> u32 {
+    ids.map(|id| id.0 + 1).max().unwrap_or(0)
 }
 
 #[cfg(test)]

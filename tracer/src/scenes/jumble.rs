@@ -1,7 +1,7 @@
 //! Shapes of every kind, thrown among a few lamps.
 
 use super::{Random, white_view};
-use crate::{Ball, Emitter, Floor, Group, Lamp, Occluder, Scene};
+use crate::{Ball, Emitter, Floor, Group, ItemId, Lamp, Occluder, Scene};
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 
 /// How many occluders a jumble has.
@@ -12,7 +12,7 @@ const SHAPES: u16 = 14;
 pub fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     let mut random = Random(seed);
     let size = DVec2::new(floor.width as f64, floor.height as f64);
-    let lamps = (0..3).map(|_| disc(&mut random, size)).collect();
+    let lamps = (0..3).map(|id| Lamp { id: ItemId(id), ..disc(&mut random, size) }).collect();
     let occluders = shapes(&mut random, size);
     Scene { lamps, occluders, ..white_view(floor, 1.0) }
 }
@@ -24,11 +24,12 @@ pub fn mixed_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     let size = DVec2::new(floor.width as f64, floor.height as f64);
     let mut lamps = vec![disc(&mut random, size), disc(&mut random, size), tube(&mut random, size)];
     lamps.push(tube(&mut random, size));
+    (0..).zip(&mut lamps).for_each(|(id, lamp)| lamp.id = ItemId(id));
     let mut occluders = shapes(&mut random, size);
     for (lamp, group) in [(0, 100), (2, 101)] {
         let at = lamps[lamp].center_mm;
         let shape = Shape::capsule(at - DVec2::X * 4.0, at + DVec2::X * random.between(0.0, 9.0), 3.0);
-        occluders.push(Occluder { shape, group: Group(group) });
+        occluders.push(Occluder::opaque(ItemId(group.into()), shape, Group(group)));
     }
     lamps[2].inside = Some(Group(101));
     Scene { lamps, occluders, ..white_view(floor, 1.0) }
@@ -43,6 +44,7 @@ pub fn floating_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
         let (center_mm, radius_mm) = (random.within(size), random.between(2.0, 13.5));
         let height_mm = random.between(0.2, most_mm);
         scene.balls.push(Ball {
+            id: ItemId(group.into()),
             center_mm,
             radius_mm,
             height_mm,
@@ -56,6 +58,7 @@ pub fn floating_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
 
 fn disc(random: &mut Random, size: DVec2) -> Lamp {
     Lamp {
+        id: ItemId(0),
         center_mm: random.within(size * 1.2) - size * 0.1,
         emitter: Emitter::Disc { radius_mm: random.between(2.0, 9.0) },
         height_mm: random.between(20.0, 40.0),
@@ -77,7 +80,9 @@ fn tube(random: &mut Random, size: DVec2) -> Lamp {
 }
 
 fn shapes(random: &mut Random, size: DVec2) -> Vec<Occluder> {
-    (0..SHAPES).map(|group| Occluder { shape: any_shape(random, size, group), group: Group(group) }).collect()
+    (0..SHAPES)
+        .map(|group| Occluder::opaque(ItemId(group.into()), any_shape(random, size, group), Group(group)))
+        .collect()
 }
 
 /// A disc, a capsule, an arc or a taper, by `kind` modulo 4, somewhere in a rectangle from the origin to `size`.

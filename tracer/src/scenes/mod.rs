@@ -1,6 +1,9 @@
 //! Scenes made by a program: for measurements, for tests and to look at.
 
-use crate::{Ball, Emitter, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+use crate::{
+    Ball, Emitter, Finish, Floor, Glow, Group, ItemId, Lamp, Mask, Occluder, Outline, Profile, Revision, Rgb, Scene,
+    Top, View,
+};
 
 mod growth;
 mod jumble;
@@ -58,7 +61,8 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
     builder.flippers();
     let balls = builder.balls();
     let Builder { occluders, tops, .. } = builder;
-    let glows = props.inserts.iter().map(|(mask, color)| Glow { mask, color: *color }).collect();
+    let glows =
+        (0..).zip(&props.inserts).map(|(id, (mask, color))| Glow { id: ItemId(id), mask, color: *color }).collect();
     Scene {
         view,
         lamps: lamps(&caps),
@@ -85,7 +89,8 @@ pub fn roll(scene: &mut Scene, by_mm: DVec2) {
 
 /// Floor art and inserts for `view`.
 pub fn props(view: &View) -> Props {
-    let mut floor = Floor { width: view.width, height: view.height, floor: Vec::new(), ..Floor::default() };
+    let revision = Revision::fresh();
+    let mut floor = Floor { revision, width: view.width, height: view.height, floor: Vec::new(), ..Floor::default() };
     for y in 0..view.height {
         for x in 0..view.width {
             let at = view.table_from_pixel(x, y);
@@ -106,7 +111,8 @@ pub fn props(view: &View) -> Props {
 /// A white floor of `width` x `height` pixels, tops printed white too.
 pub fn white(width: usize, height: usize) -> Floor {
     let count = width * height;
-    Floor { width, height, floor: vec![[255; 4]; count], tops: vec![[255; 4]; count], ..Floor::default() }
+    let revision = Revision::fresh();
+    Floor { revision, width, height, floor: vec![[255; 4]; count], tops: vec![[255; 4]; count], ..Floor::default() }
 }
 
 /// All of `floor` from above, its corner at the table's origin, with nothing on it and in the dark.
@@ -169,7 +175,7 @@ fn mask(view: &View, center: DVec2, radius_mm: f64) -> Mask {
             byte(0.5 - (distance - radius_mm) / view.mm_per_px)
         })
         .collect();
-    Mask { x, y, width, coverage }
+    Mask { revision: Revision::fresh(), x, y, width, coverage }
 }
 
 const METAL: Finish = Finish {
@@ -199,10 +205,20 @@ impl Builder {
         Group(self.group)
     }
 
+    fn occlude(&mut self, shape: Shape, group: Group) {
+        let id = ItemId(self.occluders.len() as u32);
+        self.occluders.push(Occluder::opaque(id, shape, group));
+    }
+
+    fn cover(&mut self, outline: Outline, group: Group, finish: Finish) {
+        let id = ItemId(self.tops.len() as u32);
+        self.tops.push(Top { id, outline, group, finish });
+    }
+
     fn solid(&mut self, shape: Shape, finish: Finish) -> Group {
         let group = self.next();
-        self.occluders.push(Occluder { shape, group });
-        self.tops.push(Top { outline: Outline::Shape(shape), group, finish });
+        self.occlude(shape, group);
+        self.cover(Outline::Shape(shape), group, finish);
         group
     }
 
@@ -211,8 +227,8 @@ impl Builder {
         let group = self.next();
         for ends in points.windows(2) {
             let shape = Shape::capsule(ends[0], ends[1], radius);
-            self.occluders.push(Occluder { shape, group });
-            self.tops.push(Top { outline: Outline::Shape(shape), group, finish });
+            self.occlude(shape, group);
+            self.cover(Outline::Shape(shape), group, finish);
         }
     }
 
@@ -242,7 +258,7 @@ impl Builder {
             self.wall(&[at(150.0, 790.0), at(150.0, 870.0), at(102.0, 902.0), at(150.0, 790.0)], 3.5, RUBBER);
             let group = self.next();
             let corners = vec![at(152.0, 800.0), at(152.0, 868.0), at(112.0, 893.0)];
-            self.tops.push(Top { outline: Outline::Polygon(corners), group, finish: PLASTIC });
+            self.cover(Outline::Polygon(corners), group, PLASTIC);
         }
     }
 
@@ -260,9 +276,9 @@ impl Builder {
         let mut caps = Vec::new();
         for center in [DVec2::new(190.0, 280.0), DVec2::new(320.0, 300.0), DVec2::new(245.0, 400.0)] {
             let group = self.next();
-            self.occluders.push(Occluder { shape: Shape::disc(center, 20.0), group });
+            self.occlude(Shape::disc(center, 20.0), group);
             let finish = Finish { emission: [0.5, 0.25, 0.1], profile: Profile::Bevel(8.0), ..PLASTIC };
-            self.tops.push(Top { outline: Outline::Shape(Shape::disc(center, 28.0)), group, finish });
+            self.cover(Outline::Shape(Shape::disc(center, 28.0)), group, finish);
             caps.push((center, group));
         }
         caps
@@ -278,9 +294,9 @@ impl Builder {
             let group = self.next();
             for (at, &corner) in corners.iter().enumerate() {
                 let next = corners[(at + 1) % corners.len()];
-                self.occluders.push(Occluder { shape: Shape::capsule(corner, next, 2.0), group });
+                self.occlude(Shape::capsule(corner, next, 2.0), group);
             }
-            self.tops.push(Top { outline: Outline::Polygon(corners), group, finish: PLASTIC });
+            self.cover(Outline::Polygon(corners), group, PLASTIC);
         }
     }
 
@@ -306,18 +322,19 @@ impl Builder {
             let band = Taper { a: circle(base, 5.0), b: circle(base, 5.0) };
             let finish = Finish { albedo: [0.7, 0.1, 0.1], profile: Profile::Dome, ..RUBBER };
             let outline = Outline::Shape(Shape { core: Core::Taper(band), radius: 0.0 });
-            self.tops.push(Top { outline, group, finish });
+            self.cover(outline, group, finish);
         }
     }
 
     fn balls(&mut self) -> Vec<Ball> {
-        [(215.0, 880.0), (330.0, 620.0), (120.0, 480.0)]
-            .into_iter()
-            .map(|(x, y)| {
+        (0..)
+            .zip([(215.0, 880.0), (330.0, 620.0), (120.0, 480.0)])
+            .map(|(id, (x, y))| {
                 let group = self.next();
                 let center_mm = DVec2::new(x, y);
-                self.occluders.push(Occluder { shape: Shape::disc(center_mm, 13.5), group });
+                self.occlude(Shape::disc(center_mm, 13.5), group);
                 Ball {
+                    id: ItemId(id),
                     center_mm,
                     radius_mm: 13.5,
                     height_mm: 0.0,
@@ -333,6 +350,7 @@ impl Builder {
 fn lamps(caps: &[(DVec2, Group)]) -> Vec<Lamp> {
     let warm = [1.0, 0.72, 0.42];
     let lamp = |x: f64, y: f64, color: Rgb, power: f32, reach_mm: f64| Lamp {
+        id: ItemId(0),
         center_mm: DVec2::new(x, y),
         emitter: Emitter::Disc { radius_mm: 6.0 },
         height_mm: 28.0,
@@ -358,5 +376,6 @@ fn lamps(caps: &[(DVec2, Group)]) -> Vec<Lamp> {
     for &(center, group) in caps {
         lamps.push(Lamp { inside: Some(group), ..lamp(center.x, center.y, [1.0, 0.5, 0.15], 0.6, 200.0) });
     }
+    (0..).zip(&mut lamps).for_each(|(id, lamp)| lamp.id = ItemId(id));
     lamps
 }

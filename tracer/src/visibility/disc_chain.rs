@@ -86,7 +86,7 @@ impl DiscChains {
     pub fn set(&mut self, occluders: &[Occluder]) {
         self.discs.clear();
         self.bulges.clear();
-        for Occluder { shape, group } in occluders {
+        for Occluder { shape, group, .. } in occluders {
             self.push(shape, *group);
         }
         self.coarse = self.discs.len();

@@ -145,7 +145,7 @@ mod tests {
     use crate::visibility::potential_occluders::PotentialOccluders;
     use crate::visibility::scalar;
     use crate::visibility::sphere_shadow;
-    use crate::{Emitter, Occluder, SimdLevel, View};
+    use crate::{Emitter, ItemId, Occluder, SimdLevel, View};
 
     /// A lamp somewhere, a disc or a segment.
     fn any_lamp(random: &mut Random, size: DVec2) -> Lamp {
@@ -154,7 +154,7 @@ mod tests {
             _ => Emitter::Segment { half_mm: random.within(size * 0.2) - size * 0.1 },
         };
         let center_mm = random.within(size);
-        Lamp { center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
+        Lamp { id: ItemId(0), center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
     }
 
     /// Nor does a ball in the air.
@@ -166,7 +166,15 @@ mod tests {
             let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
             let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
             let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
-            let ball = Ball { center_mm, radius_mm, height_mm, below: false, group: Group(1), rotation: [0.0; 4] };
+            let ball = Ball {
+                id: ItemId(0),
+                center_mm,
+                radius_mm,
+                height_mm,
+                below: false,
+                group: Group(1),
+                rotation: [0.0; 4],
+            };
             let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
             let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
             let rect = TileRect::new(&view, 0, 0);
@@ -196,7 +204,7 @@ mod tests {
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
             let lamp = any_lamp(&mut random, size);
-            let occluder = Occluder { shape: any_shape(&mut random, size, round), group: Group(1) };
+            let occluder = Occluder::opaque(ItemId(0), any_shape(&mut random, size, round), Group(1));
             let view =
                 View { origin_mm: random.within(size), mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
             let rect = TileRect::new(&view, 0, 0);

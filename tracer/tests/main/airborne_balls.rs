@@ -4,8 +4,8 @@ use geometry::{DVec2, Shape};
 use std::f64::consts::PI;
 use tracer::scenes::{self, Props};
 use tracer::{
-    Ball, DisplayBuffer, Emitter, Floor, Group, HalfRenderer, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel,
-    View, scalar,
+    Ball, DisplayBuffer, Emitter, Floor, Group, HalfRenderer, ItemId, Lamp, Occluder, Radiance, Renderer, Scene,
+    SimdLevel, View, scalar,
 };
 
 /// 160 x 160 pixels, 1 mm each, all white.
@@ -16,12 +16,13 @@ const BALL_MM: f64 = 13.5;
 
 fn lamp(x: f64, y: f64, height_mm: f64, radius_mm: f64) -> Lamp {
     let emitter = Emitter::Disc { radius_mm };
-    Lamp { center_mm: DVec2::new(x, y), emitter, height_mm, reach_mm: 1000.0, color: [1.0; 3], inside: None }
+    let (id, center_mm) = (ItemId(0), DVec2::new(x, y));
+    Lamp { id, center_mm, emitter, height_mm, reach_mm: 1000.0, color: [1.0; 3], inside: None }
 }
 
 fn ball(x: f64, y: f64, height_mm: f64) -> Ball {
-    let center_mm = DVec2::new(x, y);
-    Ball { center_mm, radius_mm: BALL_MM, height_mm, below: false, group: Group(7), rotation: [0.0, 0.0, 0.0, 1.0] }
+    let (id, center_mm, rotation) = (ItemId(0), DVec2::new(x, y), [0.0, 0.0, 0.0, 1.0]);
+    Ball { id, center_mm, radius_mm: BALL_MM, height_mm, below: false, group: Group(7), rotation }
 }
 
 fn scene(floor: &Floor, lamp: Lamp, ball: Ball) -> Scene<'_> {
@@ -173,8 +174,8 @@ fn heights_that_hide_nothing() {
 fn a_ball_and_a_wall_are_multiplied() {
     let floor = scenes::white(SIDE, SIDE);
     let mut both = scene(&floor, lamp(40.0, 80.0, 60.0, 8.0), ball(60.0, 84.0, 15.0));
-    let wall = Occluder { shape: Shape::capsule(DVec2::new(90.0, 20.0), DVec2::new(90.0, 80.0), 1.0), group: Group(1) };
-    both.occluders.push(wall);
+    let wall = Shape::capsule(DVec2::new(90.0, 20.0), DVec2::new(90.0, 80.0), 1.0);
+    both.occluders.push(Occluder::opaque(ItemId(0), wall, Group(1)));
     let point = DVec2::new(120.5, 79.5);
     let light = |scene: &Scene| f64::from(scalar::irradiance(scene, point, None)[0]) / scene.lamps[0].falloff(point);
     let by_wall = light(&Scene { balls: Vec::new(), ..both.clone() });
@@ -250,8 +251,8 @@ fn light_of_half_the_resolution_has_floating_balls() {
     let (props, Props { floor: half, .. }) = (scenes::props(&view), scenes::props(&view.halved()));
     let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
         let mut film = DisplayBuffer::default();
-        let mut scene = scene.clone();
-        renderer.draw(&mut scene, &half, 1.0, &mut film);
+        let scene = scene.clone();
+        renderer.draw(&scene, &half, 1.0, &mut film);
         film.frame().clone()
     };
     let mut renderer = HalfRenderer::new();

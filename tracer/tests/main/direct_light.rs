@@ -2,8 +2,8 @@
 
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper};
 use tracer::{
-    Ball, Emitter, Finish, Floor, Frame, Group, Lamp, Occluder, Outline, Profile, Radiance, Renderer, Scene, SimdLevel,
-    Top, View, scalar, scenes, tone_map,
+    Ball, Emitter, Finish, Floor, Frame, Group, ItemId, Lamp, Occluder, Outline, Profile, Radiance, Renderer, Scene,
+    SimdLevel, Top, View, scalar, scenes, tone_map,
 };
 
 const SIDE: usize = 96;
@@ -15,6 +15,7 @@ fn white() -> Floor {
 /// 96 x 96 mm around the origin, one lamp 60 mm above the middle of the view.
 fn lone_lamp(floor: &Floor) -> Scene<'_> {
     let lamp = Lamp {
+        id: ItemId(0),
         center_mm: DVec2::new(0.0, -40.0),
         emitter: Emitter::Disc { radius_mm: 5.0 },
         height_mm: 30.0,
@@ -37,7 +38,8 @@ fn rendered(scene: &Scene) -> Radiance {
 }
 
 fn cast(scene: &mut Scene, shape: Shape, group: u16) {
-    scene.occluders.push(Occluder { shape, group: Group(group) });
+    let id = ItemId(scene.occluders.len() as u32);
+    scene.occluders.push(Occluder::opaque(id, shape, Group(group)));
 }
 
 /// Twelve pixels in from the right edge, three up from the bottom.
@@ -150,7 +152,7 @@ fn a_top_is_not_darkened_by_its_own_group() {
         opacity: 1.0,
         translucency: 0.0,
     };
-    scene.tops.push(Top { outline: Outline::Shape(shape), group: Group(3), finish });
+    scene.tops.push(Top { id: ItemId(0), outline: Outline::Shape(shape), group: Group(3), finish });
     let open = rendered(&scene);
     cast(&mut scene, shape, 3);
     let own = rendered(&scene);
@@ -177,7 +179,7 @@ fn a_flat_white_top_is_as_bright_as_a_white_floor() {
         translucency: 0.0,
     };
     let outline = [(-15.0, 0.0), (15.0, 0.0), (15.0, 25.0), (-15.0, 25.0)].map(|(x, y)| DVec2::new(x, y));
-    scene.tops.push(Top { outline: Outline::Polygon(outline.to_vec()), group: Group(3), finish });
+    scene.tops.push(Top { id: ItemId(0), outline: Outline::Polygon(outline.to_vec()), group: Group(3), finish });
     let top = rendered(&scene).pixel(48, 58);
     assert!((top[1] - bare[1]).abs() < 1e-5 * bare[1], "{} {}", top[1], bare[1]);
 }
@@ -189,11 +191,17 @@ fn degenerate_scenes_give_numbers() {
     let mut scene = lone_lamp(&floor);
     let at = DVec2::new(10.5, 20.5);
     let lamp = scene.lamps[0];
-    for radius_mm in [0.0, 3.0] {
-        scene.lamps.push(Lamp { center_mm: at, emitter: Emitter::Disc { radius_mm }, height_mm: 0.0, ..lamp });
+    for (id, radius_mm) in [(1, 0.0), (2, 3.0)] {
+        scene.lamps.push(Lamp {
+            id: ItemId(id),
+            center_mm: at,
+            emitter: Emitter::Disc { radius_mm },
+            height_mm: 0.0,
+            ..lamp
+        });
     }
-    scene.lamps.push(Lamp { center_mm: DVec2::NAN, ..lamp });
-    scene.lamps.push(Lamp { reach_mm: 0.0, ..lamp });
+    scene.lamps.push(Lamp { id: ItemId(3), center_mm: DVec2::NAN, ..lamp });
+    scene.lamps.push(Lamp { id: ItemId(4), reach_mm: 0.0, ..lamp });
     let point = Circle { center: at, radius: 0.0 };
     let round = Circle { center: at, radius: 4.0 };
     for (group, shape) in [
@@ -224,13 +232,15 @@ fn degenerate_scenes_give_numbers() {
             opacity: 0.5,
             translucency: 0.0,
         };
-        scene.tops.push(Top { outline: Outline::Shape(shape), group: Group(group as u16), finish });
-        scene.tops.push(Top { outline: Outline::Polygon(vec![at; group]), group: Group(1), finish });
+        let [id, next] = [0, 1].map(|next| ItemId(2 * group as u32 + next));
+        scene.tops.push(Top { id, outline: Outline::Shape(shape), group: Group(group as u16), finish });
+        scene.tops.push(Top { id: next, outline: Outline::Polygon(vec![at; group]), group: Group(1), finish });
     }
-    for radius_mm in [0.0, 13.5] {
-        let ball =
-            Ball { center_mm: at, radius_mm, height_mm: 0.0, below: false, group: Group(90), rotation: [0.0; 4] };
-        scene.balls.extend([ball, Ball { center_mm: DVec2::splat(-60.0), group: Group(91), ..ball }]);
+    for (id, radius_mm) in [(0, 0.0), (2, 13.5)] {
+        let (group, rotation) = (Group(90), [0.0; 4]);
+        let ball = Ball { id: ItemId(id), center_mm: at, radius_mm, height_mm: 0.0, below: false, group, rotation };
+        let far = DVec2::splat(-60.0);
+        scene.balls.extend([ball, Ball { id: ItemId(id + 1), center_mm: far, group: Group(91), ..ball }]);
     }
     let radiance = rendered(&scene);
     for pixel in 0..SIDE * SIDE {

@@ -4,8 +4,8 @@ use geometry::{Arc, Circle, Core, DVec2, Shape, Taper};
 use proptest::prelude::*;
 use tracer::monte_carlo::{self, Sampling};
 use tracer::{
-    Ball, Emitter, Finish, Floor, Frame, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Radiance, Renderer,
-    Scene, Top, View, scalar, scenes, tone_map,
+    Ball, Emitter, Finish, Floor, Frame, Glow, Group, ItemId, Lamp, Mask, Occluder, Outline, Profile, Radiance,
+    Renderer, Revision, Scene, Top, View, scalar, scenes, tone_map,
 };
 
 const SIDE: usize = 40;
@@ -47,6 +47,7 @@ fn lamp() -> impl Strategy<Value = Lamp> {
     let color = prop_oneof![5 => Just([1.0, 0.5, 0.2]), 1 => Just([f32::NAN, 1.0, 1.0]), 1 => Just([f32::MAX; 3]), 1 => Just([-1.0, 1.0, 0.0])];
     (place(), emitter, number(), prop_oneof![3 => Just(200.0), 1 => number()], color, prop::option::of(0..4u16))
         .prop_map(|(center_mm, emitter, height_mm, reach_mm, color, inside)| Lamp {
+            id: ItemId(0),
             center_mm,
             emitter,
             height_mm,
@@ -61,6 +62,7 @@ fn top() -> impl Strategy<Value = Top> {
         prop_oneof![shape().prop_map(Outline::Shape), prop::collection::vec(place(), 0..6).prop_map(Outline::Polygon)];
     let profile = prop_oneof![Just(Profile::Dome), number().prop_map(|width| Profile::Bevel(width as f32))];
     (outline, profile, number(), number(), any::<bool>()).prop_map(|(outline, profile, gloss, opacity, art)| Top {
+        id: ItemId(0),
         outline,
         group: Group(2),
         finish: Finish {
@@ -79,6 +81,7 @@ fn ball() -> impl Strategy<Value = Ball> {
     let turn = || number().prop_map(|part| part as f32);
     let ball = (place(), number(), number(), [turn(), turn(), turn(), turn()]);
     ball.prop_map(|(center_mm, radius_mm, height_mm, rotation)| Ball {
+        id: ItemId(0),
         center_mm,
         radius_mm,
         height_mm,
@@ -116,8 +119,12 @@ proptest! {
         balls in prop::collection::vec(ball(), 0..2),
     ) {
         let floor = scenes::white(SIDE, SIDE);
-        let occluders = (0..).zip(shapes).map(|(at, shape)| Occluder { shape, group: Group(at % 4) }).collect();
-        let scene = Scene { lamps, occluders, tops, balls, ..scene(&floor) };
+        let occluder = |(at, shape): (u16, Shape)| Occluder::opaque(ItemId(at.into()), shape, Group(at % 4));
+        let occluders = (0..).zip(shapes).map(occluder).collect();
+        let mut scene = Scene { lamps, occluders, tops, balls, ..scene(&floor) };
+        (0..).zip(&mut scene.lamps).for_each(|(id, lamp)| lamp.id = ItemId(id));
+        (0..).zip(&mut scene.tops).for_each(|(id, top)| top.id = ItemId(id));
+        (0..).zip(&mut scene.balls).for_each(|(id, ball)| ball.id = ItemId(id));
         render(&scene);
         for point in [DVec2::splat(20.5), DVec2::new(0.5, 5.5)] {
             let direct = scalar::irradiance(&scene, point, None);
@@ -139,8 +146,8 @@ proptest! {
     fn every_mask_is_taken(x in any::<usize>(), y in any::<usize>(), width in any::<usize>(), length in 0..99usize) {
         let floor = scenes::white(SIDE, SIDE);
         let masks = [(x, y, width), (x % 50, y % 50, width % 50)]
-            .map(|(x, y, width)| Mask { x, y, width, coverage: vec![255; length] });
-        let glows = masks.iter().map(|mask| Glow { mask, color: [1.0; 3] }).collect();
+            .map(|(x, y, width)| Mask { revision: Revision::fresh(), x, y, width, coverage: vec![255; length] });
+        let glows = (0..).zip(&masks).map(|(id, mask)| Glow { id: ItemId(id), mask, color: [1.0; 3] }).collect();
         render(&Scene { glows, ..scene(&floor) });
     }
 }
@@ -178,6 +185,7 @@ fn a_table_far_from_the_origin_looks_the_same() {
 fn very_long_walls_and_very_large_lamps_are_right() {
     let floor = scenes::white(SIDE, SIDE);
     let lamp = Lamp {
+        id: ItemId(0),
         center_mm: DVec2::new(20.0, -30.0),
         emitter: Emitter::Disc { radius_mm: 5.0 },
         height_mm: 30.0,
@@ -187,12 +195,12 @@ fn very_long_walls_and_very_large_lamps_are_right() {
     };
     let wall = |from: f64| Shape::capsule(DVec2::new(from, -5.0), DVec2::new(3e6, -5.0), 1.0);
     for from in [-3e6, 20.0] {
-        let occluders = vec![Occluder { shape: wall(from), group: Group(1) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), wall(from), Group(1))];
         let scene = Scene { lamps: vec![lamp], occluders, ambient: [0.0; 3], ..scene(&floor) };
         compare(&scene);
     }
     for emitter in [Emitter::Disc { radius_mm: 4000.0 }, Emitter::Segment { half_mm: DVec2::new(3000.0, 2000.0) }] {
-        let occluders = vec![Occluder { shape: Shape::disc(DVec2::new(15.0, 5.0), 4.0), group: Group(1) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), Shape::disc(DVec2::new(15.0, 5.0), 4.0), Group(1))];
         let lamps = vec![Lamp { emitter, ..lamp }];
         compare(&Scene { lamps, occluders, ambient: [0.0; 3], ..scene(&floor) });
     }
@@ -213,7 +221,8 @@ fn thousands_of_lamps_add_up() {
     let floor = scenes::white(SIDE, SIDE);
     for (count, reach_mm) in [(5000, 6.0), (2000, 500.0)] {
         let mut random = scenes::Random(8);
-        let lamp = |_| Lamp {
+        let lamp = |id| Lamp {
+            id: ItemId(id),
             center_mm: random.within(DVec2::splat(SIDE as f64)),
             emitter: Emitter::Disc { radius_mm: 1.0 },
             height_mm: 20.0,
@@ -222,7 +231,7 @@ fn thousands_of_lamps_add_up() {
             inside: None,
         };
         let lamps: Vec<Lamp> = (0..count).map(lamp).collect();
-        let occluders = vec![Occluder { shape: Shape::disc(DVec2::splat(20.0), 3.0), group: Group(0) }];
+        let occluders = vec![Occluder::opaque(ItemId(0), Shape::disc(DVec2::splat(20.0), 3.0), Group(0))];
         let scene = Scene { lamps, occluders, ambient: [0.0; 3], ..scene(&floor) };
         compare(&scene);
     }

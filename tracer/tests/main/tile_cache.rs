@@ -1,8 +1,10 @@
 //! What is remembered of tiles, against pictures that are made from nothing.
 
 use geometry::DVec2;
-use tracer::scenes::{self, Props};
-use tracer::{DisplayBuffer, Finish, Frame, Lamp, Radiance, Renderer, Rgb, Scene, SimdLevel, View, tone_map};
+use tracer::scenes::{self, Props, Random};
+use tracer::{
+    DisplayBuffer, Finish, Frame, ItemId, Lamp, Radiance, Renderer, Revision, Rgb, Scene, SimdLevel, View, tone_map,
+};
 
 const SIZE: (usize, usize) = (182, 391);
 
@@ -151,6 +153,7 @@ fn a_thousand_lamps_are_the_sum_of_a_thousand_pictures() {
     let few = anew(&scene);
     let lamps: Vec<Lamp> = scene.lamps.iter().flat_map(|lamp| vec![dim(lamp, 500.0); 500]).collect();
     scene.lamps = lamps;
+    (0..).zip(&mut scene.lamps).for_each(|(id, lamp)| lamp.id = ItemId(id));
     let many = kept(&scene);
     for (x, y) in (0..SIZE.1).step_by(7).flat_map(|y| (0..SIZE.0).step_by(5).map(move |x| (x, y))) {
         let (a, b): (Rgb, Rgb) = (few.pixel(x, y), many.pixel(x, y));
@@ -158,4 +161,91 @@ fn a_thousand_lamps_are_the_sum_of_a_thousand_pictures() {
             assert!((a[channel] - b[channel]).abs() <= 1e-4 * a[channel].max(0.1), "{a:?} {b:?} at {x} {y}");
         }
     }
+}
+
+/// A picture is the same whatever was drawn before it: told from one that another renderer made of the same scene.
+struct Twins {
+    renderer: Renderer,
+    remembered: Radiance,
+}
+
+impl Twins {
+    fn new() -> Twins {
+        Twins { renderer: Renderer::new(), remembered: Radiance::default() }
+    }
+
+    fn assert_same(&mut self, scene: &Scene, what: &str) {
+        assert_eq!(scene.check(), Ok(()), "{what}");
+        self.renderer.render(scene, &mut self.remembered);
+        assert!(self.remembered == kept(scene), "{what}");
+    }
+}
+
+/// Items are known by their ids, not by their places in a list: whoever puts them in another order, leaves some out,
+/// moves some or calls some by another name gets the picture that is made of that scene from nothing.
+#[test]
+fn any_order_and_any_names_give_the_picture_that_is_made_from_nothing() {
+    fn shuffle<T>(random: &mut Random, list: &mut [T]) {
+        let pick = |random: &mut Random| (random.unit() * list.len() as f64) as usize;
+        let (a, b) = (pick(random), pick(random));
+        if !list.is_empty() {
+            list.swap(a, b);
+        }
+    }
+    let props = props();
+    let whole = scenes::table(view(), &props);
+    let (mut twins, mut scene, mut random) = (Twins::new(), whole.clone(), Random(21));
+    for frame in 0..48 {
+        match frame % 12 {
+            0 => scene.lamps.reverse(),
+            1 => scene.tops.rotate_left(5),
+            2 => scene.occluders.rotate_right(2),
+            3 => scene.balls.reverse(),
+            4 => scene.lamps[2].center_mm += DVec2::new(40.0, 25.0),
+            5 => scene.lamps[7].id = ItemId(700 + frame),
+            6 => scene.tops[40].id = ItemId(700 + frame),
+            7 => drop((scene.occluders.remove(30), scene.tops.remove(9), scene.lamps.remove(4))),
+            8 => scene.glows.reverse(),
+            9 => scene.clone_from(&whole),
+            10 => scene.lamps.swap(0, 5),
+            _ => scene.balls[1].id = ItemId(700 + frame),
+        }
+        shuffle(&mut random, &mut scene.lamps);
+        shuffle(&mut random, &mut scene.tops);
+        shuffle(&mut random, &mut scene.occluders);
+        shuffle(&mut random, &mut scene.glows);
+        twins.assert_same(&scene, &format!("frame {frame}"));
+    }
+}
+
+/// A lamp that is moved under its name takes its light with it.
+#[test]
+fn a_lamp_that_moves_leaves_no_light_behind() {
+    let props = props();
+    let (mut twins, mut scene) = (Twins::new(), scenes::table(view(), &props));
+    let color = scene.lamps[2].color;
+    for frame in 0..10 {
+        scene.lamps[2].center_mm.y += 90.0;
+        scene.lamps[2].color = if frame % 3 == 1 { [0.0; 3] } else { color };
+        twins.assert_same(&scene, &format!("frame {frame}"));
+    }
+}
+
+/// Art is known by its revision, not by its address: new art in the old art's place is drawn, and the old art in another
+/// place is not drawn again.
+#[test]
+fn art_is_known_by_its_revision() {
+    let mut props = props();
+    let mut twins = Twins::new();
+    twins.assert_same(&scenes::table(view(), &props), "the first art");
+    props.floor.floor.iter_mut().for_each(|pixel| pixel[0] = 255 - pixel[0]);
+    props.floor.revision = Revision::fresh();
+    twins.assert_same(&scenes::table(view(), &props), "other art in the same place");
+    props.inserts[1].0.coverage.iter_mut().for_each(|coverage| *coverage /= 2);
+    props.inserts[1].0.revision = Revision::fresh();
+    twins.assert_same(&scenes::table(view(), &props), "another mask in the same place");
+    let mut copy = props.clone();
+    copy.floor.floor.fill([9; 4]);
+    twins.renderer.render(&scenes::table(view(), &copy), &mut twins.remembered);
+    assert!(twins.remembered == kept(&scenes::table(view(), &props)), "the same revision is the same art");
 }

@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::scenes::{self, Random};
-use tracer::{Filter, Group, Occluder, Radiance, Renderer, Scene, SimdLevel, scalar};
+use tracer::{Filter, Group, ItemId, Occluder, Radiance, Renderer, Scene, SimdLevel, scalar};
 
 const SIDE: usize = 160;
 
@@ -24,7 +24,8 @@ fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
             let at = random.within(DVec2::splat(SIDE as f64));
             let to = at + DVec2::new(random.between(-30.0, 30.0), random.between(-30.0, 30.0));
             let shape = Shape::capsule(at, to, random.between(0.5, 4.0));
-            scene.occluders.push(Occluder { shape, group: Group(200 + number) });
+            let id = ItemId(scene.occluders.len() as u32 + 1000);
+            scene.occluders.push(Occluder::opaque(id, shape, Group(200 + number)));
         }
     }
     scene
@@ -46,13 +47,13 @@ fn a_pane_tints_once_and_two_panes_tint_twice() {
     let green = Filter { group: Group(1), tint: [0.2, 0.9, 0.1] };
     let amber = Filter { group: Group(2), tint: [1.0, 0.5, 0.25] };
     scene.filters = vec![green, amber];
-    for shape in [pane(70.0, 20.0, 90.0), pane(70.0, 70.0, 150.0), pane(72.0, 10.0, 150.0)] {
-        scene.occluders.push(Occluder { shape, group: green.group });
+    for (id, shape) in (0..).zip([pane(70.0, 20.0, 90.0), pane(70.0, 70.0, 150.0), pane(72.0, 10.0, 150.0)]) {
+        scene.occluders.push(Occluder::opaque(ItemId(id), shape, green.group));
     }
     let tinted = anew(&scene).pixel(pixel.0, pixel.1);
-    scene.occluders.push(Occluder { shape: pane(90.0, 10.0, 150.0), group: amber.group });
+    scene.occluders.push(Occluder::opaque(ItemId(8), pane(90.0, 10.0, 150.0), amber.group));
     let twice = anew(&scene).pixel(pixel.0, pixel.1);
-    scene.occluders.push(Occluder { shape: pane(50.0, 10.0, 150.0), group: Group(3) });
+    scene.occluders.push(Occluder::opaque(ItemId(9), pane(50.0, 10.0, 150.0), Group(3)));
     assert_eq!(anew(&scene).pixel(pixel.0, pixel.1), [0.0; 3], "a wall behind the panes");
     for channel in 0..3 {
         let once = open[channel] * green.tint[channel];

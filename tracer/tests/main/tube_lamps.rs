@@ -3,13 +3,14 @@
 use geometry::{Arc, Circle, Core, DVec2, Shape, trig};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::scenes::{self, Random};
-use tracer::{Emitter, Floor, Group, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, scalar};
+use tracer::{Emitter, Floor, Group, ItemId, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, scalar};
 
 const SIDE: usize = 96;
 
 /// A tube of 60 mm, 30 mm above the floor, in the upper part of a view of 96 x 96 mm round the origin.
 fn lone_tube(floor: &Floor) -> Scene<'_> {
     let lamp = Lamp {
+        id: ItemId(0),
         center_mm: DVec2::new(0.0, -30.0),
         emitter: Emitter::Segment { half_mm: DVec2::new(30.0, 0.0) },
         height_mm: 30.0,
@@ -31,7 +32,8 @@ fn rendered(scene: &Scene) -> Radiance {
 }
 
 fn cast(scene: &mut Scene, shape: Shape, group: u16) {
-    scene.occluders.push(Occluder { shape, group: Group(group) });
+    let id = ItemId(scene.occluders.len() as u32);
+    scene.occluders.push(Occluder::opaque(id, shape, Group(group)));
 }
 
 /// The light of a segment, added up from many short pieces by the midpoint rule.

@@ -2,17 +2,16 @@
 //! new since the last picture.
 
 use super::Renderer;
+use crate::Scene;
 use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
 use crate::realtime::schedule::BLOCK;
 use crate::realtime::tile_renderer::Lit;
-use crate::shading::coverage::OutlineSdf;
 use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::TILE;
 use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::visibility::sphere_shadow::occluding_balls;
-use crate::{Finish, Scene, Top};
 use rayon::prelude::*;
 
 impl Renderer {
@@ -28,7 +27,7 @@ impl Renderer {
         if remembered {
             self.number_lamps();
         }
-        self.prepare_tops(&scene.tops);
+        self.tops.turn_page(&scene.tops, &mut self.past.moved_tops, &mut self.changes.tops);
         self.changes.turn_page(scene, |lamp| self.past.number(lamp));
         self.lamps.iter().filter(|lit| lit.lost).for_each(|lit| self.changes.flash(&lit.lamp));
         if self.full_tile.0 != scene.view.mm_per_px {
@@ -48,10 +47,7 @@ impl Renderer {
         self.places.resize(self.past.known.len(), 0);
         self.lost = Numbers::default();
         for (at, lit) in self.lamps.iter().enumerate() {
-            // There may be several lamps in one place.
-            for (sum, channel) in self.colors[lit.number].iter_mut().zip(lit.lamp.color) {
-                *sum += channel;
-            }
+            self.colors[lit.number] = lit.lamp.color;
             self.places[lit.number] = at;
             if lit.lost {
                 self.lost.insert(lit.number);
@@ -93,38 +89,4 @@ impl Renderer {
             self.changes.leave_still_balls();
         }
     }
-
-    /// Most tops are where they were in the last frame.
-    fn prepare_tops(&mut self, tops: &[Top]) {
-        let moved = &mut self.past.moved_tops;
-        moved.clear();
-        moved.extend(self.forms.iter().skip(tops.len()).flatten().map(|form| form.bounds));
-        self.tops.truncate(tops.len());
-        self.forms.truncate(tops.len());
-        self.changes.tops.clear();
-        for (at, top) in tops.iter().enumerate() {
-            if self.tops.len() == at {
-                self.tops.push(top.clone());
-                self.forms.push(OutlineSdf::new(top));
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-            } else if stands(&self.tops[at], top) {
-                if self.tops[at].finish.emission != top.finish.emission {
-                    self.changes.tops.extend(self.forms[at].iter().map(|form| form.bounds));
-                    self.tops[at].finish = top.finish;
-                }
-            } else {
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-                self.tops[at].clone_from(top);
-                self.forms[at] = OutlineSdf::new(top);
-                moved.extend(self.forms[at].iter().map(|form| form.bounds));
-            }
-        }
-        self.changes.tops.extend_from_slice(moved);
-    }
-}
-
-/// Whether a top covers what it covered, and leans and looks as it did; its own light may be another.
-fn stands(old: &Top, new: &Top) -> bool {
-    let finish = Finish { emission: old.finish.emission, ..new.finish };
-    old.outline == new.outline && old.group == new.group && old.finish == finish
 }

@@ -22,7 +22,7 @@ impl Renderer {
     /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
     /// from [`Renderer::render_anew`].
     pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_tiles(scene, radiance, |tile, stage, place| tile.render_sampled(stage, place, sampling));
         self.put_balls_on(scene, radiance);
@@ -86,7 +86,7 @@ impl Workspace {
             }
         }
         for layer in 0..layers {
-            let own = stage.scene.tops[self.tops[layer].form].group;
+            let own = stage.tops.top(self.tops[layer].form).group;
             for (fraction, channels) in view.seen(&self.tops[layer].points, Some(own)).planes() {
                 self.fraction = *fraction;
                 self.picture = BLACK;

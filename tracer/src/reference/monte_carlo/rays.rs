@@ -33,7 +33,7 @@ impl<'a> Near<'a> {
         self.walls.clear();
         self.panes.clear();
         for occluder in &scene.occluders {
-            let Occluder { shape, group } = occluder;
+            let Occluder { shape, group, .. } = occluder;
             let counts = Some(*group) != without && Some(*group) != lamp.inside;
             if !counts || validation::wrong_with_shape(shape).is_some() || !triangle.may_meet(shape) {
                 continue;
@@ -97,7 +97,7 @@ impl Rays {
     fn passes(&self, target: DVec2, panes: &[(&Occluder, Rgb)]) -> [f64; 3] {
         let mut passes = [1.0; 3];
         let mut met: Vec<Group> = Vec::new();
-        for (Occluder { shape, group }, tint) in panes {
+        for (Occluder { shape, group, .. }, tint) in panes {
             let meets = || shape.distance(self.point).0 < 0.0 || self.meets(target, shape);
             if !met.contains(group) && meets() {
                 met.push(*group);
