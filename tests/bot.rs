@@ -2,13 +2,13 @@
 
 use game::bot::trial::{self, Player, Terms, Trial};
 use game::bot::{Bot, Random, Tour};
-use game::recording::Replay;
+use game::storage::recordings;
 use game::{Recording, Simulation, Table};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 fn spectrum() -> Arc<Table> {
-    Arc::new(Table::load("spectrum").unwrap())
+    Arc::new(game::storage::tables::load("spectrum").unwrap())
 }
 
 /// Games of these seeds, at most so many ticks long.
@@ -49,8 +49,8 @@ fn the_same_seed_gives_the_same_game_on_any_number_of_threads() {
 fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
     let trial = games(11..12, 20_000, |seed| Player::Bot(Bot::new(seed))).remove(0);
     let recording = Recording::parse(&trial.recording).unwrap();
-    let mut replay = Replay::new(recording.clone()).unwrap();
-    let mut restored = Replay::new(recording).unwrap();
+    let mut replay = recordings::replay(recording.clone()).unwrap();
+    let mut restored = recordings::replay(recording).unwrap();
     while replay.step() && restored.step() {
         if replay.tick().is_multiple_of(777) {
             restored.save_and_restore().unwrap();
@@ -61,7 +61,7 @@ fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
     // Any moment is found from any other.
     for tick in [12_345, 3, 19_000, 12_345] {
         replay.seek(tick);
-        let mut fresh = Replay::new(replay.recording().clone()).unwrap();
+        let mut fresh = recordings::replay(replay.recording().clone()).unwrap();
         fresh.seek(tick);
         assert_eq!((replay.tick(), replay.simulation().hash()), (tick, fresh.simulation().hash()));
     }
@@ -77,7 +77,7 @@ fn game_follows_game_until_the_time_is_used_up_exactly() {
     assert!(over.iter().all(|game| game.over && game.score > 0), "{over:?}");
     assert_eq!(trial.games.iter().map(|game| game.ticks).sum::<u64>(), trial.ticks, "{last:?}");
     assert_eq!(trial.digest.unwrap().ticks(), trial.ticks);
-    let mut replay = Replay::new(Recording::parse(&trial.recording).unwrap()).unwrap();
+    let mut replay = recordings::replay(Recording::parse(&trial.recording).unwrap()).unwrap();
     let mut digest = game::simulation::Digest::default();
     while replay.step() {
         digest.add(replay.simulation().hash());

@@ -1,7 +1,6 @@
 //! The demonstrations in `assets/demos` play to the same end on every machine.
 
-use game::Recording;
-use game::recording::{Replay, library};
+use game::storage::{library, recordings};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -19,7 +18,7 @@ fn every_demonstration_plays_as_it_was_recorded() {
 
 /// Plays a recording to its end; how many players there were, and whether one tilted.
 fn play(path: &Path) -> (usize, bool) {
-    let mut replay = Replay::new(Recording::read(path).unwrap()).unwrap();
+    let mut replay = recordings::replay(recordings::read(path).unwrap()).unwrap();
     let (mut players, mut tilted) = (0, false);
     while replay.step() {
         assert_eq!(replay.difference(), None, "{}", path.display());
@@ -37,7 +36,7 @@ fn play(path: &Path) -> (usize, bool) {
 fn the_demonstrations_are_long_small_and_use_every_key() {
     let mut pressed = 0;
     for path in demos() {
-        let recording = Recording::read(&path).unwrap();
+        let recording = recordings::read(&path).unwrap();
         let bytes = std::fs::metadata(&path).unwrap().len();
         let minutes = recording.ticks() as f64 / 60_000.0;
         assert!(minutes >= 1.0, "{} is {minutes} minutes long", path.display());

@@ -15,16 +15,18 @@ mod album;
 
 use album::Album;
 use game::Table;
-use game::hud::Chrome;
-use game::picture::{Moment, Picture};
+use game::frame_composer::{FrameComposer, Interpolation};
+use game::hud::UiState;
 use game::recording::Replay;
+use game::screen::Size;
+use game::storage::recordings;
+use shadow_race::{Method, RaceRenderer, Threads};
 use std::path::Path;
-use tracer::room::{Room, Threads, Way};
-use tracer::testing::{self, Props};
-use tracer::{Film, Frame, Renderer, View};
+use tracer::scenes::{self, Props};
+use tracer::{DisplayBuffer, Frame, Renderer, View};
 
 /// The size of the frames of the drawn table, in pixels.
-const SIZE: (usize, usize) = (216, 432);
+const SIZE: Size = Size { width: 216, height: 432 };
 
 #[cfg_attr(not(target_arch = "x86_64"), ignore = "art is the same to the bit on x86-64 only")]
 #[test]
@@ -46,17 +48,17 @@ fn golden_frame_of_a_ball_on_the_ramp() {
 
 #[test]
 fn golden_frame_of_the_generated_table() {
-    let view = View::fit(150, 300, testing::SIZE_MM);
-    let props = quilted(testing::props(&view));
-    let mut film = Film::default();
-    Renderer::new().draw(&testing::table(view, &props), 1.0, &mut film);
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let props = quilted(scenes::props(&view));
+    let mut film = DisplayBuffer::default();
+    Renderer::new().draw(&scenes::table(view, &props), 1.0, &mut film);
     compare(&[("generated-table".to_string(), film.frame().clone())]);
 }
 
 #[test]
 fn golden_frame_of_the_room() {
     let mut frame = Frame::new(128, 128);
-    Room::default().render(Way::Spans, Threads::All, 1.3, &mut frame);
+    RaceRenderer::default().render(Method::Spans, Threads::All, 1.3, &mut frame);
     compare(&[("room".to_string(), frame)]);
 }
 
@@ -72,14 +74,14 @@ fn quilted(mut props: Props) -> Props {
 /// Frames of a demonstration after so many seconds, as `caustic frame --replay` draws them.
 fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
     let file = root().join("assets/demos").join(demo).with_extension("caustic");
-    let mut replay = Replay::open(&file).unwrap();
-    let mut picture = picture_of(&replay);
+    let mut replay = recordings::open(&file).unwrap();
+    let mut composer = composer_of(&replay);
     let frame = |&second: &u64| {
         let tick = second * u64::from(physics::TICKS_PER_SECOND);
         replay.seek(tick);
         assert_eq!(replay.tick(), tick, "{} is shorter", file.display());
         let snapshot = replay.simulation().snapshot();
-        let frame = picture.draw(Moment::at(&snapshot), SIZE.0, SIZE.1, &Chrome::default()).unwrap();
+        let frame = composer.draw(Interpolation::at(&snapshot), SIZE, &UiState::default()).unwrap();
         (format!("{demo}-{second}s"), frame.clone())
     };
     seconds.iter().map(frame).collect()
@@ -89,23 +91,23 @@ fn played(demo: &str, seconds: &[u64]) -> Vec<(String, Frame)> {
 fn on_the_ramp() -> Frame {
     for demo in 1..=5 {
         let file = root().join(format!("assets/demos/bot-{demo}.caustic"));
-        let mut replay = Replay::open(&file).unwrap();
+        let mut replay = recordings::open(&file).unwrap();
         let ramp = replay.simulation().table().part("ramp").expect("Spectrum has a ramp");
         while replay.step() {
             if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {
                 let snapshot = replay.simulation().snapshot();
-                let mut picture = picture_of(&replay);
-                return picture.draw(Moment::at(&snapshot), SIZE.0, SIZE.1, &Chrome::default()).unwrap().clone();
+                let mut composer = composer_of(&replay);
+                return composer.draw(Interpolation::at(&snapshot), SIZE, &UiState::default()).unwrap().clone();
             }
         }
     }
     panic!("no ball comes to the ramp in the demonstrations: record others");
 }
 
-fn picture_of(replay: &Replay) -> Picture {
+fn composer_of(replay: &Replay) -> FrameComposer {
     let table: &std::sync::Arc<Table> = replay.simulation().table();
     let pool = rayon::ThreadPoolBuilder::new().build().expect("threads");
-    Picture::new(table.clone(), pool).expect("a picture")
+    FrameComposer::new(table.clone(), pool).expect("a picture")
 }
 
 fn root() -> &'static Path {

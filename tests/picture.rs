@@ -1,19 +1,21 @@
 //! Pictures: the same bytes on any number of threads, at every size, of every moment.
 
-use game::hud::Chrome;
-use game::picture::placement::Placement;
-use game::picture::{Light, Moment, Picture};
+use game::frame_composer::{FrameComposer, Interpolation, LightResolution};
+use game::hud::UiState;
+use game::screen::{Placement, Size};
 use game::{Buttons, Simulation, Snapshot, Table};
 use std::sync::{Arc, OnceLock};
 
 fn table() -> Arc<Table> {
     static TABLE: OnceLock<Arc<Table>> = OnceLock::new();
-    TABLE.get_or_init(|| Arc::new(Table::load("spectrum").expect("the table of the project is whole"))).clone()
+    TABLE
+        .get_or_init(|| Arc::new(game::storage::tables::load("spectrum").expect("the table of the project is whole")))
+        .clone()
 }
 
-fn picture(threads: usize) -> Picture {
+fn composer_on(threads: usize) -> FrameComposer {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-    Picture::new(table(), pool).expect("a picture")
+    FrameComposer::new(table(), pool).expect("a picture")
 }
 
 /// A game in its first second: a ball in the lane, lamps alight.
@@ -26,8 +28,10 @@ fn moment() -> Snapshot {
     simulation.snapshot()
 }
 
-fn pixels(picture: &mut Picture, snapshot: &Snapshot, width: usize, height: usize) -> Vec<u32> {
-    let frame = picture.draw(Moment::at(snapshot), width, height, &Chrome::default()).expect("it can be drawn");
+fn pixels(composer: &mut FrameComposer, snapshot: &Snapshot, width: usize, height: usize) -> Vec<u32> {
+    let frame = composer
+        .draw(Interpolation::at(snapshot), Size { width, height }, &UiState::default())
+        .expect("it can be drawn");
     assert_eq!((frame.width, frame.height), (width, height));
     frame.pixels.clone()
 }
@@ -35,13 +39,13 @@ fn pixels(picture: &mut Picture, snapshot: &Snapshot, width: usize, height: usiz
 #[test]
 fn one_thread_and_three_draw_the_same_bytes() {
     let moment = moment();
-    assert!(pixels(&mut picture(1), &moment, 150, 300) == pixels(&mut picture(3), &moment, 150, 300));
+    assert!(pixels(&mut composer_on(1), &moment, 150, 300) == pixels(&mut composer_on(3), &moment, 150, 300));
 }
 
 #[test]
 fn a_picture_does_not_depend_on_the_pictures_before_it() {
     let (dark, lit) = (Snapshot::default(), moment());
-    let mut used = picture(2);
+    let mut used = composer_on(2);
     for (width, height) in [(90, 180), (200, 120)] {
         pixels(&mut used, &dark, width, height);
         pixels(&mut used, &lit, width, height);
@@ -50,15 +54,15 @@ fn a_picture_does_not_depend_on_the_pictures_before_it() {
     let mut pushed = lit.clone();
     pushed.pose.cabinet_m.x = 0.03;
     pixels(&mut used, &pushed, 90, 180);
-    assert!(pixels(&mut used, &lit, 90, 180) == pixels(&mut picture(2), &lit, 90, 180));
+    assert!(pixels(&mut used, &lit, 90, 180) == pixels(&mut composer_on(2), &lit, 90, 180));
 }
 
 #[test]
 fn no_size_is_too_small_or_too_odd() {
     let moment = moment();
-    let mut picture = picture(2);
+    let mut composer = composer_on(2);
     for (width, height) in [(64, 64), (65, 301), (301, 65), (64, 200), (177, 99), (1, 1), (3, 200), (200, 3)] {
-        pixels(&mut picture, &moment, width, height);
+        pixels(&mut composer, &moment, width, height);
     }
 }
 
@@ -67,9 +71,9 @@ fn a_push_moves_the_playfield_and_not_the_display() {
     let still = moment();
     let mut pushed = still.clone();
     pushed.pose.cabinet_m.x = 0.012;
-    let mut picture = picture(2);
+    let mut composer = composer_on(2);
     let (width, height) = (216, 432);
-    let (a, b) = (pixels(&mut picture, &still, width, height), pixels(&mut picture, &pushed, width, height));
+    let (a, b) = (pixels(&mut composer, &still, width, height), pixels(&mut composer, &pushed, width, height));
     let placement = Placement::new(width, height, table().size_mm);
     let rows = |rows: std::ops::Range<usize>| {
         a[rows.start * width..rows.end * width] == b[rows.start * width..rows.end * width]
@@ -85,63 +89,67 @@ fn between_two_ticks_lies_another_picture_and_at_their_ends_their_own() {
     current.tick += 1;
     current.pose.balls.iter_mut().for_each(|ball| ball.center.y -= 0.02);
     assert!(!current.pose.balls.is_empty(), "a ball lies in the lane");
-    let mut picture = picture(2);
+    let mut composer = composer_on(2);
     let mut at = |alpha: f64| {
-        let moment = Moment { previous: &previous, current: &current, alpha };
-        picture.draw(moment, 120, 240, &Chrome::default()).expect("it can be drawn").pixels.clone()
+        let interpolation = Interpolation { previous: &previous, current: &current, alpha };
+        composer
+            .draw(interpolation, Size { width: 120, height: 240 }, &UiState::default())
+            .expect("it can be drawn")
+            .pixels
+            .clone()
     };
     let (start, middle, end) = (at(0.0), at(0.5), at(1.0));
     assert!(start != middle && middle != end);
-    assert!(end == pixels(&mut self::picture(2), &current, 120, 240));
+    assert!(end == pixels(&mut composer_on(2), &current, 120, 240));
 }
 
 #[test]
 fn at_half_the_light_and_close_by_the_bytes_are_the_same_on_any_threads_and_after_any_picture() {
     let (dark, lit) = (Snapshot::default(), moment());
     let close = |threads: usize| {
-        let mut picture = picture(threads);
-        picture.set_light(Light::Half);
-        picture.set_zoom(1.5);
-        picture
+        let mut composer = composer_on(threads);
+        composer.set_light(LightResolution::Half);
+        composer.set_zoom(1.5);
+        composer
     };
     let expected = pixels(&mut close(1), &lit, 150, 300);
     let mut used = close(3);
-    used.set_light(Light::Full);
+    used.set_light(LightResolution::Full);
     pixels(&mut used, &lit, 150, 300);
-    used.set_light(Light::Half);
+    used.set_light(LightResolution::Half);
     pixels(&mut used, &dark, 90, 180);
     pixels(&mut used, &dark, 150, 300);
     assert!(pixels(&mut used, &lit, 150, 300) == expected, "the camera goes there at once, and nothing is left over");
-    assert!(expected != pixels(&mut picture(2), &lit, 150, 300));
+    assert!(expected != pixels(&mut composer_on(2), &lit, 150, 300));
 }
 
 /// A window that follows a ball shows what a window does that looks there first: tiles that come into sight are whole.
 #[test]
 fn what_comes_into_sight_is_as_if_it_had_always_been_there() {
     let mut moved = moment();
-    let mut picture = picture(2);
-    picture.set_zoom(2.0);
+    let mut composer = composer_on(2);
+    composer.set_zoom(2.0);
     for step in 0..6 {
         moved.tick += 40;
         moved.pose.balls.iter_mut().for_each(|ball| ball.center.y -= 0.12);
-        pixels(&mut picture, &moved, 120, 240);
-        let again = pixels(&mut picture, &moved, 120, 240);
+        pixels(&mut composer, &moved, 120, 240);
+        let again = pixels(&mut composer, &moved, 120, 240);
         // Another size in between: everything is drawn anew, from where the camera is.
-        pixels(&mut picture, &moved, 90, 180);
-        assert!(again == pixels(&mut picture, &moved, 120, 240), "step {step}");
+        pixels(&mut composer, &moved, 90, 180);
+        assert!(again == pixels(&mut composer, &moved, 120, 240), "step {step}");
     }
 }
 
 #[test]
 fn no_size_is_too_small_or_too_odd_for_a_zoom_or_for_half_the_light() {
     let moment = moment();
-    let mut picture = picture(2);
-    picture.set_light(Light::Half);
+    let mut composer = composer_on(2);
+    composer.set_light(LightResolution::Half);
     for (zoom, width, height) in
         [(4.0, 64, 64), (1.3, 65, 301), (3.9, 301, 65), (1.0, 1, 1), (4.0, 1, 1), (2.0, 3, 200)]
     {
-        picture.set_zoom(zoom);
-        pixels(&mut picture, &moment, width, height);
+        composer.set_zoom(zoom);
+        pixels(&mut composer, &moment, width, height);
     }
 }
 
@@ -156,6 +164,6 @@ fn the_film_follows_the_light_that_eyes_have_got_used_to() {
     assert!(adapted.eye.light() < 0.9 * usual.light(), "attract mode is dark: {}", adapted.eye.light());
     let plain = Snapshot { eye: usual, ..adapted.clone() };
     let sum = |pixels: Vec<u32>| pixels.iter().map(|pixel| u64::from(pixel >> 8 & 255)).sum::<u64>();
-    let mut picture = picture(2);
-    assert!(sum(pixels(&mut picture, &adapted, 90, 180)) > sum(pixels(&mut picture, &plain, 90, 180)));
+    let mut composer = composer_on(2);
+    assert!(sum(pixels(&mut composer, &adapted, 90, 180)) > sum(pixels(&mut composer, &plain, 90, 180)));
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn spectrum() -> Table {
-    Table::load("spectrum").expect("a good table")
+    game::storage::tables::load("spectrum").expect("a good table")
 }
 
 /// A folder of this test's own, not made yet.

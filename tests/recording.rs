@@ -3,6 +3,7 @@
 use game::Buttons;
 use game::recording::{CHECKPOINT_TICKS, Checkpoint, Damage, FLUSH_TICKS, Header, Recording, Writer};
 use game::simulation::{Hashes, SIMULATION_VERSION};
+use game::storage::recordings;
 use proptest::prelude::*;
 use std::io::Cursor;
 
@@ -137,7 +138,7 @@ fn another_format_version_is_refused_by_name() {
 
 fn refusal(header: &Header) -> String {
     let bytes = Writer::new(Cursor::new(Vec::new()), header).unwrap().finish(0, hashes(0), 0).unwrap().into_inner();
-    Recording::parse(&bytes).unwrap().start().err().unwrap().to_string()
+    recordings::start(&Recording::parse(&bytes).unwrap()).err().unwrap().to_string()
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! Nothing on Spectrum holds a ball but what should: a ball that is let go anywhere comes away by itself.
 
-use game::Table;
 use geometry::DVec2;
 use physics::{Command, Controls, Machine};
 use rayon::prelude::*;
@@ -17,7 +16,7 @@ const MOST_TICKS: usize = 20_000;
 
 /// Spectrum with its coils live, and no ball on it.
 fn live() -> Machine {
-    let table = Table::load("spectrum").unwrap();
+    let table = game::storage::tables::load("spectrum").unwrap();
     let mut machine = Machine::new(Arc::new(table.layout.clone())).unwrap();
     machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
     machine
@@ -34,7 +33,7 @@ fn reachable(machine: &Machine) -> Vec<DVec2> {
     let size = machine.layout().size_m;
     let (columns, rows) = ((size.x / STEP_M) as usize, (size.y / STEP_M) as usize);
     let place = |at: usize| DVec2::new((at % columns) as f64 + 0.5, (at / columns) as f64 + 0.5) * STEP_M + ASIDE_M;
-    let is_free = |at: usize| with_ball(machine, place(at)).overlap_m() < 0.0;
+    let is_free = |at: usize| with_ball(machine, place(at)).penetration_m() < 0.0;
     let start = rows / 2 * columns + columns / 2;
     let (mut seen, mut found) = (vec![false; columns * rows], vec![start]);
     seen[start] = true;

@@ -2,30 +2,28 @@
 //!
 //! The data's way, each arrow one function and each noun plain data:
 //!
-//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> stage -> [`tracer::Scene`] -> radiance -> frame ->
-//! HUD -> window or PNG
+//! keys -> [`Buttons`] -> [`Simulation::tick`] -> [`Snapshot`] -> scene builder -> [`tracer::Scene`] -> radiance ->
+//! frame -> HUD -> window or PNG
 //!
 //! A replay enters at [`Buttons`]; a headless dump leaves at the frame; nothing in between knows which it is.
 
-pub mod assets;
-pub mod bot;
-pub mod buttons;
+pub mod art;
 pub mod cli;
 pub mod commands;
-pub mod failure;
+pub mod desktop;
+mod fonts;
+pub mod frame_composer;
+pub mod game_app;
 pub mod hud;
-pub mod lamps;
-pub mod new_file;
-pub mod picture;
-pub mod recording;
-pub mod rules;
-pub mod simulation;
-pub mod stage;
-pub mod table;
-pub mod window;
+pub mod input;
+pub mod scene_builder;
+pub mod screen;
+pub mod session;
+#[cfg(test)]
+mod small_table;
+mod standard_error;
+pub mod storage;
 
-pub use buttons::Buttons;
-pub use failure::Failure;
-pub use recording::Recording;
-pub use simulation::{Simulation, Snapshot};
-pub use table::Table;
+pub use pinball::{Buttons, Failure, Recording, Simulation, Snapshot, Table};
+pub use pinball::{bot, lamps, recording, rules, simulation, table};
+pub use standard_error::tell;

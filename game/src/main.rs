@@ -6,7 +6,7 @@ fn main() -> ExitCode {
     match game::commands::run(game::cli::Cli::read()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure.tell();
+            game::tell(&failure);
             ExitCode::FAILURE
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Refuses to know what is in the pictures.
 
-use game::picture::save_png;
+use game::storage::save_png;
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};

@@ -10,7 +10,7 @@ mod plunge;
 mod shot;
 
 use geometry::DVec2;
-use physics::{BALL_RADIUS_M, BallPose, Command, Controls, EventKind, Flipper, Kind, Machine, Trigger};
+use physics::{BALL_RADIUS_M, BallPose, Command, Controls, EventKind, Flipper, FlipperControl, Kind, Machine};
 use std::sync::{Arc, OnceLock};
 
 pub const NONE: Controls = Controls::NONE;
@@ -35,7 +35,7 @@ impl Play {
     pub fn new() -> Play {
         static FRESH: OnceLock<Machine> = OnceLock::new();
         let machine = FRESH.get_or_init(|| {
-            let table = game::Table::load("spectrum").expect("the table is sound");
+            let table = game::storage::tables::load("spectrum").expect("the table is sound");
             let mut machine = Machine::new(Arc::new(table.layout.clone())).expect("the table can be played");
             machine.tick(NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
             machine
@@ -119,7 +119,7 @@ pub fn is_still(ball: &BallPose) -> bool {
 /// The left flipper's numbers.
 pub fn left_flipper() -> Flipper {
     let play = Play::new();
-    let flipper = |kind: &Kind| matches!(kind, Kind::Flipper(flipper) if flipper.trigger == Trigger::Left);
+    let flipper = |kind: &Kind| matches!(kind, Kind::Flipper(flipper) if flipper.control == FlipperControl::Left);
     let part = play.machine.layout().parts.iter().find(|part| flipper(&part.kind));
     match part.map(|part| part.kind.clone()) {
         Some(Kind::Flipper(flipper)) => flipper,

@@ -7,7 +7,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 use std::time::Instant;
-use tracer::{Frame, Path, Radiance, Renderer, View, testing, tone};
+use tracer::{Frame, Radiance, Renderer, SimdLevel, View, scenes, tone_map};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -15,10 +15,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (width, height) = arguments.get(1).and_then(|size| size.split_once('x')).unwrap_or(("540", "1080"));
     let threads = arguments.get(2).map_or(Ok(2), |threads| threads.parse())?;
     let wanted = arguments.get(3).map(String::as_str);
-    let path = Path::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(Path::best);
-    let view = View::fit(width.parse()?, height.parse()?, testing::SIZE_MM);
-    let props = testing::props(&view);
-    let mut scene = testing::table(view, &props);
+    let path =
+        SimdLevel::available().into_iter().find(|path| Some(path.name()) == wanted).unwrap_or_else(SimdLevel::best);
+    let view = View::fit(width.parse()?, height.parse()?, scenes::SIZE_MM);
+    let props = scenes::props(&view);
+    let mut scene = scenes::table(view, &props);
     let mut renderer = Renderer::on(path);
     let (mut radiance, mut frame) = (Radiance::default(), Frame::default());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
@@ -30,13 +31,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             for _ in 0..60 {
                 match what {
                     "relit" => renderer.forget(),
-                    "moving" => testing::roll(&mut scene, DVec2::new(0.4, -1.1)),
+                    "moving" => scenes::roll(&mut scene, DVec2::new(0.4, -1.1)),
                     _ => {}
                 }
                 let start = now();
                 renderer.render(&scene, &mut radiance);
                 let middle = now();
-                tone::map_on(path, &radiance, 1.0, &mut frame);
+                tone_map::map_on(path, &radiance, 1.0, &mut frame);
                 light_ms.push((middle - start).as_secs_f64() * 1e3);
                 tone_ms.push(middle.elapsed().as_secs_f64() * 1e3);
             }

@@ -3,7 +3,7 @@
 use geometry::DVec2;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tracer::{Film, Renderer, View, testing};
+use tracer::{DisplayBuffer, HalfRenderer, Renderer, Scene, View, scenes};
 
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
@@ -32,26 +32,25 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// All lamps flash, two balls roll to and fro and one floats: when every thread has been everywhere, everything is there. Which thread
-/// goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
-#[test]
-fn a_warm_renderer_allocates_nothing() {
-    let view = View::fit(270, 540, testing::SIZE_MM);
-    let props = testing::props(&view);
+/// All lamps flash, two balls roll to and fro and one floats: when every thread has been everywhere, everything is there.
+/// Which thread goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
+fn asks_for_nothing_once_warm(mut draw: impl FnMut(&Scene, &mut DisplayBuffer) + Send) {
+    let view = View::fit(270, 540, scenes::SIZE_MM);
+    let props = scenes::props(&view);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
     pool.install(|| {
-        let mut scene = testing::table(view, &props);
-        testing::lift(&mut scene, &[12.0]);
-        let (mut renderer, mut film) = (Renderer::new(), Film::default());
+        let mut scene = scenes::table(view, &props);
+        scenes::lift(&mut scene, &[12.0]);
+        let mut film = DisplayBuffer::default();
         let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);
             for frame in 0..24 {
                 let to = if frame < 12 { 1.0 } else { -1.0 };
-                testing::roll(&mut scene, DVec2::new(3.0 * to, -5.0 * to));
+                scenes::roll(&mut scene, DVec2::new(3.0 * to, -5.0 * to));
                 for (at, lamp) in scene.lamps.iter_mut().enumerate() {
                     lamp.color[0] = 0.2 + ((at + frame) % 5) as f32 * 0.1;
                 }
-                renderer.draw(&scene, 1.0, &mut film);
+                draw(&scene, &mut film);
             }
             ASKED.load(Ordering::Relaxed) - before
         };
@@ -59,4 +58,14 @@ fn a_warm_renderer_allocates_nothing() {
         assert!(asked[0] > 1000, "a cold renderer asks for memory: {asked:?}");
         assert!(asked.windows(2).any(|two| two == [0, 0]), "{asked:?}");
     });
+}
+
+/// One test, since what other tests ask for would be counted too.
+#[test]
+fn a_warm_renderer_allocates_nothing() {
+    let mut renderer = Renderer::new();
+    asks_for_nothing_once_warm(|scene, film| renderer.draw(scene, 1.0, film));
+    let half = scenes::props(&View::fit(270, 540, scenes::SIZE_MM).halved()).floor;
+    let mut renderer = HalfRenderer::new();
+    asks_for_nothing_once_warm(|scene, film| renderer.draw(scene, &half, 1.0, film));
 }

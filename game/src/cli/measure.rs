@@ -1,6 +1,7 @@
 //! The words that measure: `caustic bench` and `caustic plot`.
 
-use super::{Size, threads};
+use super::threads;
+use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;

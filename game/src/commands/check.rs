@@ -2,6 +2,7 @@
 
 use super::print::print;
 use crate::cli::CheckArgs;
+use crate::storage::tables;
 use crate::table::LampKind;
 use crate::{Failure, Simulation, Table};
 use std::sync::Arc;
@@ -11,7 +12,7 @@ use std::sync::Arc;
 /// # Errors
 /// Every mistake, one line each.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let table = Table::load(&args.table).map_err(|mistakes| all(&mistakes))?;
+    let table = tables::load(&args.table).map_err(|mistakes| all(&mistakes))?;
     let table = Arc::new(table);
     let mut simulation = Simulation::new(table.clone(), 0)?;
     let complaints = simulation.complaints();

@@ -4,9 +4,10 @@ use super::parallel;
 use super::print::unwritable;
 use crate::Failure;
 use crate::cli::DumpArgs;
-use crate::hud::Chrome;
-use crate::picture::{Moment, Picture, save_png};
-use crate::recording::Replay;
+use crate::frame_composer::{FrameComposer, Interpolation};
+use crate::hud::UiState;
+use crate::screen::Size;
+use crate::storage::{recordings, save_png};
 use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -20,13 +21,13 @@ use tracer::Frame;
 /// # Errors
 /// If the recording cannot be played again or a frame cannot be written.
 pub fn run(args: &DumpArgs) -> Result<(), Failure> {
-    let mut replay = Replay::open(&args.file)?;
+    let mut replay = recordings::open(&args.file)?;
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
-    let mut picture = Picture::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
-    picture.set_light(args.light.at_rest());
-    picture.set_zoom(args.zoom);
-    let (width, height) = out.size(args);
+    let mut composer = FrameComposer::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
+    composer.set_light(args.light.resolution().unwrap_or_default());
+    composer.set_zoom(args.zoom);
+    let size = out.size(args);
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");
     // One frame is written while the next is drawn, and one waits at most.
     thread::scope(|threads| {
@@ -34,8 +35,8 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
         let writer = threads.spawn(|| write_all(&mut out, waiting, &bar));
         for tick in ticks {
             replay.seek(tick);
-            let moment = replay.simulation().snapshot();
-            let frame = picture.draw(Moment::at(&moment), width, height, &Chrome::default())?;
+            let snapshot = replay.simulation().snapshot();
+            let frame = composer.draw(Interpolation::at(&snapshot), size, &UiState::default())?;
             if drawn.send(frame.clone()).is_err() {
                 break;
             }
@@ -91,7 +92,7 @@ impl Out {
                 ));
             }
             let mut film = BufWriter::new(io::stdout());
-            let (width, height) = even(args);
+            let Size { width, height } = even(args.size);
             let header = format!("YUV4MPEG2 W{width} H{height} F{}:1 Ip A1:1 C420jpeg\n", args.fps);
             film.write_all(header.as_bytes()).map_err(|error| unwritable(&error))?;
             return Ok(Out::Film(film));
@@ -101,10 +102,10 @@ impl Out {
     }
 
     /// A film's sides are even: two pixels share a colour.
-    fn size(&self, args: &DumpArgs) -> (usize, usize) {
+    fn size(&self, args: &DumpArgs) -> Size {
         match self {
-            Out::Folder(_) => (args.size.width, args.size.height),
-            Out::Film(_) => even(args),
+            Out::Folder(_) => args.size,
+            Out::Film(_) => even(args.size),
         }
     }
 
@@ -120,8 +121,8 @@ impl Out {
     }
 }
 
-fn even(args: &DumpArgs) -> (usize, usize) {
-    (args.size.width & !1, args.size.height & !1)
+fn even(size: Size) -> Size {
+    Size { width: size.width & !1, height: size.height & !1 }
 }
 
 /// One frame of y4m: full-range luma (ITU-R BT.601, as JFIF has it), then each colour difference at half the size.

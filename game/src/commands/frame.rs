@@ -2,9 +2,9 @@
 
 use super::parallel;
 use crate::cli::{FrameArgs, Integrator};
-use crate::hud::Chrome;
-use crate::picture::{Moment, Picture, save_png};
-use crate::recording::Replay;
+use crate::frame_composer::{FrameComposer, Interpolation};
+use crate::hud::UiState;
+use crate::storage::{recordings, save_png, tables};
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;
@@ -19,22 +19,22 @@ const LIT_S: f64 = 2.0;
 /// # Errors
 /// If the table or the recording cannot be read, or the file cannot be written.
 pub fn run(args: &FrameArgs) -> Result<(), Failure> {
-    let (table, moments) = match &args.replay {
+    let (table, snapshot) = match &args.replay {
         Some(file) => of_recording(file, args.at)?,
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
-    let mut picture = Picture::new(table, parallel::pool(args.threads)?)?;
-    picture.set_light(args.light.at_rest());
-    picture.set_zoom(args.zoom);
+    let mut composer = FrameComposer::new(table, parallel::pool(args.threads)?)?;
+    composer.set_light(args.light.resolution().unwrap_or_default());
+    composer.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
-        picture.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
+        composer.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
     }
-    let frame = picture.draw(Moment::at(&moments), args.size.width, args.size.height, &Chrome::default())?;
+    let frame = composer.draw(Interpolation::at(&snapshot), args.size, &UiState::default())?;
     save_png(frame, &args.out)
 }
 
 fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
-    let table = Arc::new(Table::load(name).map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load(name).map_err(Failure::of_many)?);
     let mut simulation = Simulation::new(table.clone(), 0)?;
     let ticks = (at_s * f64::from(TICKS_PER_SECOND)) as u64;
     let bar = parallel::progress_bar(ticks, "ticks");
@@ -47,7 +47,7 @@ fn of_table(name: &str, at_s: f64) -> Result<(Arc<Table>, Snapshot), Failure> {
 }
 
 fn of_recording(file: &Path, at_s: Option<f64>) -> Result<(Arc<Table>, Snapshot), Failure> {
-    let mut replay = Replay::open(file)?;
+    let mut replay = recordings::open(file)?;
     let end = replay.recording().ticks();
     let tick = at_s.map_or(end, |at_s| (at_s * f64::from(TICKS_PER_SECOND)) as u64);
     if tick > end {

@@ -3,6 +3,7 @@
 
 use crate::Failure;
 use crate::simulation::Digest;
+use crate::storage::file_failure;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -42,6 +43,6 @@ pub fn make_folder(dir: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(dir).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => Failure::new(format!("{} is a file; name a folder", dir.display())),
         ErrorKind::NotFound => Failure::new(format!("cannot make the folder {}: the system refuses it", dir.display())),
-        _ => Failure::of_file("make the folder", dir, &error),
+        _ => file_failure("make the folder", dir, &error),
     })
 }

@@ -1,9 +1,10 @@
 //! `caustic play`: a game in a window.
 
 use super::parallel;
+use crate::Failure;
 use crate::cli::PlayArgs;
-use crate::window::{self, Look, Play};
-use crate::{Failure, Table};
+use crate::game_app::{self, Look, Play};
+use crate::storage::tables;
 use std::sync::Arc;
 use std::time::SystemTime;
 
@@ -12,11 +13,11 @@ use std::time::SystemTime;
 /// # Errors
 /// If the table cannot be read, the recording cannot be written, or there is no display.
 pub fn run(args: PlayArgs) -> Result<(), Failure> {
-    let table = Arc::new(Table::load(&args.table).map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load(&args.table).map_err(Failure::of_many)?);
     let seed = args.seed.unwrap_or_else(seed_of_now);
     let play = Play { table, seed, record: args.record, bot: args.bot };
-    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
-    window::play(&play, look, parallel::pool(args.threads)?)
+    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light.resolution(), zoom: args.zoom };
+    game_app::play(&play, look, parallel::pool(args.threads)?)
 }
 
 #[expect(clippy::disallowed_methods, reason = "each game that names no seed is another one")]

@@ -1,7 +1,7 @@
 //! Standard output. Who reads it may stop at any time (`caustic bench | head -3`); that is no failure.
 
 use crate::Failure;
-use crate::failure::because;
+use crate::storage::because;
 use std::io::{self, ErrorKind, Write};
 
 /// Prints a text and ends its line.

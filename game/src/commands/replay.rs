@@ -3,15 +3,15 @@
 use super::parallel;
 use crate::Failure;
 use crate::cli::ReplayArgs;
-use crate::recording::Replay;
-use crate::window::{self, Look};
+use crate::game_app::{self, Look};
+use crate::storage::recordings;
 
 /// Shows a recording until the window is closed.
 ///
 /// # Errors
 /// If the recording cannot be played again, or there is no display.
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
-    let replay = Replay::open(&args.file)?;
-    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light, zoom: args.zoom };
-    window::watch(replay, look, parallel::pool(args.threads)?)
+    let replay = recordings::open(&args.file)?;
+    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light.resolution(), zoom: args.zoom };
+    game_app::watch(replay, look, parallel::pool(args.threads)?)
 }

@@ -6,7 +6,8 @@ use crate::bot::anomaly::AnomalyKind;
 use crate::bot::trial::{self, Played, Terms, Trial};
 use crate::bot::{Bot, Random, Tour};
 use crate::cli::{Player, SimulateArgs};
-use crate::{Failure, Table, new_file};
+use crate::storage::{file_failure, new_file, tables};
+use crate::{Failure, Table};
 use physics::{Kind, TICKS_PER_SECOND};
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -20,7 +21,7 @@ use std::time::{Duration, Instant};
 /// If the table cannot be read, a recording cannot be written, or anything went wrong in a game.
 #[expect(clippy::disallowed_methods, reason = "measures the speed; the games do not read it")]
 pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
-    let table = Arc::new(Table::load(&args.table).map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load(&args.table).map_err(Failure::of_many)?);
     for dir in args.save_all.iter().chain(&args.save_failures) {
         parallel::make_folder(dir)?;
     }
@@ -76,7 +77,7 @@ impl Game {
         for dir in args.save_all.iter().chain(failures) {
             let path = dir.join(format!("game-{}.caustic", trial.seed));
             new_file::write(&path, |file| file.write_all(&recording))
-                .map_err(|error| Failure::of_file("write the recording", &path, &error))?;
+                .map_err(|error| file_failure("write the recording", &path, &error))?;
         }
         Ok(Game { trial, core_time, bytes: recording.len() })
     }

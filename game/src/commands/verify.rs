@@ -4,8 +4,9 @@ use super::parallel::{digest_line, pool, progress_bar};
 use super::print::print;
 use crate::Failure;
 use crate::cli::VerifyArgs;
-use crate::recording::{self, Replay};
+use crate::recording;
 use crate::simulation::Digest;
+use crate::storage::recordings;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -57,16 +58,16 @@ struct Verified {
 
 /// Plays one file again.
 fn verify(path: &Path, args: &VerifyArgs, bar: &ProgressBar) -> Result<Verified, Failure> {
-    let mut replay = Replay::open(path)?;
+    let mut replay = recordings::open(path)?;
     let mut digest = args.digest.then(Digest::default);
     bar.inc_length(replay.recording().ticks());
     while replay.step() {
         if let Some(difference) = replay.difference() {
-            return Err(Failure::new(difference.to_string()).in_file(path));
+            return Err(Failure::new(difference.to_string()).in_file(path.display()));
         }
         let tick = replay.tick();
         if args.restore_every.is_some_and(|every| tick.is_multiple_of(every)) {
-            replay.save_and_restore().map_err(|failure| failure.in_file(path))?;
+            replay.save_and_restore().map_err(|failure| failure.in_file(path.display()))?;
         }
         if let Some(digest) = &mut digest {
             digest.add(replay.simulation().hash());

@@ -1,98 +1,71 @@
-//! The display: what is told to the player around and over the table.
+//! The head-up display (HUD): what is told to the player around and over the table.
 //!
 //! A night observatory: blue-black, brass hairlines, an amber dot matrix. Everything that lasts is drawn once and
-//! copied; it is drawn again only when what it says changes. The display is a function of the moment and of what the
-//! window adds; it refuses to know a clock, a key or a file.
+//! copied; it is drawn again only when what it says changes. The HUD is a function of the snapshot and of the UI state;
+//! it refuses to know a clock, a key or a file.
 
-mod canvas;
-mod card;
-mod contour;
-mod dots;
-mod keys;
-mod layer;
-mod lettering;
-mod matrix;
-mod overlay;
+mod backdrop;
+mod debug_overlay;
+mod dialog;
+mod dmd;
+mod frame_times;
+mod key_help;
+mod notice;
+mod palette;
 mod panel;
-mod programme;
-mod surround;
+mod replay_bar;
+mod text;
+mod ui_state;
 
-pub use canvas::{Canvas, Rect};
-pub use card::{Card, Seek};
-pub use dots::{HEIGHT as DOTS_DOWN, WIDTH as DOTS_ACROSS};
-pub use keys::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
-pub use layer::Layer;
-pub use overlay::{Debug, Times, Touch};
+pub use debug_overlay::{DebugInfo, TrailContact};
+pub use dialog::Dialog;
+pub use frame_times::FrameTimes;
+pub use key_help::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
+pub use replay_bar::ReplayProgress;
+pub use ui_state::{Badge, UiState};
 
-use crate::picture::placement::{Lens, Placement};
+use crate::screen::{CachedLayer, Canvas, Placement, Rect, ScreenFromTable, Side};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
-use card::Panes;
-use dots::Dots;
-use lettering::Lettering;
-use matrix::Matrix;
-use panel::{Lines, Words};
+use debug_overlay::{DebugOverlay, OverlayView};
+use dmd::{DmdRaster, Dots};
+use panel::{PanelText, ProgressLines};
+use text::TextRenderer;
 use tracer::Frame;
 
-const NIGHT: u32 = 0x06_0810;
-const BRASS: u32 = 0xb0_8d57;
-const AMBER: u32 = 0xff_b347;
-const IVORY: u32 = 0xec_e6d6;
-const MIST: u32 = 0x86_8fa3;
-
-/// Who is at the machine, if not the player.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Badge {
-    /// A recording.
-    Replay,
-    /// The bot.
-    Bot,
-}
-
-/// What a window adds to the moment.
-#[derive(Clone, Default)]
-pub struct Chrome {
-    /// Who is at the machine.
-    pub badge: Option<Badge>,
-    /// A sentence for the player.
-    pub notice: Option<String>,
-    /// What covers the table.
-    pub card: Option<&'static Card>,
-    /// How far a replay is.
-    pub seek: Option<Seek>,
-    /// What happens behind the picture.
-    pub debug: Option<Debug>,
-}
-
-/// The display and everything that it keeps.
+/// The HUD and everything that it keeps from frame to frame.
 pub struct Hud {
-    lettering: Lettering,
+    text_renderer: TextRenderer,
     placement: Option<Placement>,
     backdrop: Frame,
-    matrix: Matrix,
+    dmd_raster: DmdRaster,
     dots: Option<Dots>,
-    words: Option<Words>,
-    lines: Lines,
-    panes: Panes,
-    overlay: overlay::Overlay,
+    panel_text: Option<PanelText>,
+    progress_lines: ProgressLines,
+    dialog_pane: CachedLayer<()>,
+    notice_pane: CachedLayer<()>,
+    replay_bar: CachedLayer<i32>,
+    debug_overlay: DebugOverlay,
 }
 
 impl Hud {
-    /// A display that has drawn nothing yet.
+    /// A HUD that has drawn nothing yet.
     ///
     /// # Errors
     /// If a font in the program is damaged.
     pub fn new() -> Result<Hud, Failure> {
         Ok(Hud {
-            lettering: Lettering::new()?,
+            text_renderer: TextRenderer::new()?,
             placement: None,
             backdrop: Frame::default(),
-            matrix: Matrix::new(0),
+            dmd_raster: DmdRaster::new(0),
             dots: None,
-            words: None,
-            lines: Lines::default(),
-            panes: Panes::default(),
-            overlay: overlay::Overlay::default(),
+            panel_text: None,
+            progress_lines: ProgressLines::default(),
+            dialog_pane: CachedLayer::default(),
+            notice_pane: CachedLayer::default(),
+            replay_bar: CachedLayer::default(),
+            debug_overlay: DebugOverlay::default(),
         })
     }
 
@@ -102,11 +75,11 @@ impl Hud {
             return;
         }
         self.backdrop = Frame::new(placement.width, placement.height);
-        surround::draw(&mut Canvas::new(&mut self.backdrop), &placement);
+        backdrop::draw(&mut Canvas::new(&mut self.backdrop), &placement);
         frame.clone_from(&self.backdrop);
-        self.overlay = overlay::Overlay::default();
-        self.matrix = Matrix::new(placement.pitch);
-        (self.placement, self.dots, self.words) = (Some(placement), None, None);
+        self.debug_overlay = DebugOverlay::default();
+        self.dmd_raster = DmdRaster::new(placement.pitch);
+        (self.placement, self.dots, self.panel_text) = (Some(placement), None, None);
     }
 
     /// Puts back what surrounds the table in `rect`.
@@ -115,22 +88,21 @@ impl Hud {
     }
 
     /// Draws what has changed around the table.
-    pub fn draw_around(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, frame: &mut Frame) {
+    pub fn draw_around(&mut self, table: &Table, snapshot: &Snapshot, ui_state: &UiState, frame: &mut Frame) {
         let Some(placement) = self.placement else { return };
-        let dots = programme::page(&moment.display, moment.tick);
+        let dots = dmd::animation_dots(&snapshot.display, snapshot.tick);
         if placement.pitch > 0 && self.dots.as_ref() != Some(&dots) {
-            self.matrix.draw(&mut Canvas::new(frame), placement.matrix, &dots);
+            self.dmd_raster.draw(&mut Canvas::new(frame), placement.matrix, &dots);
             self.dots = Some(dots);
         }
-        let words = Words::new(table, moment, chrome);
-        if self.words.as_ref() != Some(&words) {
-            self.draw_words(&placement, &words, frame);
-            self.words = Some(words);
+        let panel_text = PanelText::new(table, snapshot, ui_state);
+        if self.panel_text.as_ref() != Some(&panel_text) {
+            self.draw_words(&placement, &panel_text, frame);
+            self.panel_text = Some(panel_text);
         }
     }
 
-    fn draw_words(&mut self, placement: &Placement, words: &Words, frame: &mut Frame) {
-        use crate::picture::placement::Side;
+    fn draw_words(&mut self, placement: &Placement, panel_text: &PanelText, frame: &mut Frame) {
         let rects = match placement.side {
             Side::Band(left, right) => vec![left, right],
             Side::Panel(panel) => {
@@ -142,27 +114,42 @@ impl Hud {
         for rect in rects {
             self.restore(frame, rect);
             let canvas = &mut Canvas::new(frame);
-            panel::draw(&mut canvas.within(rect), &mut self.lettering, &mut self.lines, placement, words);
+            panel::draw(
+                &mut canvas.within(rect),
+                &mut self.text_renderer,
+                &mut self.progress_lines,
+                placement,
+                panel_text,
+            );
         }
     }
 
-    /// Draws what lies over the table, whose points are where `lens` says; the table itself must have been drawn anew.
-    pub fn draw_over(&mut self, table: &Table, moment: &Snapshot, chrome: &Chrome, lens: Lens, frame: &mut Frame) {
+    /// Draws what lies over the table, whose points are where `screen_from_table` says; the table itself must have been
+    /// drawn anew.
+    pub fn draw_over(
+        &mut self,
+        table: &Table,
+        snapshot: &Snapshot,
+        ui_state: &UiState,
+        screen_from_table: ScreenFromTable,
+        frame: &mut Frame,
+    ) {
         let Some(placement) = self.placement else { return };
         let mut canvas = Canvas::new(frame);
         let mut canvas = canvas.within(placement.table);
-        if let Some(debug) = &chrome.debug {
-            let subject = overlay::Subject { table, placement: &placement, lens, moment };
-            self.overlay.draw(&mut canvas, &mut self.lettering, &subject, debug);
+        let text = &mut self.text_renderer;
+        if let Some(debug) = &ui_state.debug {
+            let view = OverlayView { table, placement: &placement, screen_from_table, snapshot };
+            self.debug_overlay.draw(&mut canvas, text, &view, debug);
         }
-        if let Some(seek) = &chrome.seek {
-            card::seek(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, seek);
+        if let Some(progress) = &ui_state.replay {
+            replay_bar::draw(&mut canvas, text, &mut self.replay_bar, placement.table, progress);
         }
-        if let Some(card) = chrome.card {
-            card::draw(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, card);
+        if let Some(dialog) = ui_state.dialog {
+            dialog::draw(&mut canvas, text, &mut self.dialog_pane, placement.table, dialog);
         }
-        if let Some(text) = &chrome.notice {
-            card::notice(&mut canvas, &mut self.lettering, &mut self.panes, placement.table, text);
+        if let Some(sentence) = &ui_state.notice {
+            notice::draw(&mut canvas, text, &mut self.notice_pane, placement.table, sentence);
         }
     }
 }

@@ -1,18 +1,18 @@
 //! What is written around the dot-matrix display: players, ball, what has been collected, and the keys.
 
-use super::canvas::{Canvas, Color, Rect};
-use super::layer::{Kept, Layer};
-use super::lettering::{Align, Family, Lettering, Style};
-use super::programme::grouped;
-use super::{AMBER, BRASS, Badge, Chrome, IVORY, MIST, keys};
+use super::dmd::grouped;
+use super::key_help;
+use super::palette::{AMBER, BRASS, IVORY, MIST};
+use super::text::{Align, Anchor, FontFamily, TextRenderer, TextStyle};
+use super::ui_state::{Badge, UiState};
 use crate::Table;
-use crate::picture::placement::{Placement, Side, title_height};
+use crate::screen::{CachedLayer, Canvas, Color, Layer, Placement, Rect, Side, title_height};
 use crate::simulation::{Display, Snapshot};
 use geometry::DVec2;
 
 /// Everything that the panel says; it is drawn again only when this changes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Words {
+pub struct PanelText {
     /// The table's title.
     pub title: String,
     /// Of the display.
@@ -28,46 +28,64 @@ pub struct Words {
 /// The lamp that says on the table what the panel repeats: a ball that drains now comes back.
 const SHOOT_AGAIN: &str = "insert-shoot-again";
 
-impl Words {
-    /// What the panel says of a moment: the display's message is the matrix's alone.
-    pub fn new(table: &Table, moment: &Snapshot, chrome: &Chrome) -> Words {
-        let display = Display { message: Vec::new(), message_tick: 0, ..moment.display.clone() };
-        let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| moment.lamps.get(lamp));
+impl PanelText {
+    /// What the panel says of a snapshot: the display's message is the dot-matrix display's alone.
+    pub fn new(table: &Table, snapshot: &Snapshot, ui_state: &UiState) -> PanelText {
+        let display = Display { message: Vec::new(), message_tick: 0, ..snapshot.display.clone() };
+        let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| snapshot.lamps.get(lamp));
         let shoot_again = display.playing && lamp.is_some_and(|lamp| lamp.level > 300);
-        let keys = if chrome.seek.is_some() { keys::REPLAY_HELP } else { keys::HELP };
-        Words { title: table.title.to_uppercase(), display, shoot_again, badge: chrome.badge, keys }
+        let keys = if ui_state.replay.is_some() { key_help::REPLAY_HELP } else { key_help::HELP };
+        PanelText { title: table.title.to_uppercase(), display, shoot_again, badge: ui_state.badge, keys }
     }
 }
 
-/// Draws the words where `placement` has room for them.
-pub fn draw(canvas: &mut Canvas, lettering: &mut Lettering, lines: &mut Lines, placement: &Placement, words: &Words) {
-    let mut page = Page { canvas, lettering, lines };
+/// Draws the panel's text where `placement` has room for them.
+pub fn draw(
+    canvas: &mut Canvas,
+    text_renderer: &mut TextRenderer,
+    lines: &mut ProgressLines,
+    placement: &Placement,
+    panel_text: &PanelText,
+) {
+    let mut page = Page { canvas, text_renderer, lines };
     match placement.side {
-        Side::Band(left, right) if placement.pitch == 0 => page.tiny(left, right, &words.display),
+        Side::Band(left, right) if placement.pitch == 0 => page.tiny(left, right, &panel_text.display),
         Side::Band(left, right) => {
-            page.ball_cell(left, words);
-            page.progress(right, &words.display.progress);
+            page.ball_cell(left, panel_text);
+            page.progress(right, &panel_text.display.progress);
         }
-        Side::Panel(panel) => page.panel(panel, placement, words),
+        Side::Panel(panel) => page.panel(panel, placement, panel_text),
     }
 }
 
 /// The spectral lines, each kept until it grows: its colour, what has been collected, and of how many.
 #[derive(Default)]
-pub struct Lines([Kept<(Color, i64, i64)>; MOST_ROWS]);
+pub struct ProgressLines([CachedLayer<(Color, i64, i64)>; MOST_ROWS]);
 
 struct Page<'a, 'b> {
     canvas: &'a mut Canvas<'b>,
-    lettering: &'a mut Lettering,
-    lines: &'a mut Lines,
+    text_renderer: &'a mut TextRenderer,
+    lines: &'a mut ProgressLines,
 }
 
-fn label(size_px: f32) -> Style {
-    Style { family: Family::Plain, size_px, tracking: 0.14, color: MIST, alpha: 255 }
+fn label(size_px: f32) -> TextStyle {
+    TextStyle { family: FontFamily::Plain, size_px, tracking: 0.14, color: MIST, alpha: 255 }
 }
 
-fn value(size_px: f32, color: Color) -> Style {
-    Style { family: Family::Bold, size_px, tracking: 0.0, color, alpha: 255 }
+fn value(size_px: f32, color: Color) -> TextStyle {
+    TextStyle { family: FontFamily::Bold, size_px, tracking: 0.0, color, alpha: 255 }
+}
+
+fn left_at(x: i32, y: i32) -> Anchor {
+    Anchor { align: Align::Left, x: x as f32, y: y as f32 }
+}
+
+fn centre_at(x: i32, y: i32) -> Anchor {
+    Anchor { align: Align::Centre, x: x as f32, y: y as f32 }
+}
+
+fn right_at(x: i32, y: i32) -> Anchor {
+    Anchor { align: Align::Right, x: x as f32, y: y as f32 }
 }
 
 /// The most things whose progress is shown.
@@ -77,10 +95,10 @@ const MOST_ROWS: usize = 12;
 const LEGIBLE_PX: f32 = 6.0;
 
 impl Page<'_, '_> {
-    fn text(&mut self, text: &str, style: Style, align: Align, x: i32, y: i32, room: i32) {
-        let style = self.lettering.fitted(text, style, room as f32);
+    fn text(&mut self, text: &str, style: TextStyle, anchor: Anchor, room: i32) {
+        let style = self.text_renderer.fitted(text, style, room as f32);
         if style.size_px >= LEGIBLE_PX {
-            self.lettering.write(self.canvas, text, style, align, x as f32, y as f32);
+            self.text_renderer.write(self.canvas, text, style, anchor);
         }
     }
 
@@ -88,31 +106,31 @@ impl Page<'_, '_> {
     fn tiny(&mut self, left: Rect, right: Rect, display: &Display) {
         let score = grouped(display.scores.get(display.player).copied().unwrap_or_default());
         let size = (left.height as f32 * 0.8).min(22.0);
-        self.text(&score, value(size, AMBER), Align::Left, left.x, left.bottom() - 2, left.width + right.width * 2 / 3);
+        self.text(&score, value(size, AMBER), left_at(left.x, left.bottom() - 2), left.width + right.width * 2 / 3);
         if display.playing {
             let ball = format!("{}/{}", display.ball, display.balls);
-            self.text(&ball, value(size * 0.8, MIST), Align::Right, right.right(), right.bottom() - 2, right.width / 3);
+            self.text(&ball, value(size * 0.8, MIST), right_at(right.right(), right.bottom() - 2), right.width / 3);
         }
     }
 
-    fn ball_cell(&mut self, cell: Rect, words: &Words) {
-        let display = &words.display;
+    fn ball_cell(&mut self, cell: Rect, panel_text: &PanelText) {
+        let display = &panel_text.display;
         let (size, x) = ((cell.height as f32 * 0.1).min(cell.width as f32 * 0.22), cell.x + cell.width / 2);
         let ball = if display.playing { format!("{}/{}", display.ball, display.balls) } else { "\u{2013}".to_string() };
         let player = if display.playing { (display.player + 1).to_string() } else { "\u{2013}".to_string() };
         let half = cell.height / 2;
         let mut pair = |row: i32, name: &str, number: &str| {
             let top = cell.y + half * row;
-            self.text(name, label(size), Align::Centre, x, top + half * 34 / 100, cell.width);
+            self.text(name, label(size), centre_at(x, top + half * 34 / 100), cell.width);
             let color = if display.playing { IVORY } else { MIST };
-            self.text(number, value(size * 2.1, color), Align::Centre, x, top + half * 84 / 100, cell.width);
+            self.text(number, value(size * 2.1, color), centre_at(x, top + half * 84 / 100), cell.width);
         };
         pair(0, "BALL", &ball);
-        let Some((text, color)) = state(words) else { return pair(1, "PLAYER", &player) };
+        let Some((text, color)) = state(panel_text) else { return pair(1, "PLAYER", &player) };
         for (line, word) in text.split(' ').enumerate() {
-            let style = Style { color, ..label(size * 1.1) };
+            let style = TextStyle { color, ..label(size * 1.1) };
             let baseline = cell.y + half + half * (40 + 28 * line as i32) / 100;
-            self.text(word, style, Align::Centre, x, baseline, cell.width);
+            self.text(word, style, centre_at(x, baseline), cell.width);
         }
     }
 
@@ -131,8 +149,8 @@ impl Page<'_, '_> {
             let full = done >= of;
             if named {
                 let color = if full { IVORY } else { MIST };
-                let style = Style { color, ..label(size) };
-                self.text(&name.to_uppercase(), style, Align::Left, row.x, row.y + each * 68 / 100, left);
+                let style = TextStyle { color, ..label(size) };
+                self.text(&name.to_uppercase(), style, left_at(row.x, row.y + each * 68 / 100), left);
             }
             let height = (each * 2 / 5).clamp(2, 12);
             let line = Rect::new(row.x + left, row.y + (each - height) / 2, row.width - left, height);
@@ -145,27 +163,27 @@ impl Page<'_, '_> {
         }
     }
 
-    fn panel(&mut self, panel: Rect, placement: &Placement, words: &Words) {
+    fn panel(&mut self, panel: Rect, placement: &Placement, panel_text: &PanelText) {
         let title = Rect::new(panel.x, panel.y, panel.width, title_height(panel));
         let size = title.height as f32 * 0.52;
-        let style = Style { family: Family::Title, size_px: size, tracking: 0.1, color: BRASS, alpha: 255 };
+        let style = TextStyle { family: FontFamily::Title, size_px: size, tracking: 0.1, color: BRASS, alpha: 255 };
         let middle = panel.x + panel.width / 2;
-        self.text(&words.title, style, Align::Centre, middle, title.y + title.height * 62 / 100, panel.width);
+        self.text(&panel_text.title, style, centre_at(middle, title.y + title.height * 62 / 100), panel.width);
         let unit = (panel.width as f32 / 22.0).min(panel.height as f32 / 44.0);
         let top = placement.matrix.bottom().max(title.bottom()) + (unit * 1.4) as i32;
         let mut room = Rect::new(panel.x, top, panel.width, panel.bottom() - top);
-        self.scores(&mut room, unit, &words.display);
+        self.scores(&mut room, unit, &panel_text.display);
         self.rule(&mut room, unit);
-        self.status(&mut room, unit, words);
-        if !words.display.progress.is_empty() {
+        self.status(&mut room, unit, panel_text);
+        if !panel_text.display.progress.is_empty() {
             self.rule(&mut room, unit);
-            let needed = (unit * 1.45) as i32 * words.display.progress.len().min(MOST_ROWS) as i32;
+            let needed = (unit * 1.45) as i32 * panel_text.display.progress.len().min(MOST_ROWS) as i32;
             let rows = take(&mut room, needed);
             if rows.height == needed {
-                self.progress(rows, &words.display.progress);
+                self.progress(rows, &panel_text.display.progress);
             }
         }
-        self.key_help(room, unit, words.keys);
+        self.key_help(room, unit, panel_text.keys);
     }
 
     fn scores(&mut self, room: &mut Rect, unit: f32, display: &Display) {
@@ -179,24 +197,24 @@ impl Page<'_, '_> {
             let baseline = row.y + (size * 1.02) as i32;
             let color = if active { AMBER } else { MIST };
             let name = format!("PLAYER {}", index + 1);
-            self.text(&name, Style { color, ..label(unit * 0.75) }, Align::Left, row.x, baseline, row.width / 3);
-            self.text(&grouped(*score), value(size, color), Align::Right, row.right(), baseline, row.width * 2 / 3);
+            self.text(&name, TextStyle { color, ..label(unit * 0.75) }, left_at(row.x, baseline), row.width / 3);
+            self.text(&grouped(*score), value(size, color), right_at(row.right(), baseline), row.width * 2 / 3);
         }
     }
 
-    fn status(&mut self, room: &mut Rect, unit: f32, words: &Words) {
+    fn status(&mut self, room: &mut Rect, unit: f32, panel_text: &PanelText) {
         let row = take(room, (unit * 1.9) as i32);
         if row.height < (unit * 1.8) as i32 {
             return;
         }
         let baseline = row.y + (unit * 1.3) as i32;
-        let display = &words.display;
+        let display = &panel_text.display;
         let ball = if display.playing { format!("{} of {}", display.ball, display.balls) } else { "\u{2013}".into() };
-        self.text("BALL", label(unit * 0.75), Align::Left, row.x, baseline, row.width / 4);
-        self.text(&ball, value(unit * 1.2, IVORY), Align::Left, row.x + row.width / 5, baseline, row.width / 3);
-        if let Some((text, color)) = state(words) {
-            let style = Style { color, ..label(unit * 0.9) };
-            self.text(text, style, Align::Right, row.right(), baseline, row.width / 3);
+        self.text("BALL", label(unit * 0.75), left_at(row.x, baseline), row.width / 4);
+        self.text(&ball, value(unit * 1.2, IVORY), left_at(row.x + row.width / 5, baseline), row.width / 3);
+        if let Some((text, color)) = state(panel_text) {
+            let style = TextStyle { color, ..label(unit * 0.9) };
+            self.text(text, style, right_at(row.right(), baseline), row.width / 3);
         }
     }
 
@@ -222,9 +240,9 @@ impl Page<'_, '_> {
         self.hairline(Rect::new(room.x, top, room.width, 1));
         for (index, (keys, action)) in keys.iter().enumerate() {
             let y = top + line * (index as i32 + 1) + line / 2;
-            let style = Style { tracking: 0.02, ..label(unit * 0.78) };
-            self.text(keys, Style { color: BRASS, ..style }, Align::Left, room.x, y, room.width / 2);
-            self.text(action, style, Align::Right, room.right(), y, room.width / 2);
+            let style = TextStyle { tracking: 0.02, ..label(unit * 0.78) };
+            self.text(keys, TextStyle { color: BRASS, ..style }, left_at(room.x, y), room.width / 2);
+            self.text(action, style, right_at(room.right(), y), room.width / 2);
         }
     }
 }
@@ -250,13 +268,13 @@ fn spectral_line(layer: &mut Layer, line: Rect, color: Color, done: i64, of: i64
 }
 
 /// The state that is worth a word.
-fn state(words: &Words) -> Option<(&'static str, Color)> {
-    match words.badge {
-        _ if words.display.tilted => Some(("TILT", 0xff_5a3c)),
+fn state(panel_text: &PanelText) -> Option<(&'static str, Color)> {
+    match panel_text.badge {
+        _ if panel_text.display.tilted => Some(("TILT", 0xff_5a3c)),
         Some(Badge::Replay) => Some(("REPLAY", 0x7f_c8ff)),
         Some(Badge::Bot) => Some(("BOT", 0x7f_c8ff)),
-        None if words.shoot_again => Some(("SHOOT AGAIN", AMBER)),
-        None if !words.display.playing => Some(("GAME OVER", MIST)),
+        None if panel_text.shoot_again => Some(("SHOOT AGAIN", AMBER)),
+        None if !panel_text.display.playing => Some(("GAME OVER", MIST)),
         None => None,
     }
 }

@@ -123,7 +123,7 @@ impl Trial {
         let exit = Path::new(&self.field, after, rest + STEP_S, STEP_S).at(rest).velocity;
         let off = |one: &Machine, other: DVec2| (one.pose().balls[0].velocity - other).length() / exit.length();
         errors.exit = errors.exit.max(off(&fast, exit));
-        let mut slow = machine.clone().divided(self.divisions);
+        let mut slow = machine.clone().substepped(self.divisions);
         if let Some((late, 1)) = first_contact(&mut slow, controls, tick + 2) {
             (late..tick).for_each(|_| slow.tick(controls, &[]));
             (tick..late).for_each(|_| fast.tick(controls, &[]));

@@ -79,9 +79,9 @@ fn it_is_never_in_play() {
 #[test]
 fn neither_a_drain_nor_a_saucer_takes_it() {
     let mut layout = bare();
-    let zone = geometry::Shape::disc(CAPTIVE, 0.01);
+    let shape = geometry::Shape::disc(CAPTIVE, 0.01);
     let circle = geometry::Circle { center: CAPTIVE, radius: 0.014 };
-    layout.parts.push(part("drain", Kind::Drain(Drain { zone })));
+    layout.parts.push(part("drain", Kind::Drain(Drain { shape })));
     layout.parts.push(part("saucer", Kind::Saucer(Saucer { circle, capture_m_s: 2.0, eject_m_s: v(0.0, 1.0) })));
     layout.parts.push(pocket(CAPTIVE));
     layout.parts.push(part("captive", Kind::CaptiveBall(CaptiveBall { center: CAPTIVE, threshold_m_s: 0.1 })));

@@ -49,7 +49,7 @@ fn bounce(diverted: bool, side: f64, speed: f64) -> f64 {
     let (mut deepest, mut thrown) = (f64::NEG_INFINITY, 0.0);
     for _ in 0..150 {
         machine.tick(Controls::default(), &[]);
-        deepest = deepest.max(machine.overlap_m());
+        deepest = deepest.max(machine.penetration_m());
         let ball = machine.pose().balls[0];
         if thrown == 0.0 {
             thrown = ball.velocity.dot(across).min(0.0);

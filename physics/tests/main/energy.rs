@@ -29,7 +29,7 @@ pub fn throw(machine: &mut Machine, balls: usize, [from, to]: [DVec2; 2], chance
         let velocity = ((from + to) * 0.5 + slack - place) * chance.between(2.0, 10.0);
         let spin = [0.0; 3].map(|_: f64| chance.between(-200.0, 200.0));
         next.put_ball(place, velocity, spin);
-        if next.overlap_m() <= 0.0 {
+        if next.penetration_m() <= 0.0 {
             *machine = next;
         }
     }

@@ -38,7 +38,7 @@ pub fn plunger() -> Part {
         feed: v(0.48, 0.93),
         tip: v(0.48, 0.99),
         half_width_m: 0.008,
-        way: v(0.0, -1.0),
+        direction: v(0.0, -1.0),
         stroke_m: 0.05,
         pull_s: 0.8,
         full_speed_m_s: 3.5,
@@ -57,7 +57,7 @@ pub fn flipper(left: bool) -> Part {
         tip_radius_m: 0.007,
         rest_rad,
         up_rad,
-        trigger: if left { Trigger::Left } else { Trigger::Right },
+        control: if left { FlipperControl::Left } else { FlipperControl::Right },
         material: FLIPPER_RUBBER,
         coil_torque_n_m: 3.3,
         hold_torque_n_m: 1.4,
@@ -88,7 +88,7 @@ pub fn run(machine: &mut Machine, ticks: usize, kind: EventKind) -> usize {
     for _ in 0..ticks {
         machine.tick(Controls::default(), &[]);
         count += machine.events().iter().filter(|event| event.kind == kind).count();
-        assert!(machine.overlap_m() < 5e-5, "{} m deep", machine.overlap_m());
+        assert!(machine.penetration_m() < 5e-5, "{} m deep", machine.penetration_m());
     }
     count
 }
@@ -139,7 +139,7 @@ pub fn magnet(center: DVec2) -> Magnet {
 
 /// A rod that shoots up the table.
 pub fn kickback(tip: DVec2) -> Kickback {
-    Kickback { tip, half_width_m: 0.01, way: v(0.0, -1.0), stroke_m: 0.025, speed_m_s: 3.5 }
+    Kickback { tip, half_width_m: 0.01, direction: v(0.0, -1.0), stroke_m: 0.025, speed_m_s: 3.5 }
 }
 
 /// A flap of sheet steel that hangs down the table and turns by 40 degrees, clockwise.
@@ -151,7 +151,7 @@ pub fn diverter(pivot: DVec2) -> Part {
         tip_radius_m: 0.0015,
         rest_rad,
         up_rad: rest_rad + 40.0_f64.to_radians(),
-        trigger: Trigger::Rules,
+        control: FlipperControl::Rules,
         material: METAL,
         coil_torque_n_m: 1.2,
         hold_torque_n_m: 0.6,
@@ -228,8 +228,11 @@ pub fn table() -> Layout {
                 threshold_m_s: 0.3,
             }),
         ),
-        part("rollover", Kind::Rollover(Rollover { zone: capsule(line(0.05, 0.45, 0.07, 0.45), 0.006) })),
-        part("gate", Kind::Gate(Gate { segment: line(0.38, 0.12, 0.38, 0.18), way: v(-1.0, 0.0), material: WOOD })),
+        part("rollover", Kind::Rollover(Rollover { shape: capsule(line(0.05, 0.45, 0.07, 0.45), 0.006) })),
+        part(
+            "gate",
+            Kind::Gate(Gate { segment: line(0.38, 0.12, 0.38, 0.18), direction: v(-1.0, 0.0), material: WOOD }),
+        ),
         part("spinner", Kind::Spinner(Spinner { segment: line(0.05, 0.55, 0.10, 0.55), damping_per_s: 0.7 })),
         part(
             "saucer",
@@ -244,7 +247,7 @@ pub fn table() -> Layout {
         part("kickback", Kind::Kickback(kickback(v(0.06, 1.0)))),
         pocket(CAPTIVE),
         part("captive", Kind::CaptiveBall(CaptiveBall { center: CAPTIVE, threshold_m_s: 0.1 })),
-        part("drain", Kind::Drain(Drain { zone: capsule(line(0.03, 1.035, 0.44, 1.035), 0.005) })),
+        part("drain", Kind::Drain(Drain { shape: capsule(line(0.03, 1.035, 0.44, 1.035), 0.005) })),
     ];
     layout
 }

@@ -105,7 +105,7 @@ fn a_ball_rolls_from_the_inlane_onto_the_flipper_without_a_hop() {
     let mut impacts = 0;
     while machine.pose().balls[0].center.x < end.x - 0.002 {
         machine.tick(Controls::default(), &[]);
-        widest = widest.max(-machine.overlap_m());
+        widest = widest.max(-machine.penetration_m());
         impacts += machine.contacts().len();
     }
     assert!(widest < 5e-5, "it leaves the surface by {widest} m");
@@ -129,12 +129,12 @@ fn no_ball_passes_a_flipper_in_any_phase_of_its_stroke() {
         let speed = 0.05 * libm::pow(300.0, chance.next());
         let aim = v(0.16, 0.93) + v(1.0, chance.between(-0.45, 0.55)) * chance.between(0.0, 0.065);
         machine.put_ball(aim - way * chance.between(0.035, 0.06), way * speed, [0.0, 0.0, chance.between(-99.0, 99.0)]);
-        if machine.overlap_m() > 0.0 {
+        if machine.penetration_m() > 0.0 {
             continue;
         }
         for tick in phase..phase + 60 {
             machine.tick(hands(tick), &[]);
-            deepest = deepest.max(machine.overlap_m());
+            deepest = deepest.max(machine.penetration_m());
         }
         assert!(deepest < 2e-5, "shot {shot}: {deepest} m deep");
     }
@@ -249,9 +249,9 @@ fn an_early_flip_sends_the_ball_back_up_its_inlane() {
 }
 
 /// A ball that rolls down the resting flipper and is shot when it has come some way.
-fn shot(divisions: u32, wait: usize) -> DVec2 {
+fn shot(substeps: u32, wait: usize) -> DVec2 {
     let (layout, start, _) = seam();
-    let mut machine = machine(layout).divided(divisions);
+    let mut machine = machine(layout).substepped(substeps);
     machine.put_ball(start, v(0.0, 0.0), [0.0; 3]);
     machine.tick(Controls::default(), &[Command::SetFlippers(true)]);
     (0..wait).for_each(|_| machine.tick(Controls::default(), &[]));

@@ -47,7 +47,7 @@ fn it_throws_what_lies_on_it_at_its_speed_and_goes_back() {
             (fastest, ticks) = (speed, tick);
         }
         farthest = farthest.max(out(&machine));
-        assert!(machine.overlap_m() < 5e-5);
+        assert!(machine.penetration_m() < 5e-5);
     }
     println!("{fastest} m/s after {ticks} ms");
     assert!((fastest / 3.5 - 1.0).abs() < 0.02, "{fastest} m/s");

@@ -90,7 +90,7 @@ fn numbers_that_cannot_be_are_refused_by_name() {
         },
         |layout| {
             if let Kind::Plunger(p) = &mut layout.parts[3].kind {
-                p.way = v(1.0, 1.0)
+                p.direction = v(1.0, 1.0)
             }
         },
         |layout| {
@@ -110,7 +110,7 @@ fn numbers_that_cannot_be_are_refused_by_name() {
         },
         |layout| {
             if let Some(Kind::Gate(g)) = of(layout, "gate") {
-                g.way = v(-0.8, 0.6)
+                g.direction = v(-0.8, 0.6)
             }
         },
         |layout| {

@@ -74,7 +74,7 @@ fn a_drop_target_falls_lets_the_ball_pass_and_rises_when_it_has_gone() {
         let covers = (ball.center.y - 0.5).abs() < 0.0155;
         over |= covers;
         assert!(!(covers && height(&machine) > 0.6), "it rises into the ball");
-        assert!(machine.overlap_m() < 5e-5);
+        assert!(machine.penetration_m() < 5e-5);
     }
     assert!(over && velocity_of(&machine, 1).y > 0.0, "the second ball rolled over it");
     assert!(height(&machine) > 0.95, "it has risen");
@@ -89,7 +89,7 @@ fn velocity_of(machine: &Machine, ball: usize) -> DVec2 {
 
 #[test]
 fn a_gate_opens_one_way_and_is_shut_the_other() {
-    let gate = Gate { segment: across(0.5), way: v(0.0, -1.0), material: WOOD };
+    let gate = Gate { segment: across(0.5), direction: v(0.0, -1.0), material: WOOD };
     for speed in [0.3, 1.0, 3.0, 7.0] {
         let rolling = |v_y: f64| [-v_y / BALL_RADIUS_M, 0.0, 0.0];
         let mut machine = live(with(Kind::Gate(gate.clone())));
@@ -115,7 +115,7 @@ fn a_gate_opens_one_way_and_is_shut_the_other() {
 
 #[test]
 fn a_flap_shuts_again_and_everything_comes_to_rest() {
-    let gate = Gate { segment: across(0.5), way: v(0.0, -1.0), material: WOOD };
+    let gate = Gate { segment: across(0.5), direction: v(0.0, -1.0), material: WOOD };
     let mut machine = live(with(Kind::Gate(gate)));
     machine.put_ball(v(0.225, 0.56), v(0.0, -2.0), [0.0; 3]);
     run(&mut machine, 4000, EventKind::Closed);
@@ -180,7 +180,7 @@ fn a_saucer_catches_a_slow_ball_holds_it_and_throws_it_out() {
 fn a_rollover_closes_and_opens_once_even_under_a_fast_ball() {
     for speed in [0.1, 1.0, 7.0, 15.0] {
         let mut machine =
-            live(with(Kind::Rollover(Rollover { zone: Shape::capsule(v(0.2, 0.5), v(0.25, 0.5), 0.003) })));
+            live(with(Kind::Rollover(Rollover { shape: Shape::capsule(v(0.2, 0.5), v(0.25, 0.5), 0.003) })));
         machine.put_ball(v(0.225, 0.4883), v(0.0, speed), [0.0; 3]);
         let mut copy = machine.clone();
         assert_eq!(run(&mut machine, 500, EventKind::Closed), 1, "at {speed} m/s");
@@ -190,7 +190,7 @@ fn a_rollover_closes_and_opens_once_even_under_a_fast_ball() {
 
 #[test]
 fn a_drain_takes_the_ball() {
-    let mut machine = live(with(Kind::Drain(Drain { zone: Shape::capsule(v(0.1, 0.9), v(0.4, 0.9), 0.005) })));
+    let mut machine = live(with(Kind::Drain(Drain { shape: Shape::capsule(v(0.1, 0.9), v(0.4, 0.9), 0.005) })));
     machine.put_ball(v(0.225, 0.8), v(0.0, 6.0), [0.0; 3]);
     assert_eq!(run(&mut machine, 100, EventKind::Closed), 1);
     assert!(machine.pose().balls.is_empty());
@@ -262,10 +262,10 @@ fn a_ball_that_was_put_into_a_wall_comes_out_gently() {
     machine.put_ball(v(0.25, 0.5 - 0.003 - BALL_RADIUS_M + 0.002), DVec2::ZERO, [0.0; 3]);
     machine.put_ball(v(0.252, 0.45), DVec2::ZERO, [0.0; 3]);
     machine.put_ball(v(0.252, 0.43), DVec2::ZERO, [0.0; 3]);
-    assert!(machine.overlap_m() > 1e-3);
+    assert!(machine.penetration_m() > 1e-3);
     for _ in 0..300 {
         machine.tick(Controls::default(), &[]);
         assert!(machine.pose().balls.iter().all(|ball| ball.velocity.length() < 0.01));
     }
-    assert!(machine.overlap_m() < 5e-5, "{} m deep", machine.overlap_m());
+    assert!(machine.penetration_m() < 5e-5, "{} m deep", machine.penetration_m());
 }

@@ -13,8 +13,8 @@ fn leg(a: DVec2, b: DVec2) -> Leg {
     Leg::Line(Segment { a, b })
 }
 
-fn ramp(way: Vec<Leg>, heights_m: Vec<f64>) -> Part {
-    part("ramp", Kind::Ramp(Ramp { way, heights_m, half_width_m: HALF_WIDTH_M, material: WOOD }))
+fn ramp(path: Vec<Leg>, heights_m: Vec<f64>) -> Part {
+    part("ramp", Kind::Ramp(Ramp { path, heights_m, half_width_m: HALF_WIDTH_M, material: WOOD }))
 }
 
 /// A level playfield with a straight ramp up the table: 200 mm up to 60 mm, then 200 mm on at that height.
@@ -41,7 +41,7 @@ fn ball(machine: &Machine) -> BallPose {
 fn until(machine: &mut Machine, most: usize, so: impl Fn(&BallPose) -> bool) -> Option<usize> {
     (0..most).find(|_| {
         machine.tick(Controls::default(), &[]);
-        assert!(machine.overlap_m() < 5e-5, "{} m deep", machine.overlap_m());
+        assert!(machine.penetration_m() < 5e-5, "{} m deep", machine.penetration_m());
         so(&ball(machine))
     })
 }
@@ -135,7 +135,7 @@ fn a_ball_goes_round_a_turn_and_over_to_the_next_way() {
     let mut switches = Vec::new();
     for _ in 0..2000 {
         machine.tick(Controls::default(), &[]);
-        assert!(machine.overlap_m() < 5e-5);
+        assert!(machine.penetration_m() < 5e-5);
         let closed = machine.events().iter().filter(|event| event.kind == EventKind::Closed);
         switches.extend(closed.filter_map(|event| event.part));
     }
@@ -147,7 +147,7 @@ fn a_ball_goes_round_a_turn_and_over_to_the_next_way() {
 fn a_wide_way_that_goes_on_in_a_narrow_one_leads_every_ball_into_it() {
     let mut layout = straight();
     let narrow = Ramp {
-        way: vec![leg(v(0.25, 0.4), v(0.25, 0.2))],
+        path: vec![leg(v(0.25, 0.4), v(0.25, 0.2))],
         heights_m: vec![0.06, 0.05],
         half_width_m: 0.015,
         material: WOOD,
@@ -205,7 +205,7 @@ fn a_ball_that_falls_on_another_pushes_it_away_and_neither_sinks_in() {
     rolling(&mut machine, v(0.25, 0.85), v(0.0, -0.96));
     for _ in 0..3000 {
         machine.tick(Controls::default(), &[]);
-        assert!(machine.overlap_m() < 5e-5, "{} m", machine.overlap_m());
+        assert!(machine.penetration_m() < 5e-5, "{} m", machine.penetration_m());
     }
     let balls = machine.pose().balls;
     assert!(balls.iter().all(|ball| ball.height_m == 0.0), "{balls:?}");
@@ -221,7 +221,7 @@ fn balls_that_follow_each_other_off_the_end_do_not_sink_into_each_other() {
         }
         for _ in 0..4000 {
             machine.tick(Controls::default(), &[]);
-            assert!(machine.overlap_m() < 5e-5, "{behind} m apart: {} m deep", machine.overlap_m());
+            assert!(machine.penetration_m() < 5e-5, "{behind} m apart: {} m deep", machine.penetration_m());
         }
         assert!(machine.pose().balls.iter().all(|ball| ball.height_m == 0.0), "{:?}", machine.pose().balls);
     }
@@ -246,9 +246,9 @@ fn ways_that_cannot_be_are_refused() {
     let spoils: [Spoil; 5] = [
         |ramp| ramp.heights_m.truncate(2),
         |ramp| ramp.half_width_m = 0.012,
-        |ramp| ramp.way[1] = leg(v(0.3, 0.6), v(0.3, 0.4)),
+        |ramp| ramp.path[1] = leg(v(0.3, 0.6), v(0.3, 0.4)),
         |ramp| ramp.heights_m[1] = -0.01,
-        |ramp| ramp.way.clear(),
+        |ramp| ramp.path.clear(),
     ];
     for (index, spoil) in spoils.into_iter().enumerate() {
         let mut layout = straight();

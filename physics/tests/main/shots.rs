@@ -19,7 +19,7 @@ fn random_shots_neither_escape_nor_sink_in() {
             trig::direction(angle) * speed,
             [0.0; 3],
         );
-        if machine.overlap_m() > 0.0 {
+        if machine.penetration_m() > 0.0 {
             continue;
         }
         let (left, right) = (chance.between(20.0, 60.0) as usize, chance.between(20.0, 60.0) as usize);
@@ -29,7 +29,7 @@ fn random_shots_neither_escape_nor_sink_in() {
             let orders = orders(&machine, tick as u32);
             machine.tick(controls, &orders);
             assert_eq!(machine.escaped(), 0, "shot {shot}, tick {tick}: {:?}", machine.pose().balls);
-            let overlap = machine.overlap_m();
+            let overlap = machine.penetration_m();
             deepest = deepest.max(overlap);
             assert!(
                 overlap < 5e-5,

@@ -6,12 +6,12 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use geometry::DVec2;
 use rayon::ThreadPool;
-use tracer::testing::{self, Props};
-use tracer::{Film, Renderer, Rgb, Scene, View};
+use tracer::scenes::{self, Props};
+use tracer::{DisplayBuffer, Renderer, Rgb, Scene, View};
 
 /// The size that figures are quoted at.
 const SIZE: Size = Size { width: 540, height: 1080 };
@@ -52,15 +52,15 @@ type Change = fn(&mut Scene);
 
 /// Scenes of the size that is asked for, by what they have in them.
 const SCENES: [(&str, Change); 9] = [
-    ("4 lamps", |scene| testing::with_lamps(scene, 4)),
-    ("16 lamps", |scene| testing::with_lamps(scene, 16)),
-    ("64 lamps", |scene| testing::with_lamps(scene, 64)),
-    ("0 more posts", |scene| testing::with_posts(scene, 0)),
-    ("100 more posts", |scene| testing::with_posts(scene, 100)),
-    ("400 more posts", |scene| testing::with_posts(scene, 400)),
-    ("0 balls", |scene| testing::with_balls(scene, 0)),
-    ("3 balls", |scene| testing::with_balls(scene, 3)),
-    ("12 balls", |scene| testing::with_balls(scene, 12)),
+    ("4 lamps", |scene| scenes::with_lamps(scene, 4)),
+    ("16 lamps", |scene| scenes::with_lamps(scene, 16)),
+    ("64 lamps", |scene| scenes::with_lamps(scene, 64)),
+    ("0 more posts", |scene| scenes::with_posts(scene, 0)),
+    ("100 more posts", |scene| scenes::with_posts(scene, 100)),
+    ("400 more posts", |scene| scenes::with_posts(scene, 400)),
+    ("0 balls", |scene| scenes::with_balls(scene, 0)),
+    ("3 balls", |scene| scenes::with_balls(scene, 3)),
+    ("12 balls", |scene| scenes::with_balls(scene, 12)),
 ];
 
 /// Times every scene in every state.
@@ -72,31 +72,31 @@ pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Fail
     let size = size.unwrap_or(SIZE);
     let mut rows = Vec::new();
     for size in sizes(size) {
-        let props = testing::props(&view(size));
+        let props = scenes::props(&view(size));
         rows.extend(states("the table", size, &props, |_| {}, &pool));
     }
-    let props = testing::props(&view(size));
+    let props = scenes::props(&view(size));
     for (name, change) in SCENES {
         rows.extend(states(name, size, &props, change, &pool));
     }
     Ok(rows)
 }
 
-/// A quarter as many pixels, as many, and four times as many where a picture may be so large.
+/// A quarter as many pixels, as many, and four times as many where a frame may be so large.
 fn sizes(size: Size) -> impl Iterator<Item = Size> {
     let scaled = move |by: usize| Size { width: size.width * by / 2, height: size.height * by / 2 };
     [1, 2, 4].into_iter().map(scaled).filter(|size| size.is_drawable())
 }
 
 fn view(size: Size) -> View {
-    View::fit(size.width, size.height, testing::SIZE_MM)
+    View::fit(size.width, size.height, scenes::SIZE_MM)
 }
 
 /// A row for each state of a scene.
 fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPool) -> Vec<Row> {
-    let mut scene = testing::table(view(size), props);
+    let mut scene = scenes::table(view(size), props);
     change(&mut scene);
-    let (mut renderer, mut film) = (Renderer::new(), Film::default());
+    let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
     let row = |state: State| {
         let ms = pool.install(|| median_ms(&mut scene, state, &mut renderer, &mut film));
         Row {
@@ -113,7 +113,7 @@ fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPo
 }
 
 /// Draws frames of a scene in one state, the first ones to warm up.
-fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mut Film) -> f64 {
+fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mut DisplayBuffer) -> f64 {
     let colors: Vec<Rgb> = scene.lamps.iter().map(|lamp| lamp.color).collect();
     let mut times_ms = Vec::new();
     for frame in 0..WARM_UP + FRAMES {
@@ -122,7 +122,7 @@ fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mu
             State::Flash => flash(scene, &colors, frame),
             State::FlashAndRoll => {
                 flash(scene, &colors, frame);
-                testing::roll(scene, if frame.is_multiple_of(2) { STEP_MM } else { -STEP_MM });
+                scenes::roll(scene, if frame.is_multiple_of(2) { STEP_MM } else { -STEP_MM });
             }
             State::FromNothing => renderer.forget(),
         }

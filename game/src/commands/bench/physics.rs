@@ -6,6 +6,7 @@ use super::cone::Cone;
 use super::shots::{Aim, Tally, shoot_all};
 use crate::bot::Chance;
 use crate::commands::parallel;
+use crate::storage::tables;
 use crate::{Failure, Table};
 use geometry::DVec2;
 use physics::{Command, Controls, Machine};
@@ -24,7 +25,7 @@ const CROWDED: usize = 20_000;
 /// # Errors
 /// If the table cannot be read, a ball came through something, or an impact rubbed harder than its friction allows.
 pub fn rows(shots: u64, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
-    let table = Table::load("spectrum").map_err(Failure::of_many)?;
+    let table = tables::load("spectrum").map_err(Failure::of_many)?;
     let fresh = live(&table)?;
     let pool = parallel::pool(threads)?;
     let flips = shots / FLIPPERS_PART;
@@ -85,7 +86,7 @@ fn crowd(fresh: &Machine) -> Row {
             let mut fuller = machine.clone();
             fuller.put_ball(place, DVec2::new(between(chance, -2.0, 2.0), -1.0), [0.0; 3]);
             // A ball in a wall or in another ball would be none that there can be.
-            if fuller.overlap_m() < 0.0 {
+            if fuller.penetration_m() < 0.0 {
                 machine = fuller;
             }
         }

@@ -1,14 +1,15 @@
 //! How exact the light is: the lanes against 16,384 shadow rays a lamp, and whether that is good enough.
 
 use super::table;
+use crate::Failure;
 use crate::commands::parallel;
 use crate::commands::print::print;
-use crate::stage::{Printed, Stage};
-use crate::{Failure, Table};
+use crate::scene_builder::{Printed, SceneBuilder};
+use crate::storage::tables;
 use serde::Serialize;
 use std::sync::Arc;
 use tracer::quality::{MOST_DIFFERENCE, MOST_FLIP, MOST_RMSE, Quality, SAMPLES, judge};
-use tracer::{Scene, View, testing};
+use tracer::{Scene, View, scenes};
 
 /// Points of a jumble that are compared; there are many jumbles.
 const FEW: usize = 160;
@@ -47,12 +48,12 @@ pub fn run(threads: Option<usize>, json: bool) -> Result<(), Failure> {
 
 fn rows() -> Result<Vec<Row>, Failure> {
     let mut rows = vec![made_up_table(), played_table()?];
-    let (floor, small) = (testing::white(250, 250), testing::white(40, 40));
-    let room = testing::room(1.3, &floor);
-    rows.push(Row::new("room".to_string(), judge(&room, Some(&testing::room(1.3, &small)), MANY, 1)));
-    let (floor, small) = (testing::white(160, 160), testing::white(16, 16));
+    let (floor, small) = (scenes::white(250, 250), scenes::white(40, 40));
+    let room = shadow_race::tracer_scene(1.3, &floor);
+    rows.push(Row::new("room".to_string(), judge(&room, Some(&shadow_race::tracer_scene(1.3, &small)), MANY, 1)));
+    let (floor, small) = (scenes::white(160, 160), scenes::white(16, 16));
     for seed in 0..20 {
-        let scene = testing::mixed_jumble(seed, &floor);
+        let scene = scenes::mixed_jumble(seed, &floor);
         let view = View { width: 16, height: 16, mm_per_px: 10.0, ..scene.view };
         let small = Scene { view, floor: &small, ..scene.clone() };
         rows.push(Row::new(format!("jumble {seed}"), judge(&scene, Some(&small), FEW, seed)));
@@ -66,20 +67,20 @@ fn views(size_mm: geometry::DVec2) -> [View; 2] {
 }
 
 fn made_up_table() -> Row {
-    let [view, small] = views(testing::SIZE_MM);
-    let [props, small_props] = [view, small].map(|view| testing::props(&view));
-    let (scene, small) = (testing::table(view, &props), testing::table(small, &small_props));
+    let [view, small] = views(scenes::SIZE_MM);
+    let [props, small_props] = [view, small].map(|view| scenes::props(&view));
+    let (scene, small) = (scenes::table(view, &props), scenes::table(small, &small_props));
     Row::new("made-up table".to_string(), judge(&scene, Some(&small), MANY, 1))
 }
 
 fn played_table() -> Result<Row, Failure> {
-    let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
     let moment = table::moments(&table, 1)?.pop().ok_or_else(|| Failure::new("the bot has not played"))?;
-    let stage = Stage::new(&table);
+    let builder = SceneBuilder::new(&table);
     let [view, small] = views(table.size_mm);
     let (printed, small_printed) = (Printed::new(&table, &view)?, Printed::new(&table, &small)?);
-    let scene = stage.scene(&table, &moment, view, &printed);
-    let small = stage.scene(&table, &moment, small, &small_printed);
+    let scene = builder.scene(&table, &moment, view, &printed);
+    let small = builder.scene(&table, &moment, small, &small_printed);
     Ok(Row::new("spectrum in play".to_string(), judge(&scene, Some(&small), MANY, 1)))
 }
 

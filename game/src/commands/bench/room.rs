@@ -1,8 +1,8 @@
 //! The classic race: a room of 5 x 5, three circles of radius 1 that move, a point lamp in each corner, every frame
 //! computed from nothing.
 //!
-//! Every way makes a frame in turn, so that a slow moment of the machine is everybody's. What a row is worth is told by
-//! the memset beside it, which writes the same bytes on as many threads, and by how far its pictures are from those of
+//! Every method makes a frame in turn, so that a slow moment of the machine is everybody's. What a row is worth is told
+//! by the memset beside it, which writes the same bytes on as many threads, and by how far its pictures are from those of
 //! the literal loops.
 //!
 //! One frame that is written again and again stays in the processor's cache. The frames of a window or of an encoder do
@@ -11,11 +11,11 @@
 use super::Row;
 use super::clock::{quantile, time_ms};
 use crate::Failure;
-use crate::cli::Size;
 use crate::commands::parallel;
+use crate::screen::Size;
 use rayon::ThreadPool;
+use shadow_race::{Method, RaceRenderer, Threads};
 use tracer::Frame;
-use tracer::room::{Room, Threads, Way};
 
 /// The size that is quoted.
 const SIZE: Size = Size { width: 1920, height: 1080 };
@@ -23,7 +23,7 @@ const SIZE: Size = Size { width: 1920, height: 1080 };
 /// Rounds that are timed, after one to warm up.
 const ROUNDS: usize = 31;
 
-/// Seconds of the circles' way between two rounds.
+/// Seconds of the circles' motion between two rounds.
 const STEP_S: f64 = 0.1;
 
 /// Pictures that are compared with the literal ones, spread over the rounds.
@@ -33,17 +33,19 @@ const COMPARED: usize = 8;
 /// turn comes again. At 1920x1080 it is 12 frames.
 const RING_BYTES: usize = 96_000_000;
 
-/// Times every way, on one thread and on all, with one frame and with a ring of them.
+/// Times every method, on one thread and on all, with one frame and with a ring of them.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let size = size.unwrap_or(SIZE);
     let pool = parallel::pool(threads)?;
-    let racers: Vec<_> = Way::ALL.into_iter().flat_map(|way| [(way, Threads::One), (way, Threads::All)]).collect();
-    let mut track = Track { pool: &pool, room: Room::default(), frames: vec![Frame::new(size.width, size.height)] };
+    let racers: Vec<_> =
+        Method::ALL.into_iter().flat_map(|method| [(method, Threads::One), (method, Threads::All)]).collect();
+    let mut track =
+        Track { pool: &pool, renderer: RaceRenderer::default(), frames: vec![Frame::new(size.width, size.height)] };
     let distances = track.distances(&racers);
     let cached = rows_of(&racers, &track.times_ms(&racers), size, &pool);
-    let cached = cached.into_iter().zip(racers.iter().zip(&distances)).map(|(row, ((way, _), distance))| Row {
-        most_levels_off: (*way != Way::Fill).then_some(distance.most_levels),
-        pixels_off: (*way != Way::Fill).then_some(distance.pixels),
+    let cached = cached.into_iter().zip(racers.iter().zip(&distances)).map(|(row, ((method, _), distance))| Row {
+        most_levels_off: (*method != Method::Memset).then_some(distance.most_levels),
+        pixels_off: (*method != Method::Memset).then_some(distance.pixels),
         ..row
     });
     track.frames = vec![track.frames[0].clone(); ring_length(size)];
@@ -59,14 +61,15 @@ fn ring_length(size: Size) -> usize {
 }
 
 /// A row for each racer's time, with the memset among them as the floor.
-fn rows_of(racers: &[(Way, Threads)], times_ms: &[f64], size: Size, pool: &ThreadPool) -> Vec<Row> {
+fn rows_of(racers: &[(Method, Threads)], times_ms: &[f64], size: Size, pool: &ThreadPool) -> Vec<Row> {
     let memset_ms = |threads| {
-        let place = racers.iter().position(|racer| *racer == (Way::Fill, threads)).expect("a memset is among the ways");
+        let place =
+            racers.iter().position(|racer| *racer == (Method::Memset, threads)).expect("a memset is among the ways");
         times_ms[place]
     };
-    let row = |(&(way, threads), &ms): (&(Way, Threads), &f64)| Row {
+    let row = |(&(method, threads), &ms): (&(Method, Threads), &f64)| Row {
         bench: "room",
-        variant: way.name().to_string(),
+        variant: method.name().to_string(),
         size: Some(format!("{}x{}", size.width, size.height)),
         threads: if threads == Threads::All { pool.current_num_threads() } else { 1 },
         ms,
@@ -100,27 +103,27 @@ impl Distance {
 /// Where the race is run.
 struct Track<'a> {
     pool: &'a ThreadPool,
-    room: Room,
+    renderer: RaceRenderer,
     /// They are written in turn: the first is the one written last, the second is the next.
     frames: Vec<Frame>,
 }
 
 impl Track<'_> {
     /// Makes a picture in the next frame, and says in how many ms.
-    fn run(&mut self, (way, threads): (Way, Threads), round: usize) -> f64 {
+    fn run(&mut self, (method, threads): (Method, Threads), round: usize) -> f64 {
         let seconds = round as f64 * STEP_S;
         self.frames.rotate_left(1);
-        let (room, frame) = (&mut self.room, &mut self.frames[0]);
+        let (renderer, frame) = (&mut self.renderer, &mut self.frames[0]);
         time_ms(|| match threads {
-            Threads::One => room.render(way, threads, seconds, frame),
-            Threads::All => self.pool.install(|| room.render(way, threads, seconds, frame)),
+            Threads::One => renderer.render(method, threads, seconds, frame),
+            Threads::All => self.pool.install(|| renderer.render(method, threads, seconds, frame)),
         })
     }
 
-    fn distances(&mut self, racers: &[(Way, Threads)]) -> Vec<Distance> {
+    fn distances(&mut self, racers: &[(Method, Threads)]) -> Vec<Distance> {
         let mut distances = vec![Distance::default(); racers.len()];
         for round in (0..ROUNDS).step_by(ROUNDS.div_ceil(COMPARED)) {
-            self.run((Way::Literal, Threads::One), round);
+            self.run((Method::Literal, Threads::One), round);
             let expected = self.frames[0].clone();
             for (&racer, distance) in racers.iter().zip(&mut distances) {
                 self.run(racer, round);
@@ -131,7 +134,7 @@ impl Track<'_> {
     }
 
     /// Every racer's median.
-    fn times_ms(&mut self, racers: &[(Way, Threads)]) -> Vec<f64> {
+    fn times_ms(&mut self, racers: &[(Method, Threads)]) -> Vec<f64> {
         let mut times_ms = vec![Vec::new(); racers.len()];
         for round in 0..=ROUNDS {
             for (&racer, times_ms) in racers.iter().zip(&mut times_ms) {

@@ -7,7 +7,7 @@ use super::cone::{Cone, Frictions};
 use crate::bot::Chance;
 use geometry::{DVec2, trig};
 use indicatif::ProgressBar;
-use physics::{Controls, Flipper, Kind, Layout, Machine, Trigger};
+use physics::{Controls, Flipper, FlipperControl, Kind, Layout, Machine};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -125,7 +125,7 @@ impl<'a> Range<'a> {
             let speed = 0.05 * libm::pow(300.0, self.chance.unit());
             let spin = [0.0; 3].map(|_: f64| between(&mut self.chance, -200.0, 200.0));
             machine.put_ball(place, way * speed, spin);
-            if machine.overlap_m() <= 0.0 {
+            if machine.penetration_m() <= 0.0 {
                 return self.follow(machine, phase, frictions);
             }
         }
@@ -137,7 +137,7 @@ impl<'a> Range<'a> {
         for tick in phase..phase + FOLLOWED {
             machine.tick(self.hands.at(tick), &[]);
             tally.escapes = tally.escapes.max(machine.escaped() as u64);
-            tally.deepest_m = tally.deepest_m.max(machine.overlap_m());
+            tally.deepest_m = tally.deepest_m.max(machine.penetration_m());
             machine.contacts().iter().for_each(|contact| tally.cone.add(contact, frictions));
         }
         tally
@@ -195,7 +195,7 @@ impl<'a> Range<'a> {
 /// The flippers that buttons move.
 fn flippers(layout: &Layout) -> impl Iterator<Item = &Flipper> + Clone {
     layout.parts.iter().filter_map(|part| match &part.kind {
-        Kind::Flipper(flipper) if flipper.trigger != Trigger::Rules => Some(flipper),
+        Kind::Flipper(flipper) if flipper.control != FlipperControl::Rules => Some(flipper),
         _ => None,
     })
 }

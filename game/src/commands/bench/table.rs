@@ -2,12 +2,13 @@
 
 use super::Row;
 use super::clock::{quantile, time_ms};
-use crate::bot::Bot;
-use crate::cli::Size;
 use crate::commands::parallel;
-use crate::hud::Chrome;
-use crate::picture::{Light, Moment, Picture};
-use crate::{Failure, Simulation, Snapshot, Table};
+use crate::frame_composer::{FrameComposer, Interpolation, LightResolution};
+use crate::hud::UiState;
+use crate::screen::Size;
+use crate::session::LiveGame;
+use crate::storage::tables;
+use crate::{Buttons, Failure, Snapshot, Table};
 use std::sync::Arc;
 use tracer::monte_carlo::Sampling;
 
@@ -20,12 +21,15 @@ const FRAMES: usize = 120;
 /// How long the bot has played before the first frame, ticks.
 const PLAYED: u64 = 12_000;
 
+/// From one frame to the next, ticks.
+const APART: u64 = 17;
+
 /// The games whose balls are on the table.
 const SEEDS: [u64; 3] = [1, 2, 3];
 
 /// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
-    let table = Arc::new(Table::load("spectrum").map_err(Failure::of_many)?);
+    let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
     let moments = moments(&table, FRAMES)?;
     let sizes = size.map_or(SIZES.to_vec(), |size| vec![size]);
     let mut rows = Vec::new();
@@ -55,28 +59,27 @@ pub(super) fn moments(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>,
 
 /// What the bot's game looks like, a 60th of a second apart, while a ball is in play.
 fn game(table: &Arc<Table>, seed: u64, count: usize) -> Result<Vec<Snapshot>, Failure> {
-    let mut simulation = Simulation::new(table.clone(), seed)?;
-    let mut bot = Bot::new(seed);
-    let mut moments = Vec::new();
-    while moments.len() < count {
-        let buttons = bot.buttons(&simulation);
-        simulation.tick(buttons);
-        let moment = simulation.ticks() >= PLAYED && simulation.ticks().is_multiple_of(17);
-        if moment && simulation.pose().balls.len() == 1 {
-            moments.push(simulation.snapshot());
+    let mut game = LiveGame::unrecorded(table.clone(), seed, true)?;
+    game.play(PLAYED / APART * APART, Buttons::NONE);
+    let mut snapshots = Vec::new();
+    while snapshots.len() < count {
+        game.play(APART, Buttons::NONE);
+        let (_, current) = game.snapshots();
+        if current.pose.balls.len() == 1 {
+            snapshots.push(Snapshot::clone(current));
         }
     }
-    Ok(moments)
+    Ok(snapshots)
 }
 
 fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let pool = parallel::pool(threads)?;
     let threads = pool.current_num_threads();
-    let mut picture = Picture::new(table.clone(), pool)?;
-    let draw = |picture: &mut Picture, moment: &Snapshot| -> Result<f64, Failure> {
+    let mut composer = FrameComposer::new(table.clone(), pool)?;
+    let draw = |composer: &mut FrameComposer, moment: &Snapshot| -> Result<f64, Failure> {
         let mut drawn = Ok(());
         let ms = time_ms(|| {
-            drawn = picture.draw(Moment::at(moment), size.width, size.height, &Chrome::default()).map(|_| ());
+            drawn = composer.draw(Interpolation::at(moment), size, &UiState::default()).map(|_| ());
         });
         drawn.map(|()| ms)
     };
@@ -94,31 +97,31 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
         }
     };
     let mut rows = Vec::new();
-    for (light, names) in [(Light::Full, &FULL), (Light::Half, &HALF)] {
-        picture.set_light(light);
+    for (light, names) in [(LightResolution::Full, &FULL), (LightResolution::Half, &HALF)] {
+        composer.set_light(light);
         for moment in moments {
-            draw(&mut picture, moment)?;
+            draw(&mut composer, moment)?;
         }
         let mut columns: [Vec<f64>; 8] = Default::default();
         for moment in moments {
-            let whole_ms = draw(&mut picture, moment)?;
-            let times = picture.times();
+            let whole_ms = draw(&mut composer, moment)?;
+            let times = composer.times();
             let parts = [
                 whole_ms,
-                times.stage_ms,
+                times.scene_ms,
                 times.prepare_ms,
                 times.shadows_ms,
                 times.balls_ms,
-                times.glare_ms,
-                times.develop_ms,
+                times.bloom_ms,
+                times.tone_map_ms,
                 times.hud_ms,
             ];
             columns.iter_mut().zip(parts).for_each(|(column, part)| column.push(part));
         }
         rows.extend(names.iter().zip(columns).map(|(name, column)| row(name, column)));
     }
-    picture.use_reference(Sampling { samples: REFERENCE_SAMPLES, seed: 0, stratified: true });
-    let slow_ms = draw(&mut picture, &moments[0])?;
+    composer.use_reference(Sampling { samples: REFERENCE_SAMPLES, seed: 0, stratified: true });
+    let slow_ms = draw(&mut composer, &moments[0])?;
     rows.push(row(&format!("(reference, {REFERENCE_SAMPLES} rays a lamp)"), vec![slow_ms]));
     Ok(rows)
 }

@@ -2,8 +2,8 @@
 
 use super::Row;
 use super::clock::{quantile, time_ms};
-use crate::recording::Recording;
-use crate::{Failure, assets};
+use crate::Failure;
+use crate::storage::{assets, recordings};
 
 /// Ticks that are timed together: one alone is too short for the clock.
 const BATCH: u64 = 10;
@@ -13,8 +13,8 @@ pub fn rows() -> Result<Vec<Row>, Failure> {
     let mut batches_ms = Vec::new();
     let mut ticks = 0;
     for path in assets::demos()? {
-        let recording = Recording::read(&path)?;
-        let mut simulation = recording.start().map_err(|failure| failure.in_file(&path))?;
+        let recording = recordings::read(&path)?;
+        let mut simulation = recordings::start(&recording).map_err(|failure| failure.in_file(path.display()))?;
         for first in (0..recording.ticks()).step_by(BATCH as usize) {
             let last = (first + BATCH).min(recording.ticks());
             batches_ms.push(time_ms(|| (first..last).for_each(|tick| simulation.tick(recording.buttons(tick)))));

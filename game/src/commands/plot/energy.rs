@@ -3,7 +3,7 @@
 use super::panel::{Axis, Panel};
 use super::sheet::{self, Sheet, Words};
 use super::{Drawn, fixture, ink};
-use crate::cli::Size;
+use crate::screen::Size;
 use crate::{Failure, Table};
 use geometry::{DVec2, trig};
 use physics::{BALL_MASS_KG, BALL_RADIUS_M, BallPose, Controls, Kind, Layout, Machine};
@@ -89,7 +89,7 @@ fn throw(machine: &mut Machine, balls: usize) {
         let place = size * (DVec2::new(0.15, 0.1) + share * DVec2::new(0.65, 0.5));
         let mut tried = machine.clone();
         tried.put_ball(place, trig::direction(GOLDEN_RAD * step) * THROWN_M_S, [0.0; 3]);
-        if tried.overlap_m() <= 0.0 {
+        if tried.penetration_m() <= 0.0 {
             *machine = tried;
         }
     }

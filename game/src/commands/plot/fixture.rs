@@ -2,7 +2,7 @@
 
 use crate::{Failure, Table};
 use geometry::{Circle, Taper, trig};
-use physics::{Command, Controls, Error, Flipper, Kind, Layout, Machine, Part, Trigger};
+use physics::{Command, Controls, Error, Flipper, FlipperControl, Kind, Layout, Machine, Part};
 use std::sync::Arc;
 
 /// The left button down and nothing else.
@@ -41,7 +41,8 @@ pub fn live(layout: Layout) -> Result<Machine, Failure> {
 /// # Errors
 /// If the table has none.
 pub fn left_flipper(table: &Table) -> Result<(&Part, &Flipper), Failure> {
-    let flipper = |part: &'_ Part| matches!(&part.kind, Kind::Flipper(flipper) if flipper.trigger == Trigger::Left);
+    let flipper =
+        |part: &'_ Part| matches!(&part.kind, Kind::Flipper(flipper) if flipper.control == FlipperControl::Left);
     let part = table.layout.parts.iter().find(|part| flipper(part));
     match part.map(|part| (part, &part.kind)) {
         Some((part, Kind::Flipper(flipper))) => Ok((part, flipper)),

@@ -3,7 +3,7 @@
 use super::panel::{Axis, Panel};
 use super::sheet::{self, Sheet, Words};
 use super::{Drawn, fixture, ink};
-use crate::cli::Size;
+use crate::screen::Size;
 use crate::{Failure, Table};
 use physics::{Controls, Flipper, Machine};
 

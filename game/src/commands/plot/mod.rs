@@ -15,7 +15,8 @@ pub mod shots;
 use super::parallel;
 use super::print::print;
 use crate::cli::{Plot, PlotArgs};
-use crate::picture::save_png;
+use crate::storage::save_png;
+use crate::storage::tables;
 use crate::{Failure, Table};
 use tracer::Frame;
 
@@ -39,7 +40,7 @@ pub struct Drawn {
 /// # Errors
 /// If the table cannot be read or has nothing to measure, or a file cannot be written.
 pub fn run(args: &PlotArgs) -> Result<(), Failure> {
-    let table = Table::load(&args.table).map_err(Failure::of_many)?;
+    let table = tables::load(&args.table).map_err(Failure::of_many)?;
     parallel::make_folder(&args.out)?;
     for (plot, name) in [
         (Plot::Flipper, "flipper"),

@@ -3,7 +3,7 @@
 use super::panel::{Axis, Panel, log};
 use super::sheet::{self, Sheet, Words};
 use super::{Drawn, fixture, ink};
-use crate::cli::Size;
+use crate::screen::Size;
 use crate::{Failure, Table};
 use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Controls, Kind, Layout, Material, Part, Wall};

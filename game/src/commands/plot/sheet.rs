@@ -4,8 +4,9 @@
 //! than it will be and then shrunk, which is what smooths its edges.
 
 use super::ink;
-use crate::cli::Size;
-use crate::{Failure, assets};
+use crate::Failure;
+use crate::fonts::FONTS;
+use crate::screen::Size;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;
@@ -83,7 +84,7 @@ pub fn picture(
     words: &Words,
     curves: impl FnOnce(&Sheet) -> Result<(), Failure>,
 ) -> Result<Frame, Failure> {
-    for (name, bytes) in assets::FONTS {
+    for (name, bytes) in FONTS {
         register_font(name, FontStyle::Normal, bytes)
             .map_err(|_| Failure::new(format!("the built-in font {name} is damaged; build the game anew")))?;
     }

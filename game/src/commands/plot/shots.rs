@@ -7,7 +7,7 @@
 use super::panel::{Axis, Panel};
 use super::sheet::{self, Place, Sheet, Words};
 use super::{Drawn, fixture, ink};
-use crate::cli::Size;
+use crate::screen::Size;
 use crate::{Failure, Table};
 use geometry::{DVec2, trig};
 use physics::{BALL_RADIUS_M, Controls, Flipper, Kind, Machine};

@@ -1,0 +1,233 @@
+//! A player that plays by itself: it traps, aims and shoots.
+//!
+//! It sees what a player sees (balls, flippers, score) and has a player's hands: a decision takes a tenth of a second to
+//! reach the fingers, and they are a few milliseconds early or late. What it has instead of experience is a copy of the
+//! machine, with which it tries a few plans before a ball is down at the flippers: let it pass, hold a flipper up, strike
+//! at this moment or at that one, push the cabinet. What a hit is worth, it learns from the score.
+//!
+//! The same seed and the same game give the same play. The bot knows no rule, no lamp and no table by name.
+
+pub mod anomaly;
+mod chance;
+mod hands;
+mod lookahead;
+mod observer;
+mod plan;
+mod playfield;
+mod random;
+mod tour;
+pub mod trial;
+mod worth;
+
+pub use chance::Chance;
+pub use random::Random;
+pub use tour::Tour;
+
+use crate::{Buttons, Simulation};
+use hands::{Hands, Move};
+use lookahead::Future;
+use physics::{BallPose, EventKind};
+use playfield::Playfield;
+use worth::Worth;
+
+/// Ticks from a decision to the first move of the fingers.
+const REACTION_TICKS: u64 = 115;
+/// A ball that can be at the flippers within so many ticks calls for a decision.
+const ALERT_TICKS: u64 = 280;
+/// Ticks between two decisions about the same ball.
+const SECOND_THOUGHT_TICKS: u64 = 170;
+/// Ticks until another thought is given to a ball that seems lost.
+const RESIGNED_TICKS: u64 = 300;
+/// A plan that is worth less loses a ball.
+const LOST_VALUE: f64 = -30.0;
+/// Ticks between two looks at the display.
+const DISPLAY_TICKS: u64 = 100;
+/// Ticks before the first game.
+const WARM_UP_TICKS: u64 = 1500;
+/// Ticks between two games.
+const BREATHER_TICKS: u64 = 6000;
+/// Ticks between two pushes of the cabinet.
+const NUDGE_PAUSE_TICKS: u64 = 2500;
+/// Times that the tilt bob may touch in a ball before the bot pushes no more.
+const BOB_TOUCHES: u32 = 1;
+
+/// A bot in play.
+#[derive(Clone, Debug)]
+pub struct Bot {
+    chance: Chance,
+    hands: Hands,
+    /// What it knows of the table: seen when it plays the first tick.
+    knowledge: Option<(Playfield, Worth)>,
+    /// The next decision is due.
+    think_at: u64,
+    /// Since when a ball has been lying on a raised flipper.
+    cradled_since: Option<u64>,
+    last_score: i64,
+    playing: bool,
+    idle_since: u64,
+    nudged_at: Option<u64>,
+    bob_touches: u32,
+}
+
+impl Bot {
+    /// The bot that this seed gives.
+    pub fn new(seed: u64) -> Bot {
+        Bot {
+            chance: Chance::new(seed ^ 0xb07),
+            hands: Hands::default(),
+            knowledge: None,
+            think_at: 0,
+            cradled_since: None,
+            last_score: 0,
+            playing: false,
+            idle_since: 0,
+            nudged_at: None,
+            bob_touches: 0,
+        }
+    }
+
+    /// What it presses in the next tick.
+    pub fn buttons(&mut self, simulation: &Simulation) -> Buttons {
+        let layout = &simulation.table().layout;
+        let (playfield, worth) = self.knowledge.take().unwrap_or_else(|| {
+            let playfield = Playfield::new(layout);
+            let worth = Worth::new(layout, playfield.line_m);
+            (playfield, worth)
+        });
+        let worth = self.watch(simulation, worth);
+        let tick = simulation.ticks();
+        if tick >= self.think_at && !self.hands.busy() {
+            self.think(simulation, &playfield, &worth);
+        }
+        self.knowledge = Some((playfield, worth));
+        self.hands.at(tick)
+    }
+
+    /// Looks at the score and the display.
+    fn watch(&mut self, simulation: &Simulation, mut worth: Worth) -> Worth {
+        let tick = simulation.ticks();
+        let events = simulation.events();
+        let scored = events.iter().any(|event| event.kind == EventKind::Closed && event.part.is_some());
+        self.bob_touches += events.iter().filter(|event| event.kind == EventKind::TiltBob).count() as u32;
+        if events.iter().any(|event| event.kind == EventKind::Fed) {
+            self.bob_touches = 0;
+        }
+        if scored || tick.is_multiple_of(DISPLAY_TICKS) {
+            let display = simulation.display();
+            let score = display.scores.iter().sum();
+            if scored && score >= self.last_score {
+                worth.learn(events, score - self.last_score, tick);
+            }
+            if self.playing != display.playing {
+                self.idle_since = tick;
+            }
+            (self.last_score, self.playing) = (score, display.playing);
+        }
+        worth
+    }
+
+    /// Decides what to do next, if anything is to be done.
+    fn think(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth) {
+        let tick = simulation.ticks();
+        if !self.playing {
+            return self.press_start(tick);
+        }
+        let balls = simulation.machine().balls();
+        if balls.iter().any(|ball| playfield.waits(ball)) {
+            return self.plunge(tick, playfield);
+        }
+        let playable = |ball: &&BallPose| !ball.held && !playfield.in_lane(ball) && !playfield.lost(ball.center);
+        let mut free = balls.iter().filter(playable);
+        let lying = free.clone().find(|ball| self.lies_on_raised(playfield, ball));
+        match lying {
+            Some(_) => self.aim(simulation, playfield, worth),
+            None => {
+                self.cradled_since = None;
+                let near = |ball: &BallPose| playfield.arrives_in(ball).is_some_and(|ticks| ticks < ALERT_TICKS);
+                if free.any(near) {
+                    self.decide(simulation, playfield, worth, true);
+                } else {
+                    self.rest(tick);
+                }
+            }
+        }
+    }
+
+    fn lies_on_raised(&self, playfield: &Playfield, ball: &BallPose) -> bool {
+        let side = |left| if left { Buttons::LEFT } else { Buttons::RIGHT };
+        playfield.cradle(ball).is_some_and(|flipper| self.hands.held().contains(side(flipper.left)))
+    }
+
+    /// Waits a moment with a ball that lies still, then shoots it.
+    fn aim(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth) {
+        let tick = simulation.ticks();
+        match self.cradled_since {
+            None => {
+                self.cradled_since = Some(tick);
+                self.think_at = tick + self.chance.between(250, 700);
+            }
+            Some(_) => {
+                self.cradled_since = None;
+                self.decide(simulation, playfield, worth, false);
+            }
+        }
+    }
+
+    /// Tries some plans in the mind and begins the best.
+    fn decide(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth, may_hold: bool) {
+        let tick = simulation.ticks();
+        let reaction = self.chance.between(REACTION_TICKS - 20, REACTION_TICKS + 30);
+        let mut start = Future::now(simulation.machine(), self.hands.held(), tick, playfield, worth);
+        start.play(reaction, |_| false);
+        let mut plan = plan::best(&start, may_hold);
+        if plan.value < LOST_VALUE
+            && self.may_nudge(tick)
+            && let Some(save) = plan::best_nudge(&start)
+        {
+            plan = save;
+            self.nudged_at = Some(tick);
+        }
+        self.hands.intend(&plan.moves, tick, &mut self.chance);
+        self.think_at = tick + if plan.value < LOST_VALUE { RESIGNED_TICKS } else { SECOND_THOUGHT_TICKS };
+    }
+
+    fn may_nudge(&self, tick: u64) -> bool {
+        self.bob_touches <= BOB_TOUCHES && self.nudged_at.is_none_or(|before| tick > before + NUDGE_PAUSE_TICKS)
+    }
+
+    /// Lets the flippers hang while the ball is elsewhere.
+    fn rest(&mut self, tick: u64) {
+        if self.hands.held() != Buttons::NONE {
+            let all = Move { tick: tick + 60, buttons: Buttons::ALL, down: false };
+            self.hands.intend(&[all], tick, &mut self.chance);
+        }
+        self.think_at = tick + 20;
+    }
+
+    /// Pulls the plunger: all the way, or less on purpose.
+    fn plunge(&mut self, tick: u64, playfield: &Playfield) {
+        let pull = 0.55 + 0.5 * self.chance.unit();
+        let begin = tick + self.chance.between(300, 900);
+        let release = begin + (playfield.pull_ticks as f64 * pull) as u64;
+        let moves = [
+            Move { tick: begin, buttons: Buttons::PLUNGER, down: true },
+            Move { tick: release, buttons: Buttons::PLUNGER, down: false },
+        ];
+        self.hands.intend(&moves, tick, &mut self.chance);
+        self.think_at = release + 400;
+    }
+
+    fn press_start(&mut self, tick: u64) {
+        self.think_at = tick + 50;
+        let pause = if self.idle_since == 0 { WARM_UP_TICKS } else { BREATHER_TICKS };
+        if tick < self.idle_since + pause {
+            return;
+        }
+        let moves = [
+            Move { tick: tick + 10, buttons: Buttons::START, down: true },
+            Move { tick: tick + 110, buttons: Buttons::START, down: false },
+        ];
+        self.hands.intend(&moves, tick, &mut self.chance);
+        self.think_at = tick + 1500;
+    }
+}

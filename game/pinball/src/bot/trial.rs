@@ -1,0 +1,140 @@
+//! Whole games, played without a screen, with everything that is worth knowing about them.
+
+use super::anomaly::Anomaly;
+use super::observer::Observer;
+use super::{Bot, Random, Tour};
+use crate::recording::Recorder;
+use crate::simulation::Digest;
+use crate::{Buttons, Failure, Simulation, Table};
+use std::io::{self, Cursor};
+use std::sync::Arc;
+
+/// From a game's end to the press of start that begins the next, where games follow each other at once, ticks: the
+/// display has shown the end by then.
+const PAUSE_TICKS: u64 = 500;
+/// How long start is pressed for that, ticks. If the rules do not begin a game then it is pressed again after a pause.
+const PRESS_TICKS: u64 = 100;
+
+/// Who plays.
+#[derive(Clone, Debug)]
+pub enum Player {
+    /// Traps, aims and shoots.
+    Bot(Bot),
+    /// Flips at random.
+    Random(Random),
+    /// Uses every button.
+    Tour(Tour),
+}
+
+impl Player {
+    /// What the player presses in the next tick.
+    pub fn buttons(&mut self, simulation: &Simulation) -> Buttons {
+        match self {
+            Player::Bot(bot) => bot.buttons(simulation),
+            Player::Random(random) => random.buttons(simulation),
+            Player::Tour(tour) => tour.buttons(simulation),
+        }
+    }
+}
+
+/// How much is played, and what is made of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms {
+    /// Ticks that may be played.
+    pub longest: u64,
+    /// When a game is over the next begins at once, until `longest` ticks are played exactly.
+    pub again: bool,
+    /// Hashes every tick.
+    pub digest: bool,
+}
+
+impl Terms {
+    /// One game of at most `longest` ticks.
+    pub fn one_game(longest: u64) -> Terms {
+        Terms { longest, again: false, digest: false }
+    }
+}
+
+/// What came of a game, or of several that followed each other on the same machine.
+pub struct Trial {
+    /// The machine's seed.
+    pub seed: u64,
+    /// Ticks that were played.
+    pub ticks: u64,
+    /// The games, in their order: one, unless the terms say that another follows.
+    pub games: Vec<Played>,
+    /// How long each ball was in play, ticks.
+    pub balls: Vec<u64>,
+    /// How often each part's switch closed, by the part's index.
+    pub hits: Vec<u64>,
+    /// What went wrong.
+    pub anomalies: Vec<Anomaly>,
+    /// What the rules complained about.
+    pub complaints: Vec<String>,
+    /// Of every tick, if the terms ask for it.
+    pub digest: Option<Digest>,
+    /// The recording, finished.
+    pub recording: Vec<u8>,
+}
+
+/// One of a trial's games.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Played {
+    /// From the game before, or from the switching on, until the next or the end of the trial, ticks.
+    pub ticks: u64,
+    /// The best score of the players.
+    pub score: i64,
+    /// The game came to its end.
+    pub over: bool,
+}
+
+impl Trial {
+    /// The best score of the best game.
+    pub fn score(&self) -> i64 {
+        self.games.iter().map(|game| game.score).max().unwrap_or(0)
+    }
+}
+
+/// Plays on these terms.
+///
+/// # Errors
+/// If the table's rules do not run.
+pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> Result<Trial, Failure> {
+    let mut simulation = Simulation::new(table.clone(), seed)?;
+    let mut recorder = Recorder::new(Cursor::new(Vec::new()), &simulation, seed).map_err(unrecorded)?;
+    let mut observer = Observer::new(table);
+    let mut digest = terms.digest.then(Digest::default);
+    while simulation.ticks() < terms.longest && (terms.again || !observer.finished(simulation.ticks())) {
+        let again = terms.again && observer.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
+        let buttons = player.buttons(&simulation);
+        let buttons = buttons.with(Buttons::START, buttons.contains(Buttons::START) || again);
+        simulation.tick(buttons);
+        recorder.record(&simulation, buttons).map_err(unrecorded)?;
+        observer.look(&simulation, buttons);
+        if let Some(digest) = &mut digest {
+            digest.add(simulation.hash());
+        }
+    }
+    let seen = observer.finish(&simulation);
+    Ok(Trial {
+        seed,
+        ticks: simulation.ticks(),
+        games: seen.games,
+        balls: seen.balls,
+        hits: seen.hits,
+        anomalies: seen.anomalies,
+        complaints: simulation.complaints(),
+        digest,
+        recording: recorder.finish(&simulation).map_err(unrecorded)?.into_inner(),
+    })
+}
+
+/// A recording in memory takes whatever is written, but the type of a writer cannot say so.
+fn unrecorded(error: io::Error) -> Failure {
+    Failure::new(format!("the game cannot be recorded: {error}"))
+}
+
+/// Whether start is down this many ticks after a game's end, to begin the next.
+fn presses_start(since_over: u64) -> bool {
+    since_over % (PAUSE_TICKS + PRESS_TICKS) >= PAUSE_TICKS
+}

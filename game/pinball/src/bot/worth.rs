@@ -1,0 +1,73 @@
+//! What each part is worth to the bot: a first guess from what it is, then what the score has shown.
+
+use physics::{Event, EventKind, Kind, Layout, PartId};
+
+/// Ticks after which a part that has just been hit is as interesting as before.
+const FORGET_TICKS: f64 = 30_000.0;
+
+/// The bot's opinion of each part of a table.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Worth {
+    parts: Vec<Opinion>,
+    /// Points that a hit has brought on the average.
+    typical: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Opinion {
+    /// By kind and place.
+    guess: f64,
+    /// Points that it has brought on the average, once it has been hit.
+    points: Option<f64>,
+    /// How often it was hit lately, at the tick `hit`.
+    lately: f64,
+    hit: u64,
+}
+
+impl Worth {
+    /// First guesses for a table; what lies below `line_m` is worth nothing.
+    pub fn new(layout: &Layout, line_m: f64) -> Worth {
+        let guess = |kind: &Kind| match kind {
+            Kind::Saucer(_) => 14.0,
+            Kind::DropTarget(_) => 12.0,
+            Kind::Target(_) => 10.0,
+            Kind::Spinner(_) => 8.0,
+            Kind::Rollover(rollover) if rollover.shape.bounds().min.y < line_m - 0.25 => 8.0,
+            Kind::Bumper(_) => 5.0,
+            Kind::Gate(_) => 2.0,
+            _ => 0.0,
+        };
+        let opinion = |kind| Opinion { guess: guess(kind), points: None, lately: 0.0, hit: 0 };
+        Worth { parts: layout.parts.iter().map(|part| opinion(&part.kind)).collect(), typical: 0.0 }
+    }
+
+    /// What a hit at `tick` is worth; about 10, never below 0.
+    pub fn of(&self, part: PartId, tick: u64) -> f64 {
+        let Some(opinion) = self.parts.get(usize::from(part.0)) else { return 0.0 };
+        let known = match opinion.points {
+            Some(points) if self.typical > 0.0 => (points / self.typical).clamp(0.4, 3.0),
+            _ => 1.0,
+        };
+        opinion.guess * known / (1.0 + opinion.lately_at(tick))
+    }
+
+    /// Learns from a tick in which these events brought `points`.
+    pub fn learn(&mut self, events: &[Event], points: i64, tick: u64) {
+        let closed = || events.iter().filter(|event| event.kind == EventKind::Closed).filter_map(|event| event.part);
+        let share = points as f64 / closed().count().max(1) as f64;
+        for part in closed() {
+            self.typical += (share - self.typical) * 0.05;
+            let Some(opinion) = self.parts.get_mut(usize::from(part.0)) else { continue };
+            let before = opinion.points.unwrap_or(share);
+            opinion.points = Some(before + (share - before) * 0.25);
+            opinion.lately = opinion.lately_at(tick) + 1.0;
+            opinion.hit = tick;
+        }
+    }
+}
+
+impl Opinion {
+    fn lately_at(&self, tick: u64) -> f64 {
+        (self.lately - tick.saturating_sub(self.hit) as f64 / FORGET_TICKS).max(0.0)
+    }
+}

@@ -1,0 +1,163 @@
+//! The names that a script may use: the parts and lamps of its table.
+
+use crate::Table;
+use physics::{FlipperControl, Kind, PartId};
+use std::collections::BTreeMap;
+
+/// The parts and lamps of a table by name.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    parts: BTreeMap<String, PartId>,
+    kinds: Vec<(String, Kind)>,
+    lamps: BTreeMap<String, usize>,
+}
+
+impl Names {
+    /// The names of a table.
+    pub fn new(table: &Table) -> Names {
+        let parts = table.layout.parts.iter().enumerate();
+        let lamps = table.lamps.iter().enumerate();
+        Names {
+            parts: parts
+                .filter(|(_, part)| !part.name.is_empty())
+                .map(|(index, part)| (part.name.clone(), PartId(index as u16)))
+                .collect(),
+            kinds: table.layout.parts.iter().map(|part| (part.name.clone(), part.kind.clone())).collect(),
+            lamps: lamps
+                .filter(|(_, lamp)| !lamp.name.is_empty())
+                .map(|(index, lamp)| (lamp.name.clone(), index))
+                .collect(),
+        }
+    }
+
+    /// A part's name, if the drawing gives it one.
+    pub fn part_name(&self, part: PartId) -> Option<&str> {
+        self.kinds.get(usize::from(part.0)).map(|(name, _)| name.as_str()).filter(|name| !name.is_empty())
+    }
+
+    /// What a part is.
+    pub fn kind(&self, part: PartId) -> Option<&Kind> {
+        self.kinds.get(usize::from(part.0)).map(|(_, kind)| kind)
+    }
+
+    /// Every part, in the table's order.
+    pub fn parts(&self) -> impl Iterator<Item = (PartId, &Kind)> {
+        self.kinds.iter().enumerate().map(|(index, (_, kind))| (PartId(index as u16), kind))
+    }
+
+    /// Whether a part or a lamp has this name.
+    pub fn exists(&self, name: &str) -> bool {
+        self.parts.contains_key(name) || self.lamps.contains_key(name)
+    }
+
+    /// The part with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn part(&self, name: &str) -> Result<PartId, String> {
+        let unknown = || format!("there is no part called \"{name}\" in the drawing{}", near(name, self.parts.keys()));
+        self.parts.get(name).copied().ok_or_else(unknown)
+    }
+
+    /// The saucer with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn saucer(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Saucer(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a saucer")),
+        }
+    }
+
+    /// The drop target with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn drop_target(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::DropTarget(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a drop target")),
+        }
+    }
+
+    /// The kickback with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn kickback(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Kickback(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a kickback")),
+        }
+    }
+
+    /// The magnet with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn magnet(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Magnet(_)) => Ok(part),
+            _ => Err(format!("\"{name}\" is not a magnet")),
+        }
+    }
+
+    /// The diverter with this name.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn diverter(&self, name: &str) -> Result<PartId, String> {
+        let part = self.part(name)?;
+        match self.kind(part) {
+            Some(Kind::Flipper(flipper)) if flipper.control == FlipperControl::Rules => Ok(part),
+            _ => Err(format!("\"{name}\" is not a diverter")),
+        }
+    }
+
+    /// The lamp with this name; or, if it ends in `*`, every lamp whose name begins so, in the order of their names.
+    ///
+    /// # Errors
+    /// A sentence if there is none.
+    pub fn lamps(&self, name: &str) -> Result<Vec<usize>, String> {
+        let found: Vec<usize> = match name.strip_suffix('*') {
+            Some(start) => {
+                self.lamps.iter().filter(|(name, _)| name.starts_with(start)).map(|(_, lamp)| *lamp).collect()
+            }
+            None => self.lamps.get(name).copied().into_iter().collect(),
+        };
+        if found.is_empty() {
+            return Err(format!("there is no lamp called \"{name}\" in the drawing{}", near(name, self.lamps.keys())));
+        }
+        Ok(found)
+    }
+}
+
+/// `; did you mean "..."?` if a name differs by little.
+fn near<'a>(name: &str, names: impl Iterator<Item = &'a String>) -> String {
+    let best = names.map(|other| (distance(name, other), other)).min();
+    match best {
+        Some((distance, other)) if distance <= 2 => format!("; did you mean \"{other}\"?"),
+        _ => String::new(),
+    }
+}
+
+/// Levenshtein's distance between two names.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, other) in b.iter().enumerate() {
+            let replaced = corner + usize::from(letter != *other);
+            corner = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(corner + 1);
+        }
+    }
+    row[b.len()]
+}

@@ -1,0 +1,228 @@
+//! A game in play: the machine, the rules and the lamps, one tick at a time.
+//!
+//! A tick reads one [`Buttons`] and nothing else. Everything that can change what happens next is in [`Simulation::hash`]
+//! and in [`Simulation::save`].
+
+mod digest;
+mod save;
+mod snapshot;
+
+#[cfg(test)]
+mod tests;
+
+pub use digest::Digest;
+pub use snapshot::{Display, LampLight, Snapshot};
+
+use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
+use crate::rules::{Moment, Program, Rules};
+use crate::{Buttons, Failure, Table};
+use physics::{Contact, Controls, Event, Fingerprint, Machine, Pose, fingerprint};
+use save::Saved;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// The version of everything that decides what a recording replays to. Raised whenever the same inputs would give
+/// another game.
+pub const SIMULATION_VERSION: u32 = 4;
+
+/// A game in play. A clone goes on exactly as the original does.
+#[derive(Clone)]
+pub struct Simulation {
+    table: Arc<Table>,
+    machine: Machine,
+    rules: Rules,
+    lamps: Lamps,
+    /// What pictures are exposed for; no part of the game.
+    eye: Eye,
+    brightness: Arc<Brightness>,
+    tick: u64,
+    /// The buttons of the last tick: the rules hear of changes only.
+    buttons: Buttons,
+}
+
+/// The parts of the state, hashed one by one so that a difference can be named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hashes {
+    /// The balls.
+    pub balls: u64,
+    /// Everything else that moves.
+    pub mechanisms: u64,
+    /// Score, players, the rules' own state and random numbers.
+    pub rules: u64,
+    /// The lamps.
+    pub lamps: u64,
+}
+
+impl Simulation {
+    /// A machine that has just been switched on and waits for [`Buttons::START`].
+    ///
+    /// # Errors
+    /// If the rules do not run, with file and line.
+    pub fn new(table: Arc<Table>, seed: u64) -> Result<Simulation, Failure> {
+        let program = Arc::new(Program::new(&table)?);
+        let layout = Arc::new(table.layout.clone());
+        let machine = Machine::new(layout).map_err(|error| refused(&table, &error))?;
+        let mut lamps = Lamps::new(&table);
+        let rules = Rules::new(program, seed, &mut lamps)?;
+        let (eye, brightness) = (Eye::default(), Arc::new(Brightness::new(&table)));
+        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick: 0, buttons: Buttons::NONE })
+    }
+
+    /// The table that is played.
+    pub fn table(&self) -> &Arc<Table> {
+        &self.table
+    }
+
+    /// One millisecond.
+    pub fn tick(&mut self, buttons: Buttons) {
+        let buttons = Buttons(buttons.0 & Buttons::ALL.0);
+        self.tick += 1;
+        let commands = self.rules.take_commands();
+        self.machine.tick(controls(buttons), &commands);
+        let moment = Moment {
+            now: self.tick,
+            buttons,
+            before: self.buttons,
+            events: self.machine.events(),
+            balls: || self.machine.balls(),
+        };
+        self.rules.tick(&moment, &mut self.lamps);
+        self.lamps.tick(self.tick);
+        if self.tick.is_multiple_of(LOOK_TICKS) {
+            self.brightness.show(&self.lamps, &self.table, self.tick, &mut self.eye);
+        }
+        self.buttons = buttons;
+    }
+
+    /// Ticks since the machine was switched on.
+    pub fn ticks(&self) -> u64 {
+        self.tick
+    }
+
+    /// What happened in the last tick.
+    pub fn events(&self) -> &[Event] {
+        self.machine.events()
+    }
+
+    /// The impacts of the last tick.
+    pub fn contacts(&self) -> &[Contact] {
+        self.machine.contacts()
+    }
+
+    /// Where everything is now (cheaper than [`Simulation::snapshot`]).
+    pub fn pose(&self) -> Pose {
+        self.machine.pose()
+    }
+
+    /// The machine alone, to look ahead with: a bot plays its clone.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// What a picture needs to know of this moment.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            tick: self.tick,
+            pose: self.pose(),
+            lamps: self.lamps.lights(&self.table, self.tick),
+            eye: self.eye,
+            display: self.display(),
+        }
+    }
+
+    /// What the display shows (cheaper than [`Simulation::snapshot`]).
+    pub fn display(&self) -> Display {
+        self.rules.desk().display()
+    }
+
+    /// What the rules have complained about since the last call, one sentence each with file and line.
+    pub fn complaints(&mut self) -> Vec<String> {
+        self.rules.take_complaints()
+    }
+
+    /// Of everything that can change what happens next.
+    pub fn hashes(&self) -> Hashes {
+        let machine = self.machine.hashes();
+        let mut rules = Fingerprint::default();
+        rules.add(&(self.tick, self.buttons));
+        self.rules.state().add_to(&mut rules);
+        Hashes {
+            balls: machine.balls,
+            mechanisms: machine.mechanisms,
+            rules: rules.finish(),
+            lamps: fingerprint(&self.lamps),
+        }
+    }
+
+    /// All of [`Simulation::hashes`] in one.
+    pub fn hash(&self) -> u64 {
+        let hashes = self.hashes();
+        fingerprint(&[hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps])
+    }
+
+    /// Everything that can change what happens next, and what its pictures depend on.
+    pub fn save(&self) -> Vec<u8> {
+        save::write(&Saved {
+            version: SIMULATION_VERSION,
+            table: self.table.hash,
+            tick: self.tick,
+            buttons: self.buttons,
+            machine: self.machine.save(),
+            rules: Cow::Borrowed(self.rules.state()),
+            lamps: Cow::Borrowed(&self.lamps),
+            eye: self.eye,
+        })
+    }
+
+    /// The simulation that [`Simulation::save`] wrote, on the same table.
+    ///
+    /// # Errors
+    /// If the bytes are not what `save` writes for this table.
+    pub fn restore(table: Arc<Table>, bytes: &[u8]) -> Result<Simulation, Failure> {
+        // The seed does not matter: it is in the bytes, in what the rules remember.
+        Simulation::new(table, 0)?.restored(bytes)
+    }
+
+    /// As [`Simulation::restore`], on this one's table: much faster, because what follows from the table alone is shared:
+    /// the compiled rules, the machine's plan, how much light each lamp gives. All else comes from the bytes.
+    ///
+    /// # Errors
+    /// If the bytes are not what `save` writes for this table.
+    pub fn restored(&self, bytes: &[u8]) -> Result<Simulation, Failure> {
+        let saved = save::read(bytes, &self.table)?;
+        Ok(Simulation {
+            table: self.table.clone(),
+            machine: self.machine.restored(&saved.machine).map_err(|error| refused(&self.table, &error))?,
+            rules: Rules::restored(self.rules.program().clone(), saved.rules.into_owned()),
+            lamps: saved.lamps.into_owned(),
+            eye: saved.eye,
+            brightness: self.brightness.clone(),
+            tick: saved.tick,
+            buttons: saved.buttons,
+        })
+    }
+}
+
+/// The buttons as the machine knows them; START is for the rules alone.
+pub(crate) fn controls(buttons: Buttons) -> Controls {
+    Controls {
+        left: buttons.contains(Buttons::LEFT),
+        right: buttons.contains(Buttons::RIGHT),
+        plunger: buttons.contains(Buttons::PLUNGER),
+        nudge_left: buttons.contains(Buttons::NUDGE_LEFT),
+        nudge_right: buttons.contains(Buttons::NUDGE_RIGHT),
+        nudge_up: buttons.contains(Buttons::NUDGE_UP),
+        nudge_down: buttons.contains(Buttons::NUDGE_DOWN),
+    }
+}
+
+/// The machine's complaint as a sentence about the table's files.
+fn refused(table: &Table, error: &physics::Error) -> Failure {
+    match error {
+        physics::Error::Layout(part, what) => {
+            let name = table.layout.parts.get(usize::from(part.0)).map_or("", |part| part.name.as_str());
+            Failure::new(format!("{}: the part \"{name}\" cannot be played: {what}", table.origin))
+        }
+        physics::Error::Save(what) => Failure::new(format!("the saved game cannot be read: {what}")),
+    }
+}

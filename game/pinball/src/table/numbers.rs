@@ -1,0 +1,120 @@
+//! What `table.toml` says: materials, finishes, and numbers by class and by id; and what holds when it says nothing.
+
+mod read;
+
+pub(super) use read::read;
+
+use super::Profile;
+use super::class::Class;
+use super::relief::Relief;
+use physics::Material;
+use std::collections::BTreeMap;
+
+/// All that the file says.
+#[derive(Debug)]
+pub(super) struct Numbers {
+    pub title: Option<String>,
+    pub slope_deg: f64,
+    pub playfield_friction: f64,
+    /// sRGB.
+    pub ambient: [u8; 3],
+    pub ambient_power: f64,
+    /// Its numbers; the art is the drawing's.
+    pub relief: Relief,
+    pub materials: BTreeMap<String, Material>,
+    pub finishes: BTreeMap<String, FinishWords>,
+    classes: BTreeMap<Class, Settings>,
+    parts: BTreeMap<String, Settings>,
+}
+
+/// A `[finish.NAME]`; what it does not say comes from the class and the drawing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct FinishWords {
+    /// sRGB.
+    pub albedo: Option<[u8; 3]>,
+    pub gloss: Option<f32>,
+    pub profile: Option<Profile>,
+    pub opacity: Option<f32>,
+    /// How much of the light below comes through.
+    pub translucency: Option<f32>,
+    /// sRGB.
+    pub emission: Option<[u8; 3]>,
+    pub emission_power: Option<f32>,
+}
+
+/// What is said of a class or of one thing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Settings {
+    material: Option<String>,
+    finish: Option<String>,
+    shadow: Option<bool>,
+    numbers: BTreeMap<&'static str, f64>,
+}
+
+impl Numbers {
+    /// The number `key` of the thing called `name`.
+    pub fn number(&self, class: Class, name: &str, key: &'static str) -> f64 {
+        let default = class.keys().iter().find(|known| known.name == key).map_or(0.0, |known| known.default);
+        self.said(class, name, |settings| settings.numbers.get(key).copied()).unwrap_or(default)
+    }
+
+    /// Whether the thing was said to cast a shadow.
+    pub fn shadow(&self, class: Class, name: &str) -> Option<bool> {
+        self.said(class, name, |settings| settings.shadow)
+    }
+
+    /// What the thing was said to be made of.
+    pub fn material(&self, class: Class, name: &str) -> Option<&Material> {
+        self.said(class, name, |settings| settings.material.as_ref()).and_then(|word| self.materials.get(word))
+    }
+
+    /// How the thing was said to look.
+    pub fn finish(&self, class: Class, name: &str) -> Option<&FinishWords> {
+        self.said(class, name, |settings| settings.finish.as_ref()).and_then(|word| self.finishes.get(word))
+    }
+
+    /// The finish of this name.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn finish_named(&self, name: &str) -> Result<&FinishWords, String> {
+        self.finishes.get(name).ok_or_else(|| {
+            let known: Vec<&str> = self.finishes.keys().map(String::as_str).collect();
+            format!("data-finish: there is no [finish.{name}] in table.toml; there are {}", known.join(", "))
+        })
+    }
+
+    fn said<'a, T>(&'a self, class: Class, name: &str, what: impl Fn(&'a Settings) -> Option<T>) -> Option<T> {
+        self.parts.get(name).and_then(&what).or_else(|| self.classes.get(&class).and_then(&what))
+    }
+}
+
+impl Numbers {
+    /// What holds when the file says nothing: figures of real machines.
+    fn new() -> Numbers {
+        let material = |restitution, falloff_s_per_m, friction| Material { restitution, falloff_s_per_m, friction };
+        let known = [
+            ("rubber", material(0.85, 0.13, 0.3)),
+            ("post", material(0.9, 0.1, 0.3)),
+            ("sleeve", material(0.77, 0.1, 0.3)),
+            ("wood", material(0.4, 0.0, 0.25)),
+            ("metal", material(0.3, 0.0, 0.2)),
+            ("wire", material(0.45, 0.0, 0.15)),
+            ("target", material(0.35, 0.5, 0.2)),
+            ("drop-target", material(0.38, 0.15, 0.2)),
+            ("flipper-rubber", material(0.88, 0.15, 0.9)),
+        ];
+        Numbers {
+            title: None,
+            slope_deg: 6.5,
+            playfield_friction: 0.09,
+            ambient: [11, 13, 24],
+            ambient_power: 0.5,
+            relief: Relief::default(),
+            materials: known.into_iter().map(|(name, material)| (name.to_string(), material)).collect(),
+            finishes: BTreeMap::new(),
+            classes: BTreeMap::new(),
+            parts: BTreeMap::new(),
+        }
+    }
+}

@@ -1,0 +1,330 @@
+//! Reads `table.toml`, word by word, and says what is wrong with each.
+//!
+//! Refuses to know what is drawn, except which ids there are and what they are.
+
+use super::{FinishWords, Numbers, Settings};
+use crate::table::Profile;
+use crate::table::class::{Class, Key};
+use crate::table::source::{Mistake, Source};
+use crate::table::style;
+use physics::Material;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
+pub(in crate::table) fn read(
+    source: &Source,
+    drawn: Option<&BTreeMap<String, Class>>,
+    mistakes: &mut Vec<Mistake>,
+) -> Numbers {
+    let (root, errors) = DeTable::parse_recoverable(&source.text);
+    let mut broken = BTreeSet::new();
+    for error in &errors {
+        let at = error.span().map_or(0, |span| span.start);
+        if broken.insert(source.line(at)) {
+            mistakes.push(source.mistake(at, format!("this is not TOML: {}", error.message())));
+        }
+    }
+    let mut reader = Reader { source, mistakes, numbers: Numbers::new(), drawn, broken };
+    reader.root(root.get_ref());
+    reader.numbers
+}
+
+type Value<'i> = Spanned<DeValue<'i>>;
+type Word<'i> = Spanned<std::borrow::Cow<'i, str>>;
+
+struct Reader<'a> {
+    source: &'a Source,
+    mistakes: &'a mut Vec<Mistake>,
+    numbers: Numbers,
+    drawn: Option<&'a BTreeMap<String, Class>>,
+    /// Lines that are not TOML: what they seem to say is no further mistake.
+    broken: BTreeSet<usize>,
+}
+
+impl Reader<'_> {
+    fn mistake(&mut self, at: usize, what: impl std::fmt::Display) {
+        if !self.broken.contains(&self.source.line(at)) {
+            self.mistakes.push(self.source.mistake(at, what));
+        }
+    }
+
+    fn root(&mut self, root: &DeTable) {
+        // Names first, so that classes and parts may come before what they name.
+        for wanted in [&["material", "finish"][..], &["class", "part"]] {
+            for (key, value) in root.iter().filter(|(key, _)| wanted.contains(&key.get_ref().as_ref())) {
+                let Some(table) = self.table(key.get_ref(), value) else { continue };
+                for (name, value) in table {
+                    self.named(key.get_ref(), name, value);
+                }
+            }
+        }
+        for (key, value) in root {
+            self.top(key, value);
+        }
+    }
+
+    fn top(&mut self, key: &Word, value: &Value) {
+        match key.get_ref().as_ref() {
+            "name" => self.numbers.title = self.text("name", value),
+            "slope_deg" => self.set(value, "slope_deg", 0.5..=20.0, |numbers, x| numbers.slope_deg = x),
+            "playfield_friction" => {
+                self.set(value, "playfield_friction", 0.0..=1.0, |numbers, x| numbers.playfield_friction = x);
+            }
+            "ambient" => {
+                if let Some(color) = self.color("ambient", value) {
+                    self.numbers.ambient = color;
+                }
+            }
+            "ambient_power" => self.set(value, "ambient_power", 0.0..=100.0, |numbers, x| numbers.ambient_power = x),
+            "relief_mm" => self.set(value, "relief_mm", 0.0..=5.0, |numbers, x| numbers.relief.height_mm = x),
+            "relief" => self.relief(value),
+            "material" | "finish" | "class" | "part" => {}
+            other => self.mistake(
+                key.span().start,
+                format!(
+                    "`{other}` is not known; there are name, slope_deg, playfield_friction, ambient, ambient_power, \
+                     relief_mm, [relief], [material.NAME], [finish.NAME], [class.NAME] and [part.ID]"
+                ),
+            ),
+        }
+    }
+
+    fn relief(&mut self, value: &Value) {
+        let Some(table) = self.table("relief", value) else { return };
+        for (key, value) in table {
+            match key.get_ref().as_ref() {
+                "planks_mm" => {
+                    // Narrower boards than 5 mm would be nothing but seams.
+                    let planks = self.number("planks_mm", value, 0.0..=1000.0);
+                    match planks {
+                        Some(width) if width > 0.0 && width < 5.0 => {
+                            let why = "`planks_mm` must be 0, for no planks, or a width from 5 to 1000";
+                            self.mistake(value.span().start, why);
+                        }
+                        Some(width) => self.numbers.relief.planks_mm = width,
+                        None => {}
+                    }
+                }
+                "grain" => self.set(value, "grain", 0.0..=1.0, |numbers, x| numbers.relief.grain = x),
+                "scratches" => self.set(value, "scratches", 0.0..=1.0, |numbers, x| numbers.relief.scratches = x),
+                "inserts" => self.set(value, "inserts", 0.0..=1.0, |numbers, x| numbers.relief.inserts = x),
+                "gloss" => self.set(value, "gloss", 0.0..=1.0, |numbers, x| numbers.relief.gloss = x as f32),
+                other => self.unknown(key.span().start, other, "planks_mm, grain, scratches, inserts, gloss"),
+            }
+        }
+    }
+
+    fn set(&mut self, value: &Value, name: &str, range: RangeInclusive<f64>, set: impl Fn(&mut Numbers, f64)) {
+        if let Some(x) = self.number(name, value, range) {
+            set(&mut self.numbers, x);
+        }
+    }
+
+    fn named(&mut self, kind: &str, name: &Word, value: &Value) {
+        let Some(table) = self.table(name.get_ref(), value) else { return };
+        let at = name.span().start;
+        let name = name.get_ref().to_string();
+        match kind {
+            "material" => {
+                if let Some(material) = self.material(at, &name, table) {
+                    self.numbers.materials.insert(name, material);
+                }
+            }
+            "finish" => {
+                let finish = self.finish(table);
+                self.numbers.finishes.insert(name, finish);
+            }
+            "class" => match Class::of(&name) {
+                Some(class) => {
+                    let settings = self.settings(class, table);
+                    self.numbers.classes.insert(class, settings);
+                }
+                None => self.mistake(at, format!("there is no class `{name}`; there are {}", Class::words())),
+            },
+            _ => self.part(at, name, table),
+        }
+    }
+
+    fn part(&mut self, at: usize, name: String, table: &DeTable) {
+        let Some(drawn) = self.drawn else { return };
+        match drawn.get(&name) {
+            Some(&class) => {
+                let settings = self.settings(class, table);
+                self.numbers.parts.insert(name, settings);
+            }
+            None => self.mistake(at, format!("no thing in the drawing has the id `{name}`")),
+        }
+    }
+
+    fn material(&mut self, at: usize, name: &str, table: &DeTable) -> Option<Material> {
+        let (mut restitution, mut falloff, mut friction) = (None, Some(0.0), None);
+        for (key, value) in table {
+            match key.get_ref().as_ref() {
+                "restitution" => restitution = self.number("restitution", value, 0.0..=1.0),
+                "falloff_s_per_m" => falloff = self.number("falloff_s_per_m", value, 0.0..=100.0),
+                "friction" => friction = self.number("friction", value, 0.0..=10.0),
+                other => self.unknown(key.span().start, other, "restitution, falloff_s_per_m, friction"),
+            }
+        }
+        for missing in ["restitution", "friction"].into_iter().filter(|&key| !table.contains_key(key)) {
+            if self.broken.is_empty() {
+                self.mistake(at, format!("the material `{name}` has no `{missing}`"));
+            }
+        }
+        Some(Material { restitution: restitution?, falloff_s_per_m: falloff?, friction: friction? })
+    }
+
+    fn finish(&mut self, table: &DeTable) -> FinishWords {
+        let mut finish = FinishWords::default();
+        for (key, value) in table {
+            match key.get_ref().as_ref() {
+                "albedo" => finish.albedo = self.color("albedo", value),
+                "gloss" => finish.gloss = self.number("gloss", value, 0.0..=1.0).map(|x| x as f32),
+                "opacity" => finish.opacity = self.number("opacity", value, 0.0..=1.0).map(|x| x as f32),
+                "translucency" => {
+                    finish.translucency = self.number("translucency", value, 0.0..=1.0).map(|x| x as f32);
+                }
+                "emission" => finish.emission = self.color("emission", value),
+                "emission_power" => {
+                    finish.emission_power = self.number("emission_power", value, 0.0..=100.0).map(|x| x as f32);
+                }
+                "profile" => finish.profile = self.profile(value),
+                other => {
+                    let known = "albedo, gloss, profile, opacity, translucency, emission, emission_power";
+                    self.unknown(key.span().start, other, known);
+                }
+            }
+        }
+        finish
+    }
+
+    fn profile(&mut self, value: &Value) -> Option<Profile> {
+        let text = self.text("profile", value)?;
+        if text == "dome" {
+            return Some(Profile::Dome);
+        }
+        let width = text.strip_prefix("bevel ").and_then(|width| width.trim().parse::<f32>().ok());
+        let profile = width.filter(|width| (0.0..=100.0).contains(width)).map(Profile::Bevel);
+        if profile.is_none() {
+            let at = value.span().start;
+            self.mistake(
+                at,
+                format!("the profile is `{text}`; write \"dome\", or \"bevel 0.8\" for an edge of 0.8 mm"),
+            );
+        }
+        profile
+    }
+
+    fn settings(&mut self, class: Class, table: &DeTable) -> Settings {
+        let mut settings = Settings::default();
+        for (key, value) in table {
+            let word = key.get_ref().as_ref();
+            match word {
+                "material" if class.has_material() => settings.material = self.known_material(value),
+                "finish" if class.has_finish() => settings.finish = self.known_finish(value),
+                "shadow" if class.has_finish() => settings.shadow = self.truth("shadow", value),
+                _ => match class.keys().iter().find(|known| known.name == word) {
+                    Some(known) => {
+                        if let Some(x) = self.number(known.name, value, known.min..=known.max) {
+                            settings.numbers.insert(known.name, x);
+                        }
+                    }
+                    None => self.unknown(key.span().start, word, &setting_words(class)),
+                },
+            }
+        }
+        settings
+    }
+
+    fn known_material(&mut self, value: &Value) -> Option<String> {
+        let word = self.text("material", value)?;
+        if self.numbers.materials.contains_key(&word) {
+            return Some(word);
+        }
+        let known: Vec<&str> = self.numbers.materials.keys().map(String::as_str).collect();
+        let known = known.join(", ");
+        self.mistake(value.span().start, format!("there is no material `{word}`; there are {known}"));
+        None
+    }
+
+    fn known_finish(&mut self, value: &Value) -> Option<String> {
+        let word = self.text("finish", value)?;
+        if self.numbers.finishes.contains_key(&word) {
+            return Some(word);
+        }
+        let known: Vec<&str> = self.numbers.finishes.keys().map(String::as_str).collect();
+        let known = if known.is_empty() { "none yet; write [finish.NAME]".to_string() } else { known.join(", ") };
+        self.mistake(value.span().start, format!("there is no finish `{word}`; there are {known}"));
+        None
+    }
+
+    fn unknown(&mut self, at: usize, word: &str, known: &str) {
+        let known = if known.is_empty() { "nothing" } else { known };
+        self.mistake(at, format!("`{word}` is not known here; there are {known}"));
+    }
+
+    fn table<'t, 'i>(&mut self, name: &str, value: &'t Value<'i>) -> Option<&'t DeTable<'i>> {
+        match value.get_ref() {
+            DeValue::Table(table) => Some(table),
+            _ => {
+                self.mistake(value.span().start, format!("`{name}` must be a table, as in [material.rubber]"));
+                None
+            }
+        }
+    }
+
+    fn text(&mut self, name: &str, value: &Value) -> Option<String> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(text.to_string()),
+            _ => {
+                self.mistake(value.span().start, format!("`{name}` must be text in quotes"));
+                None
+            }
+        }
+    }
+
+    fn truth(&mut self, name: &str, value: &Value) -> Option<bool> {
+        match value.get_ref() {
+            DeValue::Boolean(truth) => Some(*truth),
+            _ => {
+                self.mistake(value.span().start, format!("`{name}` must be true or false"));
+                None
+            }
+        }
+    }
+
+    fn color(&mut self, name: &str, value: &Value) -> Option<[u8; 3]> {
+        let text = self.text(name, value)?;
+        let color = style::color(&text);
+        color.map_err(|why| self.mistake(value.span().start, format!("{name}: {why}"))).ok()
+    }
+
+    fn number(&mut self, name: &str, value: &Value, range: RangeInclusive<f64>) -> Option<f64> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
+            _ => None,
+        };
+        let number = number.filter(|number| range.contains(number));
+        if number.is_none() {
+            let (min, max) = range.into_inner();
+            self.mistake(value.span().start, format!("`{name}` must be a number from {min} to {max}"));
+        }
+        number
+    }
+}
+
+fn setting_words(class: Class) -> String {
+    let mut words: Vec<&str> = Vec::new();
+    if class.has_material() {
+        words.push("material");
+    }
+    if class.has_finish() {
+        words.extend(["finish", "shadow"]);
+    }
+    words.extend(class.keys().iter().map(|Key { name, .. }| *name));
+    words.join(", ")
+}

@@ -1,0 +1,106 @@
+//! A text file and where in it a mistake is.
+//!
+//! Refuses to know what the text means.
+
+use std::fmt;
+
+/// What people should see as the path of the file `name` of a table from `origin`.
+pub(super) fn path(origin: &str, name: &str) -> String {
+    if origin.is_empty() || origin.ends_with('/') { format!("{origin}{name}") } else { format!("{origin}/{name}") }
+}
+
+/// What is wrong, and where. They sort by file and line.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Mistake {
+    path: String,
+    /// From 1; 0 for the file as a whole.
+    line: usize,
+    what: String,
+}
+
+impl Mistake {
+    /// A mistake of a file as a whole.
+    pub fn of_file(path: impl fmt::Display, what: impl fmt::Display) -> Mistake {
+        Mistake { path: path.to_string(), line: 0, what: what.to_string() }
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistake { path, line: 0, what } => write!(formatter, "{path}: {what}"),
+            Mistake { path, line, what } => write!(formatter, "{path}:{line}: {what}"),
+        }
+    }
+}
+
+/// A text file that has been read whole.
+#[derive(Debug)]
+pub(super) struct Source {
+    /// The path as people should see it.
+    pub path: String,
+    /// All of it.
+    pub text: String,
+    /// Where each line begins.
+    lines: Vec<usize>,
+}
+
+impl Source {
+    /// The text of the file called `path`, which holds `bytes`, if that is UTF-8 text of at most `limit` bytes.
+    pub fn read(path: String, bytes: Result<Vec<u8>, String>, limit: u64) -> Result<Source, Mistake> {
+        let bytes = bytes.map_err(|why| Mistake::of_file(&path, why))?;
+        if bytes.len() as u64 > limit {
+            let why = format!("it is larger than {} kB, the most that a table may have", limit / 1024);
+            return Err(Mistake::of_file(path, why));
+        }
+        Source::from_bytes(path, bytes)
+    }
+
+    fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Mistake> {
+        String::from_utf8(bytes).map(|text| Source::new(path.clone(), text)).map_err(|error| {
+            let good = error.utf8_error().valid_up_to();
+            let line = 1 + error.as_bytes()[..good].iter().filter(|&&byte| byte == b'\n').count();
+            Mistake { path, line, what: "this is not UTF-8 text; save the file as UTF-8".to_string() }
+        })
+    }
+
+    /// A text that came from `path`.
+    pub fn new(path: String, text: String) -> Source {
+        let after = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1);
+        let lines = std::iter::once(0).chain(after).collect();
+        Source { path, text, lines }
+    }
+
+    /// The line, from 1, of the byte at `at`.
+    pub fn line(&self, at: usize) -> usize {
+        self.lines.partition_point(|&start| start <= at)
+    }
+
+    /// A mistake in the line of the byte at `at`.
+    pub fn mistake(&self, at: usize, what: impl fmt::Display) -> Mistake {
+        self.mistake_in_line(self.line(at), what)
+    }
+
+    /// A mistake in a line, from 1.
+    pub fn mistake_in_line(&self, line: usize, what: impl fmt::Display) -> Mistake {
+        Mistake { path: self.path.clone(), line, what: what.to_string() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_count_from_one() {
+        let source = Source::new("a".to_string(), "one\ntwo\n\nfour".to_string());
+        let lines: Vec<usize> = [0, 3, 4, 8, 9, 12].into_iter().map(|at| source.line(at)).collect();
+        assert_eq!(lines, [1, 1, 2, 3, 4, 4]);
+    }
+
+    #[test]
+    fn bytes_that_are_not_text_are_found() {
+        let failure = Source::from_bytes("a.svg".to_string(), b"one\ntw\xffo".to_vec()).unwrap_err();
+        assert_eq!(failure.to_string(), "a.svg:2: this is not UTF-8 text; save the file as UTF-8");
+    }
+}

@@ -1,0 +1,52 @@
+//! A small table, and what becomes of it.
+
+mod errors;
+mod fuzz;
+mod hash;
+mod things;
+
+use super::{Table, TableSources};
+
+/// A table with one of everything that a table must have. `{}` is where a test draws.
+const SVG: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 1000">
+<line id="left" class="flipper" data-side="left" data-up-deg="50" x1="150" y1="850" x2="210" y2="885"/>
+<line class="drain" x1="100" y1="980" x2="400" y2="980" stroke-width="20"/>
+<line id="plunger" class="plunger" x1="480" y1="900" x2="480" y2="950" stroke-width="24"/>
+{}
+</svg>"##;
+
+/// Reads the small table with `drawn` on it and `numbers` in its `table.toml`.
+fn read(drawn: &str, numbers: &str) -> Result<Table, Vec<String>> {
+    read_files(&SVG.replace("{}", drawn), numbers, "")
+}
+
+fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> {
+    let sources = TableSources {
+        name: "small".to_string(),
+        origin: String::new(),
+        folder: String::new(),
+        files: [svg, toml, rules].map(|text| Ok(text.as_bytes().to_vec())),
+    };
+    Table::parse(sources).map_err(|failures| failures.iter().map(ToString::to_string).collect())
+}
+
+/// The small table with `drawn` on it; its mistakes fail the test.
+fn table(drawn: &str) -> Table {
+    with_rules(drawn, "")
+}
+
+/// The small table with `drawn` on it and these rules; its mistakes fail the test.
+pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
+    let table = read_files(&SVG.replace("{}", drawn), "", rules);
+    table.unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+}
+
+/// Spectrum, the project's own table.
+pub(crate) fn spectrum() -> Table {
+    let [svg, toml, rules] = [
+        include_str!("../../../../assets/tables/spectrum/table.svg"),
+        include_str!("../../../../assets/tables/spectrum/table.toml"),
+        include_str!("../../../../assets/tables/spectrum/rules.rhai"),
+    ];
+    read_files(svg, toml, rules).unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+}

@@ -1,0 +1,9 @@
+//! The dot-matrix display (DMD): what it shows at a tick, and its dots as pixels.
+
+mod animation;
+mod dots;
+mod raster;
+
+pub use animation::{animation_dots, grouped};
+pub use dots::Dots;
+pub use raster::{DmdRaster, housing};

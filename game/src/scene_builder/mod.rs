@@ -1,0 +1,274 @@
+//! From a moment of the game to what light needs to know: lamps, what stands in their way, what can be seen.
+//!
+//! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
+//! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
+//! picture, always under the same ids ([`ids`]), so that a renderer can tell what has changed. It refuses to know what a
+//! pixel, a window, a rule or a clock is.
+
+mod blend;
+mod ids;
+mod light;
+mod motion;
+mod rod;
+#[cfg(test)]
+mod tests;
+
+pub use blend::blend;
+
+use crate::Failure;
+use crate::art;
+use crate::simulation::{LampLight, Snapshot};
+use crate::table::{Finish, Lamp, LampKind, Solid, Table};
+use geometry::{DVec2, Shape};
+use ids::FirstIds;
+use motion::Motion;
+use physics::{Kind, Leg};
+use tracer::{Filter, Floor, Glow, Group, ItemId, Mask, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View};
+
+/// Metres to millimetres.
+const MM_PER_M: f64 = 1000.0;
+
+/// A ball's radius, mm.
+pub const BALL_RADIUS_MM: f64 = physics::BALL_RADIUS_M * MM_PER_M;
+
+/// How far above the floor a player's eye is, mm.
+const EYE_MM: f64 = 1100.0;
+
+/// A ball that lies in a saucer is lower, so less of it stands out of the hole.
+const SUNK: f64 = 0.9;
+
+/// How much of a lamp's light comes out through the cap above it.
+const CAP_GLOW: f32 = 0.09;
+
+/// How much of the light that falls on what stands around a bulb comes back: it is translucent, and the bulb is so near
+/// that its art would drown in white.
+const FROSTED_SCATTER: f32 = 0.3;
+
+/// How much of its gloss is left, for the same reason.
+const FROSTED_GLOSS: f32 = 0.3;
+
+/// What is printed on a table, at one view's resolution.
+pub struct Printed {
+    /// The floor and the plastics.
+    pub floor: Floor,
+    /// Where each lamp of the table that is an insert shines, in the lamps' order; empty masks for bulbs.
+    pub masks: Vec<Mask>,
+}
+
+impl Printed {
+    /// Prints what `view` shows of `table`.
+    ///
+    /// # Errors
+    /// If the table's art cannot be printed at this size.
+    pub fn new(table: &Table, view: &View) -> Result<Printed, Failure> {
+        let mut masks = art::masks(table, view);
+        masks.iter_mut().for_each(|mask| mask.revision = Revision::fresh());
+        Ok(Printed { floor: print_floor(table, view)?, masks })
+    }
+}
+
+/// Prints the floor and the plastics as `view` shows them.
+///
+/// # Errors
+/// If the table's art cannot be printed at this size.
+pub fn print_floor(table: &Table, view: &View) -> Result<Floor, Failure> {
+    Ok(Floor { revision: Revision::fresh(), ..art::floor(table, view)? })
+}
+
+/// What of a table a scene is built from: everything that does not change from picture to picture.
+pub struct SceneBuilder {
+    actors: Vec<Actor>,
+    filters: Vec<Filter>,
+    overhangs: Vec<Overhang>,
+    rods: Vec<rod::Rod>,
+    /// The first group that no solid uses.
+    free_group: u16,
+    ambient: Rgb,
+}
+
+/// A solid with what moves it.
+struct Actor {
+    solid: Solid,
+    /// What it belongs to in the light.
+    group: Group,
+    /// The first ids of its occluders and of its tops.
+    ids: FirstIds,
+    motion: Motion,
+    /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
+    bulb: Option<usize>,
+    /// A bulb is inside it or under it.
+    frosted: bool,
+}
+
+impl SceneBuilder {
+    /// Everything of `table` that does not change from picture to picture.
+    pub fn new(table: &Table) -> SceneBuilder {
+        let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
+        let mut ids = FirstIds::default();
+        let rods = rod::Rod::all(&table.layout, Group(free_group), &mut ids);
+        let solids = 0..table.solids.len();
+        let mut actors: Vec<Actor> = solids.filter_map(|index| Actor::new(table, index, &mut ids)).collect();
+        let mut filters = Vec::new();
+        for actor in actors.iter_mut().filter(|actor| actor.is_filter()) {
+            // A group of its own: what it belongs to may be as opaque as ever.
+            let group = Group(free_group.saturating_add(1 + filters.len() as u16));
+            actor.group = group;
+            filters.push(Filter { group, tint: tint(&actor.solid.finish) });
+        }
+        let free_group = free_group.saturating_add(filters.len() as u16);
+        SceneBuilder { actors, filters, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
+    }
+
+    /// What `moment` looks like from `view`. `printed` must be of the same table and view.
+    pub fn scene<'a>(&self, table: &Table, moment: &Snapshot, view: View, printed: &'a Printed) -> Scene<'a> {
+        let mut scene = Scene {
+            view,
+            lamps: lamps(&table.lamps, &moment.lamps),
+            occluders: Vec::with_capacity(2 * self.actors.len()),
+            filters: self.filters.clone(),
+            overhangs: self.overhangs.clone(),
+            tops: Vec::with_capacity(2 * self.actors.len()),
+            balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
+            glows: glows(&table.lamps, &moment.lamps, &printed.masks),
+            floor: &printed.floor,
+            ambient: self.ambient,
+        };
+        self.rods.iter().for_each(|rod| rod.place(&moment.pose, &mut scene));
+        for actor in &self.actors {
+            let glow = actor.bulb.map_or([0.0; 3], |bulb| glow_of(&table.lamps[bulb], moment.lamps.get(bulb)));
+            actor.place(moment, glow, &mut scene);
+        }
+        self.place_balls(moment, &mut scene);
+        scene
+    }
+
+    fn place_balls(&self, moment: &Snapshot, scene: &mut Scene) {
+        let captives = moment.pose.captives.iter().map(|(part, pose)| (ids::captive(*part), pose));
+        let balls = moment.pose.balls.iter().map(|pose| (ids::ball(pose.id), pose));
+        for (index, (id, pose)) in captives.chain(balls).enumerate() {
+            let group = Group(self.free_group.saturating_add(1 + index as u16));
+            let center_mm = pose.center * MM_PER_M;
+            let height_mm = pose.height_m * MM_PER_M;
+            let radius_mm = if pose.held { BALL_RADIUS_MM * SUNK } else { BALL_RADIUS_MM * nearness(height_mm) };
+            let rotation = pose.rotation.map(|part| part as f32);
+            let ball = tracer::Ball { id, center_mm, radius_mm, height_mm, below: !pose.above, group, rotation };
+            if !ball.is_airborne() {
+                scene.occluders.push(Occluder::opaque(id, Shape::disc(center_mm, radius_mm), group));
+            }
+            scene.balls.push(ball);
+        }
+    }
+}
+
+impl Actor {
+    /// `None` for what is not drawn from its solid.
+    fn new(table: &Table, index: usize, ids: &mut FirstIds) -> Option<Actor> {
+        let solid = table.solids[index].clone();
+        let motion = Motion::of(&table.layout, &solid)?;
+        let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
+        let inside =
+            |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
+        let within = table.lamps.iter().position(inside);
+        let group = Group(solid.group);
+        let (occluders, tops) = motion.most_pieces(&solid);
+        let ids = ids.take(occluders, tops);
+        Some(Actor { solid, group, ids, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
+    }
+
+    /// Whether light passes it on its way over the table.
+    fn is_filter(&self) -> bool {
+        self.solid.shadow && self.solid.finish.translucency > 0.0 && self.solid.plastic_mm.is_none()
+    }
+
+    fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
+        let (group, ids) = (self.group, self.ids);
+        let placed = self.motion.place(&self.solid, &moment.pose);
+        if self.solid.shadow {
+            let occluder = |&(number, shape): &(u32, Shape)| Occluder::opaque(ids.occluder(number), shape, group);
+            scene.occluders.extend(placed.shadows.iter().map(occluder));
+        }
+        let mut finish = placed.finish;
+        finish.emission = std::array::from_fn(|i| finish.emission[i] + finish.albedo[i] * glow[i]);
+        if self.frosted {
+            finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
+            finish.gloss *= FROSTED_GLOSS;
+        }
+        let finish = light::finish(finish);
+        let top = |(number, outline)| Top { id: ids.top(number), outline, group, finish };
+        scene.tops.extend(placed.outlines.into_iter().map(top));
+    }
+}
+
+/// What hangs above the balls: the floors, sides and wires of the ways above the playfield.
+fn overhangs(table: &Table) -> Vec<Overhang> {
+    let way = |solid: &Solid| {
+        let part = solid.part.and_then(|id| table.layout.parts.get(usize::from(id.0)))?;
+        if let Kind::Ramp(ramp) = &part.kind { Some(ramp.clone()) } else { None }
+    };
+    table.solids.iter().filter_map(|solid| way(solid).map(|ramp| (solid, ramp))).flat_map(hung).collect()
+}
+
+/// A floor is its way, as broad as it is; sides and wires are what they are.
+fn hung((solid, ramp): (&Solid, physics::Ramp)) -> Vec<Overhang> {
+    let passes = 1.0 - solid.finish.opacity;
+    let floor = |leg: &Leg| Shape { core: leg.offset(0.0), radius: ramp.half_width_m }.scaled(MM_PER_M);
+    let shapes: Vec<Shape> = match solid.plastic_mm {
+        Some(_) => ramp.path.iter().map(floor).collect(),
+        None => solid.shapes_mm.clone(),
+    };
+    shapes.into_iter().map(|shape| Overhang { shape, passes }).collect()
+}
+
+/// How much larger a thing looks that is `height_mm` nearer to the eye than the floor.
+fn nearness(height_mm: f64) -> f64 {
+    EYE_MM / (EYE_MM - height_mm.clamp(0.0, 0.5 * EYE_MM))
+}
+
+/// What a translucent thing lets pass: its colour, as deep as the glass is thick, so squared.
+fn tint(finish: &Finish) -> Rgb {
+    finish.albedo.map(|channel| finish.translucency * channel * channel)
+}
+
+/// A solid's outlines as it is drawn.
+fn outlines(solid: &Solid) -> Vec<Outline> {
+    match &solid.plastic_mm {
+        Some(polygon) => vec![Outline::Polygon(polygon.clone())],
+        None => solid.shapes_mm.iter().map(|&shape| Outline::Shape(shape)).collect(),
+    }
+}
+
+fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
+    let bulb = |(id, (lamp, lit)): (u32, (&Lamp, &LampLight))| match lamp.kind {
+        LampKind::Insert { .. } => None,
+        LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
+            let (color, emitter) = (radiance(lamp, lit), light::emitter(emitter));
+            let (id, inside) = (ItemId(id), inside.map(Group));
+            Some(tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color, inside })
+        }
+    };
+    (0..).zip(lamps.iter().zip(lights)).filter_map(bulb).collect()
+}
+
+fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glow<'a>> {
+    let lit = |(id, ((lamp, light), mask)): (u32, ((&Lamp, &LampLight), &'a Mask))| {
+        let shines = matches!(lamp.kind, LampKind::Insert { .. }) && light.level > 0;
+        shines.then(|| Glow { id: ItemId(id), mask, color: radiance(lamp, light) })
+    };
+    (0..).zip(lamps.iter().zip(lights).zip(masks)).filter_map(lit).collect()
+}
+
+/// A lamp's light: its colour, linear, times its power and its level.
+fn radiance(lamp: &Lamp, light: &LampLight) -> Rgb {
+    let strength = lamp.power as f32 * f32::from(light.level) / 1000.0;
+    tracer::srgb::decode_rgb8(light.color).map(|channel| channel * strength)
+}
+
+/// What comes out through the cap above a bulb.
+fn glow_of(lamp: &Lamp, light: Option<&LampLight>) -> Rgb {
+    light.map_or([0.0; 3], |light| radiance(lamp, light).map(|channel| channel * CAP_GLOW))
+}
+
+/// `point` in millimetres.
+fn mm(point_m: DVec2) -> DVec2 {
+    point_m * MM_PER_M
+}

@@ -1,0 +1,40 @@
+//! What goes wrong with files, in plain words.
+
+use crate::Failure;
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
+/// `doing` (as in "write the picture") cannot be done with the file or folder `path`, and what to do about it.
+pub fn file_failure(doing: &str, path: &Path, error: &io::Error) -> Failure {
+    let reason = match missing_folder(path) {
+        Some(folder) if error.kind() == ErrorKind::NotFound => {
+            format!("there is no folder {}; make it first", folder.display())
+        }
+        _ => because(error),
+    };
+    Failure::new(format!("cannot {doing} {}: {reason}", path.display()))
+}
+
+/// What the system says, in plain words and with what to do.
+pub fn because(error: &io::Error) -> String {
+    let plain = match error.kind() {
+        ErrorKind::NotFound => "there is no such file",
+        ErrorKind::PermissionDenied => "you have no permission to; choose a file or folder of your own",
+        ErrorKind::IsADirectory => "it is a folder; name a file",
+        ErrorKind::NotADirectory => "a part of this path is a file, not a folder",
+        ErrorKind::AlreadyExists => "there is already one of that name; choose another name or move it away",
+        ErrorKind::StorageFull => "the disk is full; make room or choose another place",
+        ErrorKind::ReadOnlyFilesystem => "it lies on a disk that cannot be written; choose another place",
+        _ => {
+            let said = error.to_string();
+            return said.split(" (os error").next().unwrap_or(&said).to_string();
+        }
+    };
+    plain.to_string()
+}
+
+/// The folder that `path` should be in, if there is no such folder.
+fn missing_folder(path: &Path) -> Option<&Path> {
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty())?;
+    (!parent.exists()).then_some(parent)
+}

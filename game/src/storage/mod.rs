@@ -1,0 +1,19 @@
+//! Files: where tables, demos and recordings lie, how they are read and written.
+//!
+//! The rooms below take texts and bytes. This room turns paths into those, and what goes wrong into a sentence that
+//! names the file.
+
+pub mod assets;
+mod file_failure;
+pub mod library;
+pub mod new_file;
+mod png_file;
+pub mod recordings;
+pub mod tables;
+#[cfg(test)]
+mod tests;
+mod watch;
+
+pub use file_failure::{because, file_failure};
+pub use png_file::save_png;
+pub use watch::TableWatch;

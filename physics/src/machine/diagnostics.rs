@@ -1,0 +1,70 @@
+//! Diagnostics: what can be seen of a machine from outside: poses, stuck balls, penetration, escaped balls.
+
+use crate::BALL_RADIUS_M;
+use crate::ball::Ball;
+use crate::ball::pose::BallPose;
+use crate::collision::obstacle::ObstacleRole;
+use crate::machine::Machine;
+use crate::mechanisms;
+use crate::mechanisms::pose::{Pose, balls_in_play};
+use geometry::DVec2;
+
+impl Machine {
+    /// Where everything is now.
+    pub fn pose(&self) -> Pose {
+        Pose::of(&self.model, &self.state, &self.rigid)
+    }
+
+    /// Where the balls in play are now: the `balls` of [`Machine::pose`], without the rest.
+    pub fn balls(&self) -> Vec<BallPose> {
+        balls_in_play(&self.state).map(Ball::pose).collect()
+    }
+
+    /// How long each ball has hardly moved where nothing should hold it, ticks: in the order of [`Pose::balls`]; 0 for
+    /// a ball that a mechanism holds: in a saucer, in the plunger lane, on a raised flipper.
+    pub fn stuck_ticks(&self) -> Vec<u32> {
+        let is_held = |ball: &Ball| mechanisms::holds(&self.model, &self.state, ball);
+        let stuck = |ball: &Ball| if is_held(ball) { 0 } else { ball.still_ticks };
+        balls_in_play(&self.state).map(stuck).collect()
+    }
+
+    /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.
+    pub fn penetration_m(&self) -> f64 {
+        let own = self.state.balls.iter().enumerate();
+        let depths = own.map(|(index, ball)| self.depth_of(ball, &self.state.balls[index + 1..]));
+        depths.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// How deep a ball lies in obstacles, flippers and these other balls.
+    fn depth_of(&self, ball: &Ball, others: &[Ball]) -> f64 {
+        let mut deepest = f64::NEG_INFINITY;
+        let (model, states) = (&self.model, &self.state.mechanisms);
+        model.collision.visit_obstacles(ball.ramp, ball.center, ball.center, |obstacle| {
+            let obstacle = &model.collision.obstacles[obstacle];
+            let counts = match obstacle.role {
+                ObstacleRole::DropTarget(index) => states.drop_targets[index].solid,
+                ObstacleRole::Gate(_) => false,
+                _ => true,
+            };
+            if counts {
+                deepest = deepest.max(-obstacle.shape.distance(ball.center).0);
+            }
+        });
+        for (flipper, state) in model.mechanisms.flippers.iter().zip(&states.flippers).filter(|_| !ball.is_up()) {
+            deepest = deepest.max(BALL_RADIUS_M - flipper.outline(state.angle).distance(ball.center).0);
+        }
+        for other in others.iter().filter(|other| !ball.passes(other)) {
+            deepest = deepest.max(2.0 * BALL_RADIUS_M - ball.center.distance(other.center));
+        }
+        deepest
+    }
+
+    /// How many balls are not on the playfield, or nowhere at all (not a number).
+    pub fn escaped(&self) -> usize {
+        let size = self.model.size;
+        let is_on = |ball: &Ball| {
+            ball.center.cmpge(DVec2::ZERO).all() && ball.center.cmple(size).all() && ball.velocity.is_finite()
+        };
+        self.state.balls.iter().filter(|ball| !is_on(ball)).count()
+    }
+}

@@ -1,0 +1,142 @@
+//! The documents agree with the tree.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use super::tree::{crates, files, module_path, production, read, root};
+
+/// The documents whose paths must exist.
+fn documents() -> Vec<String> {
+    let top = ["ARCHITECTURE.md", "README.md", "CONTRIBUTING.md"].map(str::to_string);
+    let docs = files("docs", |path| path.extension().is_some_and(|extension| extension == "md"));
+    top.into_iter().chain(docs).collect()
+}
+
+/// What stands between backticks in a document's running text.
+fn quoted(text: &str) -> Vec<&str> {
+    text.split("```").step_by(2).flat_map(|prose| prose.split('`').skip(1).step_by(2)).collect()
+}
+
+/// The path that a quoted text names, if it names one of the tree: its first word, where that has a slash or ends like
+/// a file. Build output and the player's own folders are not of the tree.
+fn named_path(quoted: &str) -> Option<&str> {
+    let word = quoted.split(' ').next().unwrap_or("");
+    let foreign = ["target/", "~", "/", "-", "<"].iter().any(|start| word.starts_with(start)) || word.contains("::");
+    let is_file = [".rs", ".md", ".toml", ".rhai", ".svg", ".caustic", ".png"].iter().any(|end| word.ends_with(end));
+    let plain = word.chars().all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c));
+    (plain && !foreign && (word.contains('/') || is_file)).then_some(word)
+}
+
+/// The left column of the table from old names to new names what is no more.
+fn without_old_names(text: &str) -> String {
+    let (before, map) = text.split_once("## From old names to new").unwrap_or((text, ""));
+    let new_names = map.lines().map(|line| line.trim_end_matches(['|', ' ']).rsplit('|').next().unwrap_or(""));
+    [before, &new_names.collect::<Vec<_>>().join("\n")].concat()
+}
+
+/// Where the paths that a document writes in Markdown links lead, from the root.
+fn linked<'a>(document: &str, text: &'a str) -> Vec<(&'a str, std::path::PathBuf)> {
+    let folder = Path::new(document).parent().expect("a folder");
+    let targets = text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
+    let inside = targets.filter(|target| !target.is_empty() && !target.contains("://"));
+    inside.map(|target| (target, root().join(folder).join(target))).collect()
+}
+
+#[test]
+fn every_path_in_the_documents_exists() {
+    let all = files("", |_| true);
+    let names: BTreeSet<_> = all.iter().filter_map(|path| path.rsplit('/').next()).collect();
+    let mut lost = Vec::new();
+    for document in documents() {
+        let text = without_old_names(&read(&document));
+        let paths: Vec<_> = quoted(&text).into_iter().filter_map(named_path).collect();
+        let exists = |path: &str| root().join(path).exists() || !path.contains('/') && names.contains(path);
+        lost.extend(paths.iter().filter(|path| !exists(path)).map(|path| format!("{document}: {path}")));
+        let links = linked(&document, &text);
+        lost.extend(links.iter().filter(|(_, path)| !path.exists()).map(|(link, _)| format!("{document}: {link}")));
+        assert!(document != "ARCHITECTURE.md" || paths.len() > 10, "the map names {} paths only", paths.len());
+    }
+    assert!(lost.is_empty(), "these documents name what is not there: {lost:#?}");
+}
+
+/// The folders and files directly below a crate's `src`, or `src` itself where that holds files only.
+fn rooms(folder: &str) -> BTreeSet<String> {
+    let source = format!("{folder}/src");
+    let paths: Vec<_> = production(&source).into_iter().map(|file| file.path).collect();
+    let first = |path: &String| module_path(&source, path).into_iter().next();
+    let is_flat = paths.iter().all(|path| Path::new(path).parent() == Some(Path::new(&source)));
+    if is_flat {
+        [source].into()
+    } else {
+        paths.iter().filter_map(first).map(|room| format!("{source}/{room}")).collect()
+    }
+}
+
+#[test]
+#[ignore = "until all rooms have landed"]
+fn the_map_names_every_room() {
+    let map = read("ARCHITECTURE.md");
+    let named: BTreeSet<_> =
+        quoted(&map).into_iter().map(|path| path.trim_end_matches('/').trim_end_matches(".rs")).collect();
+    let missing: Vec<_> =
+        crates().iter().flat_map(|folder| rooms(folder)).filter(|room| !named.contains(room.as_str())).collect();
+    assert!(missing.is_empty(), "ARCHITECTURE.md does not name {missing:#?}");
+}
+
+/// Lower-case letters and digits, everything else as single blanks: `TileRect`, `tile_rect`, `tile-rect` and "tile
+/// rect" read the same.
+fn spelled(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut previous = ' ';
+    for c in text.chars() {
+        if !c.is_alphanumeric() || c.is_uppercase() && previous.is_lowercase() {
+            out.push(' ');
+        }
+        out.extend(c.to_lowercase().filter(|c| c.is_alphanumeric()));
+        previous = c;
+    }
+    format!(" {} ", out.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// The glossary's entries: the word, its sentence, its file.
+fn glossary() -> Vec<[String; 3]> {
+    let text = read("docs/glossary.md");
+    let rows = text.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| word |"));
+    let cells = rows.map(|row| row.trim_matches(['|', ' ']).split('|').map(|cell| cell.trim().to_string()).collect());
+    cells
+        .map(|cells: Vec<_>| cells.try_into().unwrap_or_else(|row| panic!("not word | sentence | file: {row:?}")))
+        .collect()
+}
+
+#[test]
+#[ignore = "until all rooms have landed"]
+fn every_word_of_the_glossary_is_used_in_its_file() {
+    let entries = glossary();
+    assert!(entries.len() > 20, "{} entries only", entries.len());
+    let mut words = BTreeSet::new();
+    for [word, sentence, file] in &entries {
+        assert!(words.insert(word), "{word} has two entries");
+        assert!(sentence.ends_with('.'), "{word} has no sentence");
+        let text = spelled(&read(file.trim_matches('`')));
+        let name = word.split('(').next().unwrap_or(word);
+        assert!(text.contains(&spelled(name)), "{file} never says {name}");
+    }
+}
+
+/// The paths that a `clippy.toml` forbids under `list`.
+fn forbidden(file: &str, list: &str) -> BTreeSet<String> {
+    let settings: toml::Table = toml::from_str(&read(file)).expect("TOML");
+    let entries = settings[list].as_array().expect("a list");
+    entries.iter().map(|entry| entry["path"].as_str().expect("a path").to_string()).collect()
+}
+
+#[test]
+fn every_clippy_file_repeats_the_bans_of_the_root() {
+    let others = files("", |path| path.ends_with("clippy.toml"));
+    for file in others.iter().filter(|file| *file != "clippy.toml") {
+        for list in ["disallowed-methods", "disallowed-types"] {
+            let missing: Vec<_> = forbidden("clippy.toml", list).difference(&forbidden(file, list)).cloned().collect();
+            assert!(missing.is_empty(), "{file}, {list}: the root forbids {missing:?} too");
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! What the last picture was made of, what has moved since, and the tiles that remember it.
+
+use crate::cache::item_pairing::ItemPairing;
+use crate::cache::tile_cache::TileMemory;
+use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
+use geometry::Bounds;
+
+/// How many lamps are remembered: in a scene of more, every picture is made from nothing.
+pub(crate) const MAX_LAMPS: usize = 160;
+
+/// And of inserts.
+pub(crate) const MAX_GLOWS: usize = 1_000;
+
+/// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
+const MAX_MOVES: usize = 200;
+
+/// A lamp that has been seen.
+#[derive(Clone, Debug)]
+pub(crate) struct Known {
+    /// The lamp, black.
+    lamp: Lamp,
+    /// What has moved since it shone last: where it was, and where it went.
+    pub moved: Vec<Occluder>,
+    /// The same of balls that float.
+    pub moved_balls: Vec<Ball>,
+    /// Whether too much has moved to be told.
+    pub lost: bool,
+}
+
+/// What the last picture was made of, and what has moved since.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Past {
+    view: Option<View>,
+    occluders: Vec<Occluder>,
+    /// The balls that float, not turned.
+    airborne: Vec<Ball>,
+    /// Those of the picture that is to come.
+    next: Vec<Ball>,
+    /// The lamps, by the numbers that [`TileMemory`] knows them by; and those that have been where they are not any more.
+    pub known: Vec<Known>,
+    /// The lamps' numbers, in the order of their ids.
+    numbers: Vec<(ItemId, usize)>,
+    pairing: ItemPairing,
+    /// The tiles, band by band.
+    pub bands: Vec<Vec<TileMemory>>,
+    /// Where tops have moved.
+    pub moved_tops: Vec<Bounds>,
+}
+
+impl Past {
+    /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
+    pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
+        let Scene { view, occluders, .. } = scene;
+        if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
+            self.view = Some(*view);
+            self.known.clear();
+            self.numbers.clear();
+            self.bands.resize_with(bands, Vec::new);
+            for band in &mut self.bands {
+                band.resize_with(tiles, TileMemory::default);
+                band.iter_mut().for_each(TileMemory::forget);
+            }
+        }
+        let Past { occluders: old, airborne, next, known, pairing, .. } = self;
+        pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        next.clear();
+        let is_airborne = |ball: &&Ball| ball.is_airborne();
+        next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
+        pairing.each_change(airborne, next, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
+        std::mem::swap(airborne, next);
+        for known in &mut self.known {
+            if known.moved.len() + known.moved_balls.len() > MAX_MOVES {
+                known.lost = true;
+                known.moved.clear();
+                known.moved_balls.clear();
+            }
+        }
+        self.occluders.clear();
+        self.occluders.extend_from_slice(occluders);
+    }
+
+    /// Whether any tile is another than in the last picture.
+    pub fn is_fresh(&self) -> bool {
+        self.bands.iter().flatten().any(|tile| tile.fresh)
+    }
+
+    /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
+    pub fn number(&mut self, lamp: &Lamp) -> usize {
+        let black = Lamp { color: [0.0; 3], ..*lamp };
+        let at = self.numbers.binary_search_by_key(&lamp.id, |&(id, _)| id);
+        if let Ok(at) = at
+            && self.known[self.numbers[at].1].lamp == black
+        {
+            return self.numbers[at].1;
+        }
+        let number = self.known.len();
+        self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
+        match at {
+            Ok(at) => self.numbers[at].1 = number,
+            Err(at) => self.numbers.insert(at, (lamp.id, number)),
+        }
+        number
+    }
+
+    /// The lamp of this number has been looked at from everywhere.
+    pub fn looked_at(&mut self, number: usize) {
+        self.known[number].moved.clear();
+        self.known[number].moved_balls.clear();
+        self.known[number].lost = false;
+    }
+}

@@ -1,0 +1,60 @@
+//! Sets of lamps, by the numbers that tiles know them by.
+
+/// Words of 64 numbers: there is room for twice [`crate::cache::frame_history::MAX_LAMPS`], which is as many as there can ever be.
+const WORDS: usize = 5;
+
+/// A set of small numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Numbers([u64; WORDS]);
+
+impl Numbers {
+    /// Puts a number in: nothing is remembered by one that there is no room for.
+    pub fn insert(&mut self, number: usize) {
+        if let Some(word) = self.0.get_mut(number / 64) {
+            *word |= 1 << (number % 64);
+        }
+    }
+
+    /// Takes a number out.
+    pub fn remove(&mut self, number: usize) {
+        if let Some(word) = self.0.get_mut(number / 64) {
+            *word &= !(1 << (number % 64));
+        }
+    }
+
+    /// Whether a number is in it.
+    pub fn contains(&self, number: usize) -> bool {
+        self.0.get(number / 64).is_some_and(|word| word >> (number % 64) & 1 == 1)
+    }
+
+    /// The numbers that are in this set and not in the other, or in both this and the third.
+    pub fn without_or_with<'a>(&'a self, without: &'a Numbers, with: &'a Numbers) -> impl Iterator<Item = usize> + 'a {
+        let words = self.0.iter().zip(&without.0).zip(&with.0).enumerate();
+        words.flat_map(|(at, ((all, without), with))| {
+            let mut left = all & (!without | with);
+            std::iter::from_fn(move || {
+                let bit = (left != 0).then(|| left.trailing_zeros() as usize)?;
+                left &= left - 1;
+                Some(at * 64 + bit)
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_gives_back_what_was_put_in() {
+        let [mut all, mut without, mut with] = [Numbers::default(); 3];
+        (0..5_000).step_by(3).for_each(|number| all.insert(number));
+        (0..320).step_by(2).for_each(|number| without.insert(number));
+        (0..320).step_by(5).for_each(|number| with.insert(number));
+        without.remove(6);
+        let expected: Vec<usize> =
+            (0..320).filter(|number| number % 3 == 0 && (number % 2 == 1 || *number == 6 || number % 5 == 0)).collect();
+        assert_eq!(all.without_or_with(&without, &with).collect::<Vec<_>>(), expected);
+        assert!(all.contains(318) && !all.contains(319) && !all.contains(5_000));
+    }
+}

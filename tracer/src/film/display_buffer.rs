@@ -1,0 +1,47 @@
+//! A finished picture that knows what it shows, so that only what has changed is drawn again.
+
+use crate::Frame;
+use crate::film::bloom::BloomPyramid;
+use crate::tile::planes::TILE;
+
+/// Pixels, and what they were made of.
+///
+/// Keep one and draw on it again and again: it allocates only when the size changes.
+#[derive(Clone, Debug, Default)]
+pub struct DisplayBuffer {
+    pub(crate) frame: Frame,
+    pub(crate) bloom: BloomPyramid,
+    /// The part that is wanted, if it is not all: the first column and row, and those after the last.
+    pub(crate) scissor: Option<[usize; 4]>,
+    /// Which renderer drew it, which of its pictures it is, and how it was exposed.
+    pub(crate) source: Option<((u64, u64), f32)>,
+}
+
+impl DisplayBuffer {
+    /// The picture.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// From now on, only the pixels from (`x`, `y`) on, `width` x `height` of them, are wanted: all others may be left as
+    /// they are. Their light is known all the same, so that the picture does not depend on where one has looked before.
+    pub fn set_scissor(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        self.scissor = Some([x, y, x + width, y + height]);
+    }
+
+    /// Whether a tile, given by its upper left pixel, is wanted in a window.
+    pub(crate) fn in_scissor(scissor: Option<[usize; 4]>, x: usize, y: usize) -> bool {
+        scissor.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
+    }
+
+    /// Makes the picture `width` x `height` pixels; what was in it is lost if that is another size.
+    pub(crate) fn resize(&mut self, width: usize, height: usize) {
+        if (width, height) != (self.frame.width, self.frame.height) {
+            (self.frame.width, self.frame.height) = (width, height);
+            self.frame.pixels.clear();
+            self.frame.pixels.resize(width * height, 0);
+            self.bloom.resize(width, height);
+            self.source = None;
+        }
+    }
+}

@@ -1,0 +1,341 @@
+//! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
+//!
+//! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
+//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
+
+use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
+use crate::film::tone_map;
+use crate::realtime::joint_upsampling::{Guides, Print};
+use crate::realtime::renderer::drawable;
+use crate::realtime::schedule::write_planes;
+use crate::shading::chrome_ball::BallSprite;
+use crate::simd::dispatch::{LANES, SimdLevel};
+use crate::tile::planes::{BLACK, RgbTile, TILE};
+use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
+use rayon::prelude::*;
+
+mod lists;
+
+use lists::{Lists, add_lamps};
+
+/// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
+/// in it than before.
+pub struct HalfRenderer {
+    simd: SimdLevel,
+    /// All light but what surfaces have of their own, at half the resolution, without the balls.
+    lamps: Layer,
+    /// Under a white sky: at half the resolution, and at the full one.
+    guides: [Layer; 2],
+    /// Which surface is seen, as a number: at half the resolution, and at the full one.
+    marks: [Layer; 2],
+    /// Light that surfaces have of their own, at the full resolution.
+    glows: Layer,
+    /// The lists of the layers' scenes.
+    lists: Lists,
+    tiles: Vec<Tile>,
+    /// Room to check a scene in.
+    ids: Vec<ItemId>,
+}
+
+/// A tile of the picture.
+#[derive(Clone, Debug)]
+struct Tile {
+    print: Print,
+    /// Whether a surface has light of its own.
+    glows: bool,
+    /// Whether it is not on the film as it should be.
+    stale: bool,
+}
+
+/// A picture that only what has changed is made anew of.
+struct Layer {
+    renderer: Renderer,
+    radiance: Radiance,
+    /// Whether any tile of the last one was made anew.
+    fresh: bool,
+}
+
+impl Layer {
+    fn render(&mut self, scene: &Scene) {
+        self.renderer.render_table(scene, &mut self.radiance);
+        self.fresh = self.renderer.is_fresh();
+    }
+
+    /// Renders `scene` with this art, from this view.
+    fn render_at<'a>(&mut self, (floor, view): (&'a Floor, View), scene: &mut Scene<'a>) {
+        (scene.floor, scene.view) = (floor, view);
+        self.render(scene);
+    }
+}
+
+impl Default for HalfRenderer {
+    fn default() -> HalfRenderer {
+        HalfRenderer::new()
+    }
+}
+
+impl HalfRenderer {
+    /// A renderer for this machine's best instruction set.
+    pub fn new() -> HalfRenderer {
+        HalfRenderer::on(SimdLevel::best())
+    }
+
+    /// A renderer on a chosen instruction set: the same bits on each.
+    pub fn on(simd: SimdLevel) -> HalfRenderer {
+        let layer = || Layer { renderer: Renderer::on(simd), radiance: Radiance::default(), fresh: true };
+        HalfRenderer {
+            simd,
+            lamps: layer(),
+            guides: [layer(), layer()],
+            marks: [layer(), layer()],
+            glows: layer(),
+            lists: Lists::default(),
+            tiles: Vec::new(),
+            ids: Vec::new(),
+        }
+    }
+
+    /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
+    pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        radiance.resize(scene.view.width, scene.view.height);
+        let known = radiance.source == Some(self.lamps.renderer.picture());
+        self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
+        self.compose(radiance);
+        radiance.source = Some(self.lamps.renderer.picture());
+    }
+
+    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go.
+    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, display: &mut DisplayBuffer) {
+        self.draw_watched(scene, half, exposure, display, &mut |_| {});
+    }
+
+    /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
+    pub fn draw_watched(
+        &mut self,
+        scene: &Scene,
+        half: &Floor,
+        exposure: f32,
+        display: &mut DisplayBuffer,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        display.resize(scene.view.width, scene.view.height);
+        let known = display.source == Some((self.lamps.renderer.picture(), exposure));
+        self.find_light(scene, half, known, &mut display.bloom, done);
+        self.develop(exposure, display);
+        done(RenderStage::Developed);
+        display.source = Some((self.lamps.renderer.picture(), exposure));
+    }
+
+    /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
+    pub fn forget(&mut self) {
+        let HalfRenderer { lamps, guides, marks, glows, .. } = self;
+        for layer in [lamps, glows].into_iter().chain(guides).chain(marks) {
+            layer.renderer.forget();
+        }
+    }
+
+    /// Makes every layer true, the balls and the bloom; `known` says that the last picture is there to go on from.
+    fn find_light(
+        &mut self,
+        scene: &Scene,
+        half: &Floor,
+        known: bool,
+        bloom: &mut BloomPyramid,
+        done: &mut (dyn FnMut(RenderStage) + Send),
+    ) {
+        self.render_layers(scene, half, done);
+        let changed = self.look_for_stale(&scene.view, known);
+        if changed {
+            self.take_means(bloom);
+        }
+        done(RenderStage::Shaded);
+        self.lamps.renderer.render_balls(scene, bloom);
+        done(RenderStage::Mirrored);
+        if changed {
+            bloom.compute(self.simd);
+        }
+        done(RenderStage::Glared);
+    }
+
+    /// Makes every layer true: each is a picture of a scene of its own, with a part of what is in `scene`.
+    fn render_layers(&mut self, scene: &Scene, half: &Floor, done: &mut (dyn FnMut(RenderStage) + Send)) {
+        let (full, half) = ((scene.floor, scene.view), (half, scene.view.halved()));
+        let mut layer = self.lists.surfaces_of(scene);
+        self.glows.render(&layer);
+        layer.glows.clear();
+        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+            top.finish = Finish { emission: [mark(top.id), 0.0, 0.0], art: false, ..original.finish };
+        }
+        let [half_marks, full_marks] = &mut self.marks;
+        full_marks.render_at(full, &mut layer);
+        half_marks.render_at(half, &mut layer);
+        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+            top.finish = Finish { emission: [0.0; 3], ..original.finish };
+        }
+        layer.ambient = [1.0; 3];
+        let [half_guide, full_guide] = &mut self.guides;
+        half_guide.render_at(half, &mut layer);
+        full_guide.render_at(full, &mut layer);
+        done(RenderStage::Prepared);
+        add_lamps(scene, &mut layer);
+        self.lamps.render_at(half, &mut layer);
+        self.lists = Lists::of(layer);
+    }
+
+    /// Finds which tiles have to be developed again; says whether there is any.
+    fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
+        let HalfRenderer { simd, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
+            self;
+        let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
+        let another = tiles.len() != across * down;
+        tiles.resize(across * down, Tile { print: Print::none(), glows: false, stale: true });
+        let guides = Guides {
+            half_guide: &half_guide.radiance,
+            half_marks: &half_marks.radiance,
+            guide: &guide.radiance,
+            marks: &marks.radiance,
+        };
+        let half = view.halved();
+        let look = |(at, tile): (usize, &mut Tile)| {
+            let (x, y) = (at % across * TILE, at / across * TILE);
+            let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
+            let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
+            let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+            let is_fresh = |layer: &Layer| another || layer.fresh && layer.renderer.is_fresh_at(view, x, y);
+            let is_fresh_around =
+                |layer: &Layer| layer.fresh && corners.iter().any(|&(x, y)| layer.renderer.is_fresh_at(&half, x, y));
+            let printed =
+                is_fresh(guide) || is_fresh(marks) || is_fresh_around(half_guide) || is_fresh_around(half_marks);
+            if printed {
+                tile.print.take(*simd, guides, x, y);
+            }
+            let glowing = is_fresh(glows);
+            if glowing {
+                let mut light = BLACK;
+                glows.radiance.read_tile(x, y, &mut light);
+                tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
+            }
+            let fresh = !known || printed || glowing || is_fresh_around(lamps);
+            tile.stale |= fresh;
+            fresh
+        };
+        tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
+    }
+
+    /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
+    fn take_means(&self, bloom: &mut BloomPyramid) {
+        let lamps = &self.lamps.radiance;
+        let glows = self.glows.radiance.bloom.means();
+        let (Some((level, means)), Some((_, glows))) = (bloom.means_mut(), glows) else { return };
+        means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
+            mean_of_four(
+                &lamps.planes[channel],
+                [lamps.stride(), lamps.height()],
+                &level,
+                &glows[level.stride..],
+                means,
+            );
+        });
+    }
+
+    /// Puts together the tiles that are not in `radiance` as they should be.
+    fn compose(&mut self, radiance: &mut Radiance) {
+        let (width, stride) = (radiance.width(), radiance.stride());
+        let (surfaces, tiles) = (Surfaces::of(self.simd, &self.lamps, &self.glows), &mut self.tiles);
+        let [red, green, blue] = &mut radiance.planes;
+        let rows = red.par_chunks_mut(stride * TILE).zip(green.par_chunks_mut(stride * TILE));
+        let bands = rows.zip(blue.par_chunks_mut(stride * TILE)).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (((red, green), blue), tiles))| {
+            let (mut planes, mut out) = ([red, green, blue], BLACK);
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| tile.stale) {
+                tile.stale = false;
+                surfaces.compose(tile, x, band * TILE, &mut out);
+                write_planes(&out, x, 0, stride, &mut planes);
+            }
+        });
+    }
+
+    /// Tone-maps the tiles that are not on display as they should be.
+    fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
+        let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
+        let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
+        let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
+        bands.enumerate().for_each(|(band, (pixels, tiles))| {
+            let (mut out, mut developed) = (BLACK, [[0; LANES]; TILE]);
+            let y = band * TILE;
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
+                tile.stale |= bloom.has_changed_at(x, y);
+                if !tile.stale || !DisplayBuffer::in_scissor(scissor, x, y) {
+                    continue;
+                }
+                tile.stale = false;
+                surfaces.compose(tile, x, y, &mut out);
+                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
+                tone_map::store_tile(&developed, x, width, pixels);
+            }
+        });
+    }
+}
+
+/// What tiles of the full resolution are put together of.
+struct Surfaces<'a> {
+    simd: SimdLevel,
+    light: &'a Radiance,
+    glows: &'a Radiance,
+    balls: &'a [BallSprite],
+}
+
+impl<'a> Surfaces<'a> {
+    fn of(simd: SimdLevel, lamps: &'a Layer, glows: &'a Layer) -> Surfaces<'a> {
+        Surfaces { simd, light: &lamps.radiance, glows: &glows.radiance, balls: lamps.renderer.ball_sprites() }
+    }
+
+    /// Puts together the tile whose upper left pixel is (`x`, `y`).
+    fn compose(&self, tile: &Tile, x: usize, y: usize, out: &mut RgbTile) {
+        tile.print.light(self.simd, self.light, x, y, out);
+        if tile.glows {
+            let mut own = BLACK;
+            self.glows.read_tile(x, y, &mut own);
+            add(&own, out);
+        }
+        self.balls.iter().for_each(|ball| ball.blend(x, y, out));
+    }
+}
+
+fn add(more: &RgbTile, light: &mut RgbTile) {
+    for (light, more) in light.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
+        for i in 0..LANES {
+            light[i] += more[i];
+        }
+    }
+}
+
+/// The ids that marks tell apart; single precision has no finer turns for more.
+const MARKS: u32 = 4096;
+
+/// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of tops of
+/// neighbouring ids (multiples of the golden ratio are as far from each other as they can be). Tops whose ids are
+/// [`MARKS`] apart have the same one: where they meet, light bleeds from one to the other.
+fn mark(id: ItemId) -> f32 {
+    let turns = (id.0 % MARKS) as f32 * 0.618_034;
+    0.25 + 0.75 * (turns - turns.floor())
+}
+
+/// Writes the means of two by two pixels of a plane, and adds what is in `more`.
+fn mean_of_four(plane: &[f32], [stride, height]: [usize; 2], level: &MipLevel, more: &[f32], means: &mut [f32]) {
+    const { assert!(CELL_PX == 4, "a cell is two half-resolution pixels wide") };
+    for row in 0..level.height {
+        let line = |row: usize| &plane[row.min(height - 1) * stride..][..stride];
+        let (above, below) = (line(2 * row), line(2 * row + 1));
+        let start = row * level.stride + 1;
+        let (means, more) = (&mut means[start..][..level.width], &more[start..][..level.width]);
+        let pairs = above.as_chunks::<2>().0.iter().zip(below.as_chunks::<2>().0);
+        for ((mean, more), (above, below)) in means.iter_mut().zip(more).zip(pairs) {
+            *mean = ((above[0] + above[1]) + (below[0] + below[1])) * 0.25 + more;
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! What a picture's making consists of, for somebody who has a clock: light has none.
+
+/// The steps of [`crate::Renderer::draw`], each named when it is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RenderStage {
+    /// What is new in the scene is known.
+    Prepared,
+    /// Shadows and surfaces are found where something has moved.
+    Shaded,
+    /// The balls mirror the table.
+    Mirrored,
+    /// The bloom is taken.
+    Glared,
+    /// All lamps are summed up, and the sums are pixels.
+    Developed,
+}

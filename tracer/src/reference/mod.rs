@@ -1,0 +1,6 @@
+//! The reference: a Monte Carlo integrator that every fast path is judged by, and the judge.
+
+pub(crate) mod culling_triangle;
+pub mod flip;
+pub mod monte_carlo;
+pub mod quality;

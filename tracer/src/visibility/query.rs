@@ -1,0 +1,79 @@
+//! How much of one lamp the points of one tile see.
+
+use crate::simd::dispatch::SimdLevel;
+use crate::simd::dispatch::{LANES, set_bits};
+use crate::tile::packed_samples::PackedSamples;
+use crate::tile::planes::Plane;
+use crate::tile::rect::TileRect;
+use crate::visibility::airborne_shadow::AirborneShadow;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::disc_chain::DiscChains;
+use crate::visibility::fraction::{IntervalScratch, visible_fraction};
+use crate::visibility::potential_occluders::PotentialOccluders;
+use crate::visibility::projected_emitter::ProjectedEmitter;
+use crate::{Group, Lamp};
+
+/// One lamp, looked at from one tile.
+pub(crate) struct VisibilityQuery<'a> {
+    pub simd: SimdLevel,
+    pub disc_chains: &'a DiscChains,
+    pub lamp: &'a Lamp,
+    /// The balls in the air that may hide the lamp.
+    pub airborne: &'a [AirborneShadow],
+    /// The occluders that may come between the lamp and the tile, classified for the tile.
+    pub occluders: &'a PotentialOccluders,
+    pub rect: &'a TileRect,
+    pub blockers: &'a mut Blockers,
+    pub scratch: &'a mut IntervalScratch,
+    pub fraction: &'a mut Plane,
+}
+
+impl VisibilityQuery<'_> {
+    /// Finds how much of the lamp each point of some blocks sees, past everything but some occluders' groups, and past
+    /// airborne balls that are not of the points' own group.
+    pub fn evaluate(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        without: &[Group],
+        own: Option<Group>,
+    ) -> VisibilityClass {
+        let verdict = self.behind_occluders(points, blocks, without);
+        if verdict == VisibilityClass::Umbra || self.airborne.is_empty() {
+            return verdict;
+        }
+        self.behind_balls(points, blocks, own, verdict)
+    }
+
+    fn behind_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
+        let (lamp, middle) = (self.lamp, self.rect.middle_mm);
+        let (emitter, axis) = ProjectedEmitter::new(lamp, middle);
+        let verdict = self.blockers.gather(self.occluders, self.disc_chains, middle, axis, without);
+        if verdict == VisibilityClass::Partial {
+            self.scratch.reserve(self.blockers.intervals());
+            let &mut VisibilityQuery { simd, ref blockers, ref mut scratch, ref mut fraction, .. } = self;
+            visible_fraction(simd, blocks, &points.x, &points.y, emitter, blockers, scratch, fraction);
+        }
+        verdict
+    }
+
+    /// Takes what airborne balls hide from what is seen past all else.
+    fn behind_balls(
+        &mut self,
+        points: &PackedSamples,
+        blocks: u16,
+        own: Option<Group>,
+        mut verdict: VisibilityClass,
+    ) -> VisibilityClass {
+        let &TileRect { middle_mm, half_mm, .. } = self.rect;
+        let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
+        for ball in self.airborne.iter().filter(reaches) {
+            if verdict == VisibilityClass::Lit {
+                verdict = VisibilityClass::Partial;
+                set_bits(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
+            }
+            ball.attenuate(self.simd, self.rect, points, blocks, self.fraction);
+        }
+        verdict
+    }
+}

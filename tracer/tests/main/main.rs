@@ -1,0 +1,15 @@
+//! What light must do, asserted from outside: only the crate's public interface is used.
+//!
+//! One binary, since every binary is linked on its own; `allocation` alone counts its process's allocations.
+
+mod agreement;
+mod airborne_balls;
+mod direct_light;
+mod extreme_values;
+mod flip;
+mod half_resolution;
+mod overhangs;
+mod quality;
+mod tile_cache;
+mod transmission;
+mod tube_lamps;
