@@ -15,7 +15,8 @@ fn printed(name: &str) -> String {
     let own = std::env::current_exe().expect("a path");
     let built = own.parent().and_then(Path::parent).expect("target/PROFILE/deps").join("examples").join(name);
     let output = Command::new(&built).output();
-    let output = output.unwrap_or_else(|error| panic!("{}: {error}; `cargo test -p physics` builds it", built.display()));
+    let output =
+        output.unwrap_or_else(|error| panic!("{}: {error}; `cargo test -p physics` builds it", built.display()));
     assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("UTF-8")
 }

@@ -22,7 +22,8 @@ fn drawn(name: &str) -> PathBuf {
     // The table is drawn again and again: small pictures do.
     let size: &[&str] = if name == "table" { &["54x108"] } else { &[] };
     let output = Command::new(&built).arg(&picture).args(size).output();
-    let output = output.unwrap_or_else(|error| panic!("{}: {error}; `cargo test -p tracer` builds it", built.display()));
+    let output =
+        output.unwrap_or_else(|error| panic!("{}: {error}; `cargo test -p tracer` builds it", built.display()));
     assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
     picture
 }
