@@ -4,8 +4,7 @@ use geometry::{DVec2, Shape};
 use physics::{Controls, Error, Kind, Layout, Machine, Material, Part, Wall};
 use std::sync::Arc;
 
-/// Prints the path.
-pub fn main() -> Result<(), Error> {
+fn main() -> Result<(), Error> {
     let rubber = Material { restitution: 0.85, falloff_s_per_m: 0.13, friction: 0.3 };
     let post = Wall { shapes: vec![Shape::disc(DVec2::new(0.25, 0.60), 0.01)], material: rubber };
     let layout = Layout {

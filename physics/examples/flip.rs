@@ -5,8 +5,7 @@ use geometry::{Circle, DVec2};
 use physics::{Command, Controls, Error, Flipper, FlipperControl, Kind, Layout, Machine, Material, Part};
 use std::sync::Arc;
 
-/// Prints the path.
-pub fn main() -> Result<(), Error> {
+fn main() -> Result<(), Error> {
     let flipper = Flipper {
         base: Circle { center: DVec2::new(0.16, 0.93), radius: 0.0116 },
         length_m: 0.0605,
