@@ -1,5 +1,5 @@
 //! The scalar twin of the visible fraction: one point at a time, in double precision, plain where
-//! [`crate::visibility::fraction`] is fast.
+//! `crate::visibility::fraction` is fast.
 //!
 //! It takes another way where it can: a hull's interval comes from the extreme points of its part before the chord, the
 //! union from a sweep over sorted pairs, and pieces of an arc are cut so finely that their chords will do.
