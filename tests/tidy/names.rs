@@ -1,7 +1,7 @@
 //! Who may name whom, how long a file may be, and that nothing is left for later.
 
 use super::code::words;
-use super::tree::{Source, crates, sources};
+use super::tree::{Source, crates, read, sources};
 
 /// The lines of code under `folder` that name `word`, as `path:line`.
 fn naming(folder: &str, word: &str) -> Vec<String> {
@@ -48,18 +48,31 @@ fn each_library_is_named_in_its_own_room_only() {
 
 #[test]
 fn the_simulation_reads_no_clock_starts_no_thread_and_has_no_hash_order() {
-    let rooms = [
-        "physics/src",
-        "game/pinball/src/simulation",
-        "game/pinball/src/rules",
-        "game/pinball/src/bot",
-        "tracer/geometry/src",
-    ];
+    let rooms = ["physics/src", "game/pinball/src", "tracer/geometry/src"];
     for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs"] {
         for room in rooms {
             assert_eq!(naming(room, word), [""; 0], "{word} in {room}");
         }
     }
+}
+
+#[test]
+fn the_game_of_pinball_knows_no_file_no_window_and_no_light() {
+    let words = ["Path", "PathBuf", "File", "fs", "env", "process", "stdin", "stdout", "stderr"];
+    let crates = ["tracer", "winit", "softbuffer", "tiny_skia", "resvg", "png", "directories", "clap"];
+    for word in words.into_iter().chain(crates) {
+        assert_eq!(naming("game/pinball/src", word), [""; 0], "{word} in game/pinball");
+    }
+}
+
+#[test]
+fn the_bans_of_the_workspace_hold_in_pinball_too() {
+    let bans = read("clippy.toml");
+    let bans: Vec<_> = bans.lines().filter(|line| line.contains("{ path = ")).collect();
+    assert!(bans.len() > 30, "{} bans", bans.len());
+    let repeated = read("game/pinball/clippy.toml");
+    let forgotten: Vec<_> = bans.into_iter().filter(|ban| !repeated.lines().any(|line| line == *ban)).collect();
+    assert!(forgotten.is_empty(), "clippy.toml files are not merged; game/pinball/clippy.toml lacks {forgotten:#?}");
 }
 
 #[test]
