@@ -48,19 +48,28 @@ fn each_library_is_named_in_its_own_room_only() {
 
 #[test]
 fn the_simulation_reads_no_clock_starts_no_thread_and_has_no_hash_order() {
-    let rooms = ["physics/src", "game/pinball/src", "tracer/geometry/src"];
-    for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs"] {
-        for room in rooms {
+    for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs", "PathBuf", "env"] {
+        for room in ["physics/src", "game/pinball/src", "tracer/geometry/src"] {
             assert_eq!(naming(room, word), [""; 0], "{word} in {room}");
         }
     }
 }
 
 #[test]
-fn the_game_of_pinball_knows_no_file_no_window_and_no_light() {
-    let words = ["Path", "PathBuf", "File", "fs", "env", "process", "stdin", "stdout", "stderr"];
-    let crates = ["tracer", "winit", "softbuffer", "tiny_skia", "resvg", "png", "directories", "clap"];
-    for word in words.into_iter().chain(crates) {
+fn what_decides_a_game_knows_nothing_of_light_and_window() {
+    for word in ["tracer", "winit", "softbuffer", "tiny_skia", "resvg", "png", "clap"] {
+        for folder in ["physics", "game/pinball", "tracer/geometry"] {
+            assert_eq!(naming(folder, word), [""; 0], "{word} in {folder}");
+            let manifest: toml::Table = toml::from_str(&read(&format!("{folder}/Cargo.toml"))).expect("TOML");
+            let dependencies = manifest["dependencies"].as_table().expect("dependencies");
+            assert!(!dependencies.contains_key(&word.replace('_', "-")), "{folder} depends on {word}");
+        }
+    }
+}
+
+#[test]
+fn pinball_names_no_file_and_no_stream() {
+    for word in ["Path", "File", "process", "stdin", "stdout", "stderr", "directories"] {
         assert_eq!(naming("game/pinball/src", word), [""; 0], "{word} in game/pinball");
     }
 }

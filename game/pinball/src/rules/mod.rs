@@ -10,7 +10,6 @@ mod literals;
 mod memory;
 mod names;
 mod program;
-mod random;
 mod score;
 mod search;
 mod switches;
