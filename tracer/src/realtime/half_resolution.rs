@@ -9,6 +9,7 @@ use crate::film::tone_map;
 use crate::realtime::joint_upsampling::{Guides, Print};
 use crate::realtime::renderer::drawable;
 use crate::realtime::schedule::write_planes;
+use crate::scene::validation::CheckScratch;
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::planes::{BLACK, RgbTile, TILE};
@@ -35,7 +36,7 @@ pub struct HalfRenderer {
     lists: Lists,
     tiles: Vec<Tile>,
     /// Room to check a scene in.
-    ids: Vec<ItemId>,
+    scratch: CheckScratch,
 }
 
 /// A tile of the picture.
@@ -92,14 +93,14 @@ impl HalfRenderer {
             glows: layer(),
             lists: Lists::default(),
             tiles: Vec::new(),
-            ids: Vec::new(),
+            scratch: CheckScratch::default(),
         }
     }
 
     /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
     /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         let known = radiance.source == Some(self.lamps.renderer.picture());
         self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
@@ -121,7 +122,7 @@ impl HalfRenderer {
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         let known = display.source == Some((self.lamps.renderer.picture(), exposure));
         self.find_light(scene, half, known, &mut display.bloom, done);

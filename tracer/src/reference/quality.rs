@@ -56,7 +56,6 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
     let bare = Scene {
         lamps: scene.lamps.clone(),
         occluders: scene.occluders.clone(),
-        filters: scene.filters.clone(),
         overhangs: scene.overhangs.clone(),
         tops: Vec::new(),
         balls: scene.balls.iter().copied().filter(Ball::is_airborne).collect(),

@@ -2,11 +2,12 @@
 
 pub(crate) mod id;
 pub(crate) mod lamp;
+pub(crate) mod material;
 pub(crate) mod overhang;
 pub mod validation;
 pub(crate) mod view;
 
-use crate::{ItemId, Lamp, Overhang, Revision, View};
+use crate::{ItemId, Lamp, Material, Overhang, Revision, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -26,8 +27,6 @@ pub struct Scene<'a> {
     pub lamps: Vec<Lamp>,
     /// What casts shadows.
     pub occluders: Vec<Occluder>,
-    /// Which occluders light passes, tinted.
-    pub filters: Vec<Filter>,
     /// Surfaces above the floor, from the lowest to the highest.
     pub tops: Vec<Top>,
     /// The balls, above every top.
@@ -51,16 +50,8 @@ pub struct Occluder {
     pub shape: Shape,
     /// What it belongs to.
     pub group: Group,
-}
-
-/// A group whose occluders are translucent: coloured glass, or thin plastic. Light on its way is tinted once by each
-/// filter that it meets, however many of the filter's pieces are in the way, so its shadow is a coloured one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filter {
-    /// Whose occluders.
-    pub group: Group,
-    /// What passes of each colour, 0 to 1.
-    pub tint: Rgb,
+    /// What it is made of: the same as all of its group.
+    pub material: Material,
 }
 
 /// A visible surface above the floor.
@@ -194,7 +185,7 @@ impl Glow<'_> {
 impl Occluder {
     /// A piece of a wall, a post: light does not pass it.
     pub fn opaque(id: ItemId, shape: Shape, group: Group) -> Occluder {
-        Occluder { id, shape, group }
+        Occluder { id, shape, group, material: Material::Opaque }
     }
 }
 

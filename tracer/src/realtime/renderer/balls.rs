@@ -16,10 +16,10 @@ impl Renderer {
         if let Some((level, planes)) = bloom.means() {
             let table =
                 TableImage { view: &scene.view, level, planes, ambient: scene.ambient, overhangs: &scene.overhangs };
-            let (simd, lamps, all) = (self.simd, &self.lamps, &self.disc_chains);
+            let (simd, lamps, all, tinted) = (self.simd, &self.lamps, &self.disc_chains, &self.tinted);
             self.ball_sprites.par_iter_mut().zip(&scene.balls).for_each(|(sprite, ball)| {
                 let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.potential_occluders));
-                sprite.find_highlights(simd, ball, lamps, &scene.filters, all);
+                sprite.find_highlights(simd, ball, lamps, tinted, all);
                 sprite.render(ball, table);
             });
         }

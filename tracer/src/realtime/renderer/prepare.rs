@@ -12,6 +12,7 @@ use crate::tile::planes::TILE;
 use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::visibility::sphere_shadow::occluding_balls;
+use crate::visibility::transmission;
 use rayon::prelude::*;
 
 impl Renderer {
@@ -19,6 +20,7 @@ impl Renderer {
     /// whether the tiles' memory can be used.
     pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
         self.disc_chains.set(&scene.occluders);
+        transmission::find_tinted(&scene.occluders, &mut self.tinted);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);

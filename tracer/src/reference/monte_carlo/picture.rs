@@ -22,7 +22,7 @@ impl Renderer {
     /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
     /// from [`Renderer::render_anew`].
     pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_tiles(scene, radiance, |tile, stage, place| tile.render_sampled(stage, place, sampling));
         self.put_balls_on(scene, radiance);
