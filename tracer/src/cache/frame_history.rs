@@ -64,9 +64,8 @@ impl Past {
         let Past { occluders: old, airborne, next, known, pairing, .. } = self;
         pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
         next.clear();
-        next.extend(
-            scene.balls.iter().filter(|ball| ball.is_airborne()).map(|ball| Ball { rotation: [0.0; 4], ..*ball }),
-        );
+        let is_airborne = |ball: &&Ball| ball.is_airborne();
+        next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
         pairing.each_change(airborne, next, |ball| known.iter_mut().for_each(|known| known.moved_balls.push(*ball)));
         std::mem::swap(airborne, next);
         for known in &mut self.known {

@@ -260,7 +260,7 @@ impl HalfRenderer {
         });
     }
 
-    /// Tone-maps the tiles that are not on film as they should be.
+    /// Tone-maps the tiles that are not on display as they should be.
     fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
         let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
         let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
