@@ -132,6 +132,7 @@ impl SceneBuilder {
             balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
             floor: &printed.floor,
+            half_floor: None,
             ambient: self.ambient,
         };
         self.rods.iter().for_each(|rod| rod.place(&moment.pose, &mut scene));

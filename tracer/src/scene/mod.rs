@@ -37,6 +37,8 @@ pub struct Scene<'a> {
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
     pub floor: &'a Floor,
+    /// The floor's art at half the resolution ([`View::halved`]), if light is to be found at that.
+    pub half_floor: Option<&'a Floor>,
     /// Light from everywhere: what a surface shows where no lamp reaches.
     pub ambient: Rgb,
 }
@@ -211,6 +213,17 @@ impl Mask {
         self.coverage.len().checked_div(self.width).unwrap_or(0)
     }
 }
+
+/// No art.
+pub(crate) static NO_FLOOR: Floor = Floor {
+    revision: Revision::NONE,
+    width: 0,
+    height: 0,
+    floor: Vec::new(),
+    tops: Vec::new(),
+    normals: Vec::new(),
+    gloss: 0.0,
+};
 
 impl Floor {
     /// Whether the art is of the size of the scene's view, with every pixel there.

@@ -72,6 +72,7 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
         balls,
         glows,
         floor: &props.floor,
+        half_floor: None,
         ambient: [0.035, 0.037, 0.05],
     }
 }
@@ -125,6 +126,7 @@ pub fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
         balls: Vec::new(),
         glows: Vec::new(),
         floor,
+        half_floor: None,
         ambient: [0.0; 3],
     }
 }

@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::scenes;
-use tracer::{Floor, Radiance, Renderer, View, scalar};
+use tracer::{Floor, Integrator, Radiance, Renderer, View, scalar};
 
 /// 160 x 160 pixels, 1 mm each, all white.
 const SIDE: usize = 160;
@@ -154,7 +154,7 @@ fn what_did_not_change_is_left_as_it_was() {
             20 => scene.balls[0].rotation = [1.0, 0.0, 0.0, 0.0],
             21 => {
                 let sampling = Sampling { samples: 1, seed: 0, stratified: true };
-                renderer.render_monte_carlo(&scene, sampling, &mut remembered);
+                tracer::render(&scene, Integrator::MonteCarlo(sampling), &mut remembered);
             }
             22 => remembered = Radiance::default(),
             _ => {}

@@ -31,6 +31,7 @@ impl Lists {
             balls: take(&mut self.balls),
             glows,
             floor: scene.floor,
+            half_floor: None,
             ambient: [0.0; 3],
         };
         layer.lamps.clear();

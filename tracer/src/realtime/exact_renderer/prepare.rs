@@ -1,7 +1,7 @@
 //! What is found once for a picture, before its tiles: which lamps there are, what may stand in their way, and what is
 //! new since the last picture.
 
-use super::Renderer;
+use super::ExactRenderer;
 use crate::Scene;
 use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
@@ -15,7 +15,7 @@ use crate::visibility::sphere_shadow::occluding_balls;
 use crate::visibility::transmission;
 use rayon::prelude::*;
 
-impl Renderer {
+impl ExactRenderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
     pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {

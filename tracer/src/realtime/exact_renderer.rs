@@ -30,8 +30,9 @@ mod balls;
 mod layer;
 mod prepare;
 
-/// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
-pub struct Renderer {
+/// Renders scenes in exact direct light. Keep one from frame to frame: it allocates only when a scene has more in it than
+/// before.
+pub(crate) struct ExactRenderer {
     simd: SimdLevel,
     disc_chains: DiscChains,
     past: Past,
@@ -52,7 +53,7 @@ pub struct Renderer {
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
     /// Room to check a scene in.
-    pub(crate) scratch: CheckScratch,
+    scratch: CheckScratch,
 }
 
 /// What the tiles of a picture have in common.
@@ -83,21 +84,10 @@ thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
 }
 
-impl Default for Renderer {
-    fn default() -> Renderer {
-        Renderer::new()
-    }
-}
-
-impl Renderer {
-    /// A renderer for this machine's best instruction set.
-    pub fn new() -> Renderer {
-        Renderer::on(SimdLevel::best())
-    }
-
+impl ExactRenderer {
     /// A renderer on a chosen instruction set: the same bits on each.
-    pub fn on(simd: SimdLevel) -> Renderer {
-        Renderer {
+    pub fn on(simd: SimdLevel) -> ExactRenderer {
+        ExactRenderer {
             simd,
             disc_chains: DiscChains::default(),
             past: Past::default(),
@@ -156,13 +146,8 @@ impl Renderer {
         });
     }
 
-    /// Renders `scene` and develops it ([`crate::film::tone_map::map`]) in one go: the same pixels, several times as fast, since
-    /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
-    pub fn draw(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_watched(scene, exposure, display, &mut |_| {});
-    }
-
-    /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
+    /// Renders `scene` and tone-maps it in one go: the same pixels, several times as fast, since no tile leaves the cache in
+    /// between. Tiles that still show what they should are left as they are. Calls `done` after each step.
     pub fn draw_watched(
         &mut self,
         scene: &Scene,
@@ -197,7 +182,7 @@ impl Renderer {
         display.source = Some((self.picture, exposure));
     }
 
-    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
+    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`ExactRenderer::render`].
     pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
@@ -205,9 +190,6 @@ impl Renderer {
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
-    ///
-    /// No picture needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
-    /// costs.
     pub fn forget(&mut self) {
         self.past = Past::default();
         self.changes = Changes::default();

@@ -1,6 +1,6 @@
 //! The balls of a picture: they mirror the table, so they come when it is lit.
 
-use super::Renderer;
+use super::ExactRenderer;
 use crate::film::bloom::BloomPyramid;
 use crate::realtime::schedule::write_planes;
 use crate::shading::chrome_ball::{BallSprite, TableImage};
@@ -8,7 +8,7 @@ use crate::tile::planes::BLACK;
 use crate::{Radiance, Scene};
 use rayon::prelude::*;
 
-impl Renderer {
+impl ExactRenderer {
     /// Renders the balls of a scene that was prepared, and puts them into the means.
     pub(crate) fn render_balls(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
         self.ball_sprites.resize_with(scene.balls.len(), BallSprite::default);
