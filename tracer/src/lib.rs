@@ -27,6 +27,7 @@ mod visibility;
 pub use film::display_buffer::DisplayBuffer;
 pub use film::frame::Frame;
 pub use film::radiance::Radiance;
+pub use film::srgb;
 pub use film::tone_map;
 pub use integrator::{Integrator, render};
 pub use realtime::stage_timing::RenderStage;

@@ -133,7 +133,7 @@ pub(crate) fn turning_time_of_impact<F: Fn(f64) -> Taper>(
     None
 }
 
-/// The first time at which `gap + opening t - bend t^2 / 2` is 0; `None` if never. Of the two forms of the root the one
+/// The first time at which `gap + opening t - bend t^2 / 2` is 0; `None` if never. Of the two forms of the root that
 /// in which nothing cancels.
 fn first_zero(gap: f64, opening: f64, bend: f64) -> Option<f64> {
     if bend <= 0.0 {

@@ -199,7 +199,7 @@ impl Machine {
         Machine::new(layout)?.restored(bytes)
     }
 
-    /// As [`Machine::restore`], on this one's layout: much faster, because what follows from the layout is shared.
+    /// As [`Machine::restore`], on this machine's layout: much faster, because what follows from the layout is shared.
     /// Nothing else of this machine is in the other.
     ///
     /// # Errors

@@ -10,7 +10,8 @@ use crate::part::{Numbered, PartId};
 use geometry::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// A steel ball that is not in play: the walls round it keep it in its place.
+/// A steel ball that is not in play: the walls round it keep it in its place. Its switch closes when a ball in play
+/// hits it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaptiveBall {
     /// Where its centre is at first, m.

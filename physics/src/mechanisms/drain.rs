@@ -7,7 +7,7 @@ use crate::part::validation::{self, Checked};
 use geometry::Shape;
 use serde::{Deserialize, Serialize};
 
-/// Where a ball leaves the playfield.
+/// Where a ball leaves the playfield. Its switch closes for every ball.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drain {
     /// A ball is gone when its centre is in this shape.

@@ -19,7 +19,7 @@ const RISE_S: f64 = 0.05;
 /// A drop target with more of it above the playfield stands in the ball's way: its top is above the ball's middle.
 const STANDING_HEIGHT: f64 = 0.55;
 
-/// A target that falls.
+/// A target that falls. Its switch is closed from its fall until it stands again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DropTarget {
     /// Its face while it stands.

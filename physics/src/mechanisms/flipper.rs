@@ -39,9 +39,9 @@ pub struct Flipper {
     pub length_m: f64,
     /// Radius of the tip's disc, m.
     pub tip_radius_m: f64,
-    /// The way it points at rest, rad (y down: positive is clockwise on the screen).
+    /// The angle at which it points at rest, rad (y down: positive is clockwise on the screen).
     pub rest_rad: f64,
-    /// The way it points at the end of its stroke.
+    /// The angle at which it points at the end of its stroke, rad.
     pub up_rad: f64,
     /// What turns it up.
     pub control: FlipperControl,

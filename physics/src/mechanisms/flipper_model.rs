@@ -358,14 +358,16 @@ impl FlipperModel {
         }
     }
 
-    /// One over the moment of inertia against a push at the lever `arm`, m, that turns it the way of the arm's sign, by
-    /// something that comes at `approach`, m/s: 0 where it is rigid.
+    /// One over the moment of inertia against a push at the lever `arm`, m, that turns the flipper in the sense of the
+    /// arm's sign, by a ball that comes at `approach`, m/s: 0 where the flipper is rigid.
     ///
-    /// A flipper that lies on its lower stop gives way only upwards; one that lies still at the end of its stroke gives
-    /// way to nothing: with its gap shut the coil holds far harder than a ball can push. In between, the rubber takes a
-    /// little way to throw a ball back. Where the film under the bat is thinner than that, the bat is up against the
-    /// plunger before the blow is over: it gives by the part of the blow's work that the film takes, and a spring's work
-    /// goes with the square of its way.
+    /// - A flipper on its lower stop yields only upwards.
+    /// - A flipper that lies still at the end of its stroke does not yield: with its gap shut the coil holds far harder
+    ///   than a ball can push.
+    /// - Between its stops it yields with all its inertia.
+    /// - While the bat rides on its film, the bat alone yields. The rubber takes a little way to throw a ball back; where
+    ///   the film is thinner than that way, the bat is up against the plunger before the impact is over. Then it yields
+    ///   by the part of the impact's work that the film takes, and a spring's work goes with the square of its way.
     pub fn inverse_inertia(&self, state: &FlipperState, arm: f64, approach: f64) -> f64 {
         if state.seated && (state.plunger_home || arm * self.sense <= 0.0) {
             return 0.0;

@@ -18,14 +18,14 @@ use serde::{Deserialize, Serialize};
 /// How far the direction may lean from straight through the flap: the rounding of a drawing's decimals, m.
 const LEAN_TOLERANCE_M: f64 = 1e-6;
 
-/// A one-way flap across a lane.
+/// A one-way flap across a lane. Its switch closes when a ball's centre passes below it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gate {
     /// The flap seen from above.
     pub segment: Segment,
-    /// The unit vector of the way that the ball may pass, straight through the flap.
+    /// The unit vector of the free direction, straight through the flap.
     pub direction: DVec2,
-    /// What it throws back the other way.
+    /// What it throws back from the other direction.
     pub material: Material,
 }
 
@@ -47,7 +47,7 @@ impl Gate {
         gates.push(Numbered { part, numbers: self.clone() });
     }
 
-    /// Whether the flap stops a ball on this path, `distance` from touching it: one that comes back from beyond it.
+    /// Whether the flap stops a ball on this path, `distance` from touching it: a ball that comes back from beyond it.
     pub(crate) fn stops(&self, path: &StraightPath, distance: f64) -> bool {
         let beyond = (path.center - self.segment.a).dot(self.direction) > 0.0;
         beyond && distance > -SKIN_M && path.velocity.dot(self.direction) <= 0.0

@@ -10,6 +10,7 @@ use geometry::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// A coil-fired rod whose face lies across a lane. It shoots out when the rules say so, and goes back by its spring.
+/// Its switch closes when a ball hits the face or comes to lie on it, and opens when no ball is near any more.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Kickback {
     /// The rod's tip at rest, m: the middle of its face.

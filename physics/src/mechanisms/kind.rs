@@ -41,7 +41,7 @@ pub enum Kind {
     DropTarget(DropTarget),
     /// A switch under a ball that rolls over it.
     Rollover(Rollover),
-    /// A ramp or a wire-form: a way above the playfield.
+    /// A ramp or a wire-form: a path above the playfield.
     Ramp(Ramp),
     /// A flap that lets the ball through one way.
     Gate(Gate),

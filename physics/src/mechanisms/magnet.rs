@@ -34,6 +34,7 @@ const HOLDING_RADIUS: f64 = 0.15;
 const HOLDING_M_S: f64 = 0.05;
 
 /// An electromagnet below the playfield that pulls balls to its middle while the rules have it switched on.
+/// Its switch is closed while it holds a ball in its middle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Magnet {
     /// Its middle, and how far it reaches.

@@ -16,7 +16,7 @@ pub struct Pose {
     pub balls: Vec<BallPose>,
     /// The captive balls, which are not in play.
     pub captives: Vec<(PartId, BallPose)>,
-    /// The way that each flipper and each diverter points, rad.
+    /// The angle at which each flipper and each diverter points, rad.
     pub flippers_rad: Vec<(PartId, f64)>,
     /// Torque of each flipper's coil less that of its spring, N m: positive lifts it.
     pub flipper_torques_n_m: Vec<(PartId, f64)>,

@@ -17,9 +17,9 @@ const LEG_GAP_M: f64 = 1e-4;
 /// The highest that a floor may be, m.
 const MAX_HEIGHT_M: f64 = 0.5;
 
-/// A way above the playfield, with sides. A ball that rolls in at an end that lies on the playfield is on it, and meets
+/// A path above the playfield, with sides. Its switch closes when a ball leaves it at its end. A ball that rolls in at an end that lies on the playfield is on it, and meets
 /// its sides and what else is on it, and nothing that stands below. It leaves at the ends: onto the playfield, onto another
-/// way that begins there, or falling. Where the floor is too low for a ball to pass below, its sides stand on the
+/// ramp that begins there, or falling. Where the floor is too low for a ball to pass below, its sides stand on the
 /// playfield.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ramp {

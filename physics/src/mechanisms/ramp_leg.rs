@@ -3,7 +3,7 @@
 use geometry::{Arc, Core, DVec2, Segment, trig};
 use serde::{Deserialize, Serialize};
 
-/// A piece of a way.
+/// A piece of a ramp's path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Leg {
     /// Straight on, from `a` to `b`.

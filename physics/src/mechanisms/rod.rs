@@ -27,12 +27,13 @@ const FACE_RANGE_M: f64 = 2e-3;
 #[derive(Clone, Debug)]
 pub(crate) struct RodModel {
     pub part: PartId,
-    /// The tip at rest.
+    /// The middle of the face at rest, m.
     pub tip: DVec2,
+    /// Of the face, m.
     pub half_width: f64,
     /// The unit vector of the shot.
     pub direction: DVec2,
-    /// How far the rod can be pulled back, or comes out.
+    /// How far the rod can be pulled back, or comes out, m.
     pub stroke: f64,
     pub actuator: RodActuator,
 }

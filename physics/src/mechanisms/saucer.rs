@@ -17,7 +17,7 @@ const LYING_M_S: f64 = 0.02;
 /// Slowest natural frequency of a ball in a saucer's bowl, rad/s.
 const MIN_BOWL_RAD_S: f64 = 40.0;
 
-/// A hole that holds a ball.
+/// A hole that holds a ball. Its switch is closed while a ball lies in it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Saucer {
     /// The hole: a slow ball whose centre comes over it falls in.

@@ -10,7 +10,7 @@ use crate::part::{Numbered, PartId};
 use geometry::{Segment, Shape};
 use serde::{Deserialize, Serialize};
 
-/// A plate on an axle across a lane; the ball passes both ways.
+/// A plate on an axle across a lane; the ball passes in both directions. Its switch closes at every half turn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spinner {
     /// The axle seen from above.

@@ -1,6 +1,6 @@
 //! Simultaneous impacts: balls that are jammed find their common speeds at once.
 //!
-//! Impact after impact would find them too, but in a narrow wedge it takes thousands, each no time after the one before,
+//! Impact after impact would find them too, but in a narrow wedge it takes thousands, each no time after the last,
 //! and time would not go on (Zeno's paradox; Johansson, Egerstedt, Lygeros and Sastry, On the regularization of Zeno
 //! hybrid automata, 1999). So all approaches are ended together, without a bounce: each velocity goes to the nearest that
 //! its contacts allow, its projection onto their cone (Moreau, Unilateral contact and dry friction in finite freedom

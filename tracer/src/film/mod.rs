@@ -6,4 +6,5 @@ pub(crate) mod blue_noise;
 pub(crate) mod display_buffer;
 pub(crate) mod frame;
 pub(crate) mod radiance;
+pub mod srgb;
 pub mod tone_map;

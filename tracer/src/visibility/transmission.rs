@@ -1,13 +1,19 @@
-//! Light through tinted things, exactly.
+//! Transmission: light through tinted occluders, exactly, whatever of them, of walls and of penumbrae overlap.
 //!
-//! What a point sees of a lamp through tinted groups is a sum over the sets of groups that are taken away: with `U(R)` the
-//! visible fraction without the groups of `R`, and the others as opaque as walls, the light that passes is the sum of
-//! `U(R) * (product of the transmittances in R) * (product of 1 - transmittance of the others)`. That is inclusion and
-//! exclusion, put in order, and as exact as `U` for any overlap of groups, walls and shadow bounds.
+//! 1. One ray: its transmittance is the product of those of the tinted groups that it meets, or 0 where it meets a wall.
+//! 2. Read a transmittance as a chance: each group is away with that probability, and as opaque as a wall otherwise. The
+//!    expectation of a ray's visibility is the product of step 1. (E. Enderton, E. Sintorn, P. Shirley, D. Luebke,
+//!    "Stochastic transparency", 2010, sample this expectation.)
+//! 3. The expectation of the visible fraction is the sum over all sets R of groups that are away: `U(R)`, the visible
+//!    fraction without the groups of R, times the chance of R, which is the product of the transmittances in R and of 1
+//!    less those of the others. Multiplied out, it is inclusion and exclusion.
+//!
+//! The sum has 2^n terms, and each is as exact as the visible fraction is.
 
 use crate::{Group, Occluder, Rgb};
 
-/// Tinted groups that are told apart on one way from a lamp; further ones are opaque there.
+/// The most tinted groups between one lamp and one tile; further ones are opaque there. Sixteen visibility queries are
+/// enough.
 pub(crate) const MAX_TINTED: usize = 4;
 
 /// A group that light passes, tinted.
@@ -31,7 +37,7 @@ pub(crate) fn find_tinted(occluders: &[Occluder], tinted: &mut Vec<TintedGroup>)
     tinted.dedup_by_key(|tinted| tinted.group);
 }
 
-/// The tinted groups on a way.
+/// The tinted groups between a lamp and a point or a tile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OnPath {
     groups: [TintedGroup; MAX_TINTED],
@@ -76,7 +82,7 @@ pub(crate) fn each_subset(on_path: &[TintedGroup], mut work: impl FnMut(&[Group]
     }
 }
 
-/// What passes of each channel; `seen` is the visible fraction without some groups.
+/// The transmitted fraction of each channel; `seen` is the visible fraction without some groups.
 pub(crate) fn transmitted(on_path: &[TintedGroup], mut seen: impl FnMut(&[Group]) -> f64) -> [f64; 3] {
     let mut sum = [0.0; 3];
     each_subset(on_path, |away, part| {

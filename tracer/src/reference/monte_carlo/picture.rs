@@ -7,7 +7,7 @@ use crate::realtime::direct_light::add;
 use crate::realtime::exact_renderer::{ExactRenderer, drawable};
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
-use crate::reference::monte_carlo::rays::{Name, Near, Rays};
+use crate::reference::monte_carlo::rays::{Near, Rays};
 use crate::scene::validation::CheckScratch;
 use crate::shading::falloff::Falloff;
 use crate::simd::dispatch::LANES;
@@ -17,6 +17,7 @@ use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
 use crate::{Group, Radiance, Rgb, Scene, SimdLevel};
 use geometry::DVec2;
+use geometry::rng::Key;
 
 /// Renders `scene` with sampled shadows, on the threads of the current rayon pool: the same bits on any number.
 pub(crate) fn render(scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
@@ -98,7 +99,7 @@ impl Look<'_> {
     /// nothing: nobody looks at them.
     fn seen(&self, points: &PackedSamples, own: Option<Group>) -> Seen {
         let (scene, lamp) = (self.stage.scene, &self.lit.lamp);
-        let of_lamp = Name::new(self.sampling.seed, 0).at(lamp.center_mm);
+        let of_lamp = Key::new(self.sampling.seed, 0).with_point(lamp.center_mm);
         let mut near = Near::default();
         let mut seen = [[[0.0; LANES]; TILE]; 3];
         let mut tinted = false;
@@ -110,8 +111,8 @@ impl Look<'_> {
             }
             let (block, lane) = (point / LANES, point % LANES);
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
-            let name = of_lamp.next((y as u64) << 32 | x as u64);
-            let rays = Rays { sampling: self.sampling, name, point: self.place.middle_mm + offset };
+            let key = of_lamp.with((y as u64) << 32 | x as u64);
+            let rays = Rays { sampling: self.sampling, key, point: self.place.middle_mm + offset };
             let arriving = rays.arriving(scene, lamp, own, &mut near);
             let open = rays.unoccluded_fraction(&scene.balls, lamp, own) as f32;
             tinted |= !near.panes.is_empty();
