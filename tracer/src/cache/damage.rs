@@ -2,7 +2,7 @@
 //! are.
 //!
 //! Every answer is on the safe side: a tile that is drawn again for nothing has the same bits as before. What moves
-//! between a lamp and a tile is not known here but to [`crate::past`].
+//! between a lamp and a tile is not known here but to [`crate::cache::frame_history`].
 
 use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;

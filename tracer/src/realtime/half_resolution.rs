@@ -1,7 +1,7 @@
 //! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
 //!
 //! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
-//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! resolution by [`crate::realtime::joint_upsampling`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`crate::Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
