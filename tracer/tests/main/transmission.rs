@@ -45,15 +45,15 @@ fn a_pane_tints_once_and_two_panes_tint_twice() {
     let open = anew(&scene).pixel(pixel.0, pixel.1);
     let pane = |y: f64, from: f64, to: f64| Shape::capsule(DVec2::new(from, y), DVec2::new(to, y), 1.0);
     let (green, amber) = ([0.2, 0.9, 0.1], [1.0, 0.5, 0.25]);
-    let tinted = |id, shape, group, transmittance| {
+    let glass = |id, shape, group, transmittance| {
         let material = Material::Tinted { transmittance };
         Occluder { id: ItemId(id), shape, group: Group(group), material }
     };
     for (id, shape) in (0..).zip([pane(70.0, 20.0, 90.0), pane(70.0, 70.0, 150.0), pane(72.0, 10.0, 150.0)]) {
-        scene.occluders.push(tinted(id, shape, 1, green));
+        scene.occluders.push(glass(id, shape, 1, green));
     }
     let tinted = anew(&scene).pixel(pixel.0, pixel.1);
-    scene.occluders.push(tinted(8, pane(90.0, 10.0, 150.0), 2, amber));
+    scene.occluders.push(glass(8, pane(90.0, 10.0, 150.0), 2, amber));
     let twice = anew(&scene).pixel(pixel.0, pixel.1);
     scene.occluders.push(Occluder::opaque(ItemId(9), pane(50.0, 10.0, 150.0), Group(3)));
     assert_eq!(anew(&scene).pixel(pixel.0, pixel.1), [0.0; 3], "a wall behind the panes");
