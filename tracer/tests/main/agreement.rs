@@ -165,8 +165,9 @@ fn what_did_not_change_is_left_as_it_was() {
     }
 }
 
-/// One scene, every integrator: the mean of all channels is the same to a hundredth of it, and no more than one channel in
-/// fifty differs by more than a tenth of the brightest light of the exact picture.
+/// One scene, every integrator: the mean of all channels is the same to a fiftieth of it (art is printed anew at half the
+/// resolution), and no more than one channel in fifty differs by more than a tenth of the brightest light of the exact
+/// picture.
 #[test]
 fn every_integrator_finds_the_same_light() {
     let view = View::fit(150, 300, scenes::SIZE_MM);
@@ -185,7 +186,7 @@ fn every_integrator_finds_the_same_light() {
     for integrator in [Integrator::HalfResolution, Integrator::MonteCarlo(sampling)] {
         let other = rendered(integrator);
         let (expected, found) = (mean(&exact), mean(&other));
-        assert!((found / expected - 1.0).abs() < 0.01, "{integrator:?}: {found}, exactly {expected}");
+        assert!((found / expected - 1.0).abs() < 0.02, "{integrator:?}: {found}, exactly {expected}");
         let far = exact.iter().zip(&other).filter(|(a, b)| (*a - *b).abs() > 0.1 * brightest).count();
         assert!(far * 50 < exact.len(), "{integrator:?}: {far} of {} channels", exact.len());
     }
