@@ -1,7 +1,7 @@
 //! The tone map: from linear radiance to the pixels of a screen.
 //!
-//! 1. Exposure and bloom: `exposure ((1 - b) light + b bloom)`, where b is [`BLOOM_STRENGTH`].
-//! 2. A filmic curve ([`filmic_curve`]).
+//! 1. Exposure and bloom: `exposure ((1 - b) light + b bloom)`, where b is `BLOOM_STRENGTH`.
+//! 2. A filmic curve that keeps the hue (`filmic_curve`).
 //! 3. The sRGB transfer curve ([`crate::film::srgb`]).
 //! 4. Dithering: blue noise of one level's width before the rounding, so that dark gradients have no bands.
 
