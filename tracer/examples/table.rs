@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         pool.install(|| {
             for _ in 0..60 {
                 match what {
-                    "relit" => renderer.forget(),
+                    "relit" => renderer.invalidate(),
                     "moving" => scenes::roll(&mut scene, DVec2::new(0.4, -1.1)),
                     _ => {}
                 }

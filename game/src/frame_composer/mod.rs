@@ -184,10 +184,10 @@ impl FrameComposer {
             let time_ms = match step {
                 None => &mut times.scene_ms,
                 Some(RenderStage::Prepared) => &mut times.prepare_ms,
-                Some(RenderStage::Shaded) => &mut times.shadows_ms,
-                Some(RenderStage::Mirrored) => &mut times.balls_ms,
-                Some(RenderStage::Glared) => &mut times.bloom_ms,
-                Some(RenderStage::Developed) => &mut times.tone_map_ms,
+                Some(RenderStage::Lit) => &mut times.shadows_ms,
+                Some(RenderStage::BallsRendered) => &mut times.balls_ms,
+                Some(RenderStage::Bloomed) => &mut times.bloom_ms,
+                Some(RenderStage::ToneMapped) => &mut times.tone_map_ms,
             };
             *time_ms = ms(last, now);
             last = now;
@@ -198,7 +198,7 @@ impl FrameComposer {
             let scene = self.scene_builder.scene(&self.table, snapshot, view, printed);
             clock(None);
             let half = &mut self.half;
-            self.pool.install(|| half.draw_watched(&scene, floor, exposure, display, &mut |step| clock(Some(step))));
+            self.pool.install(|| half.draw_timed(&scene, floor, exposure, display, &mut |step| clock(Some(step))));
             return;
         }
         let scene = self.scene_builder.scene(&self.table, snapshot, view, &assets.printed);
@@ -206,7 +206,7 @@ impl FrameComposer {
         let (renderer, display, reference) = (&mut self.renderer, &mut assets.display_buffer, self.reference);
         self.pool.install(|| match reference {
             Some(sampling) => renderer.draw_monte_carlo(&scene, sampling, exposure, display),
-            None => renderer.draw_watched(&scene, exposure, display, &mut |step| clock(Some(step))),
+            None => renderer.draw_timed(&scene, exposure, display, &mut |step| clock(Some(step))),
         });
     }
 

@@ -5,5 +5,6 @@ pub(crate) mod bloom;
 pub(crate) mod blue_noise;
 pub(crate) mod display_buffer;
 pub(crate) mod frame;
+pub(crate) mod frame_id;
 pub(crate) mod radiance;
 pub mod tone_map;
