@@ -173,6 +173,7 @@ impl TileCache {
 
     /// The layer of a lamp: of darkness if there has been none.
     fn layer_of(&mut self, lamp: usize) -> &mut CachedLayer {
+        self.lamp(lamp);
         let TileCache { lamps, layers, .. } = self;
         let at = lamps[lamp].layer.get_or_insert_with(|| {
             layers.push(CachedLayer::of(lamp));
@@ -227,7 +228,7 @@ impl TileCache {
     }
 
     fn made_anew(&mut self, lamp: usize, is_lit: bool, hidden_by: Option<Group>) {
-        self.lamps[lamp].made_anew(is_lit, hidden_by);
+        self.lamp(lamp).made_anew(is_lit, hidden_by);
         self.valid.insert(lamp);
         if is_lit {
             self.lit.insert(lamp);

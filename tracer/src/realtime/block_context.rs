@@ -71,7 +71,7 @@ impl BlockContext {
     }
 
     fn find_lamps(&mut self, frame: &FrameContext, half_mm: f64) {
-        self.moved_shadows.resize_with(frame.lamps.list.len(), Vec::new);
+        grow(&mut self.moved_shadows, frame.lamps.list.len());
         self.moved_lamps.clear();
         self.lost_lamps.clear();
         for (at, ActiveLamp { circle, moved_shadows, lost, .. }) in frame.lamps.list.iter().enumerate() {
@@ -131,7 +131,7 @@ impl BlockContext {
         let overlaps = |&slot: &usize| frame.tops.outline(slot).is_some_and(|outline| outline.bounds.overlaps(&bounds));
         lists.tops.extend(frame.tops.order().iter().copied().filter(overlaps));
         let lamps = &frame.lamps.list;
-        lists.occluders.resize_with(lamps.len(), PotentialOccluders::default);
+        grow(&mut lists.occluders, lamps.len());
         lists.narrowed.clear();
         lists.narrowed.resize(lamps.len(), false);
         lists.lamps.clear();
@@ -167,5 +167,12 @@ impl BlockContext {
         }
         near.classify(frame.simd, &Shaft::new(lamp, rect.middle_mm, rect.radius_mm));
         near
+    }
+}
+
+/// Makes a list at least so long. It is never cut: renderers of scenes with other numbers of lamps may share a thread.
+fn grow<T: Default>(list: &mut Vec<T>, length: usize) {
+    if list.len() < length {
+        list.resize_with(length, T::default);
     }
 }
