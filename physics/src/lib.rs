@@ -8,6 +8,18 @@
 //! Units are SI. The frame is the drawing's: x to the right, **y down the table, towards the player**, the origin at
 //! the playfield's upper left corner. Positive angles turn from x towards y (clockwise on the screen).
 //!
+//! The rooms, each of which imports from those before it only:
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | `part` | id, material, checks of numbers, events |
+//! | `ball` | a sphere that rolls and slides on a floor |
+//! | `collision` | obstacles, triggers, broad phase, time of impact |
+//! | `mechanisms` | every mechanism in its own file; the model and state of a machine |
+//! | `layout` | what stands on the playfield, its check, the model that it comes to |
+//! | `solver` | a step of the balls: resting contacts, sweep, impact response |
+//! | `machine` | a tick; saving; diagnostics |
+//!
 //! This crate refuses to know what light, a window, a file, a score or a lamp is. It reads no clock, starts no thread
 //! and asks no random number.
 
@@ -19,15 +31,16 @@ mod mechanisms;
 mod part;
 mod solver;
 
-pub use layout::{
-    Bumper, CaptiveBall, Drain, DropTarget, Flipper, FlipperControl, Gate, Kickback, Kind, Layout, Leg, Magnet,
-    Material, Part, PartId, Plunger, Ramp, Rollover, Saucer, Slingshot, Spinner, Target, Wall,
-};
+pub use ball::pose::BallPose;
+pub use layout::{Layout, Part};
 pub use machine::fingerprint::{Fingerprint, fingerprint};
 pub use machine::{Error, Hashes, Machine};
-pub use mechanisms::controls::{Command, Controls};
-pub use mechanisms::pose::{BallPose, Pose};
+pub use mechanisms::controls::Controls;
+pub use mechanisms::kind::*;
+pub use mechanisms::pose::Pose;
+pub use part::PartId;
 pub use part::event::{Contact, Event, EventKind};
+pub use part::material::Material;
 
 /// Ticks in a second of play.
 pub const TICKS_PER_SECOND: u32 = 1000;
@@ -37,3 +50,5 @@ pub const TICK_S: f64 = 1.0 / TICKS_PER_SECOND as f64;
 pub const BALL_RADIUS_M: f64 = 0.0135;
 /// A pinball's mass.
 pub const BALL_MASS_KG: f64 = 0.08;
+/// Standard gravity.
+const GRAVITY_M_S2: f64 = 9.81;

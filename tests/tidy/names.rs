@@ -32,7 +32,7 @@ fn each_library_is_named_in_its_own_room_only() {
         ("tiny_skia", &["game/src/screen/", "game/src/art/"]),
         ("resvg", &["game/src/art/"]),
         ("plotters", &["game/src/commands/plot/"]),
-        ("rhai", &["game/src/rules/"]),
+        ("rhai", &["game/pinball/src/rules/"]),
         ("rapier2d", &["physics/src/"]),
     ];
     for (library, allowed) in rooms {
@@ -48,7 +48,13 @@ fn each_library_is_named_in_its_own_room_only() {
 
 #[test]
 fn the_simulation_reads_no_clock_starts_no_thread_and_has_no_hash_order() {
-    let rooms = ["physics/src", "game/src/simulation", "game/src/rules", "game/src/bot", "tracer/geometry/src"];
+    let rooms = [
+        "physics/src",
+        "game/pinball/src/simulation",
+        "game/pinball/src/rules",
+        "game/pinball/src/bot",
+        "tracer/geometry/src",
+    ];
     for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs"] {
         for room in rooms {
             assert_eq!(naming(room, word), [""; 0], "{word} in {room}");

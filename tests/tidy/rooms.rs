@@ -9,6 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::code::{Word, is_word, words};
 use super::tree::{Source, crates, module_path, production};
 
+/// The room of what `lib.rs` itself defines: above all others.
+const FRONT: &str = "lib.rs";
+
 /// One room imports from another.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Import {
@@ -43,6 +46,16 @@ impl House {
         let exports = exports(source, &files, &rooms);
         let imports = files.iter().flat_map(|file| imports(source, file, &rooms, &exports)).collect();
         House { rooms, imports }
+    }
+
+    /// A line for each room: what it imports from.
+    fn drawn(&self) -> String {
+        let line = |room: &String| {
+            let own = self.imports.iter().filter(|import| import.from == *room);
+            let above: BTreeSet<_> = own.map(|import| import.to.as_str()).collect();
+            format!("\n  {room} -> {}", above.into_iter().collect::<Vec<_>>().join(", "))
+        };
+        self.rooms.iter().map(line).collect()
     }
 
     /// Every way round from a room to itself, each once, as the imports that make it.
@@ -103,14 +116,7 @@ fn imports(source: &str, file: &Source, rooms: &BTreeSet<String>, exports: &BTre
     let room = |path: &Path| {
         let name = &path.names[0];
         let found = if rooms.contains(name) { Some(name) } else { exports.get(name) };
-        found
-            .unwrap_or_else(|| {
-                panic!(
-                    "{}:{}: crate::{name} is of no room: what lib.rs defines stands above all rooms",
-                    file.path, path.line
-                )
-            })
-            .clone()
+        found.map_or(FRONT, |room| room).to_string()
     };
     let paths = crate_paths(&module, &file.code);
     let all = paths.iter().map(|path| Import {
@@ -223,27 +229,33 @@ fn told<'a>(imports: impl IntoIterator<Item = &'a Import>) -> String {
 /// Each crate's rooms in their order: a room imports from those before it only.
 const ORDER: [(&str, &[&str]); 1] = [(
     "tracer",
-    &["simd", "scene", "tile", "film", "visibility", "shading", "cache", "realtime", "reference", "scenes"],
+    &["simd", "scene", "tile", "film", "visibility", "shading", "cache", "realtime", "scenes", "reference"],
 )];
 
 #[test]
 #[ignore = "until all rooms have landed"]
 fn no_circle_between_rooms() {
+    let mut found = String::new();
     for folder in crates() {
-        let circles: String = House::read(&folder).circles().iter().map(|circle| told(circle) + "\n").collect();
-        assert!(circles.is_empty(), "rooms of {folder} import each other in a circle:{circles}");
+        let house = House::read(&folder);
+        let fronts = house.imports.iter().filter(|import| import.to == FRONT).map(|import| vec![import.clone()]);
+        for circle in house.circles().into_iter().chain(fronts) {
+            found += &format!("\n{folder}:{}", told(&circle));
+        }
     }
+    assert!(found.is_empty(), "rooms import each other in circles:{found}");
 }
 
 #[test]
-#[ignore = "until all rooms have landed"]
 fn no_room_imports_back_up() {
     for (folder, order) in ORDER {
         let house = House::read(folder);
+        println!("{folder}:{}", house.drawn());
         let known: BTreeSet<_> = order.iter().map(|room| room.to_string()).collect();
         assert_eq!(house.rooms, known, "the rooms of {folder}, and those whose order is known");
         let place = |room: &str| order.iter().position(|known| *known == room);
-        let upwards: Vec<_> = house.imports.iter().filter(|import| place(&import.from) <= place(&import.to)).collect();
+        let is_upwards = |import: &&Import| import.to == FRONT || place(&import.from) <= place(&import.to);
+        let upwards: Vec<_> = house.imports.iter().filter(is_upwards).collect();
         assert!(upwards.is_empty(), "{folder} imports upwards:{}", told(upwards));
     }
 }

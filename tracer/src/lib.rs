@@ -24,6 +24,7 @@ mod visibility;
 pub use film::display_buffer::DisplayBuffer;
 pub use film::frame::Frame;
 pub use film::radiance::Radiance;
+pub use film::srgb;
 pub use film::tone_map;
 pub use realtime::half_resolution::HalfRenderer;
 pub use realtime::renderer::Renderer;

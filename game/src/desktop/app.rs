@@ -105,8 +105,8 @@ impl Waker {
         Waker(Some(proxy))
     }
 
-    /// Wakes the main thread, which then updates the application. Its loop is gone only when the window has been closed:
-    /// then nobody waits for anything.
+    /// Wakes the main thread, which then updates the application. Its loop is gone only when the window has been
+    /// closed: then nobody waits for anything.
     pub fn wake(&self) {
         if let Some(proxy) = &self.0 {
             let _ = proxy.send_event(Wake);

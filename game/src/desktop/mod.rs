@@ -1,9 +1,9 @@
 //! The desktop: a shell around an application, which opens a window, takes its events, and shows its frames.
 //!
-//! The main thread owns the window. It takes each key as it comes, lets the application come up to that moment, and only
-//! then hands the key on: an input is stamped to the millisecond in which it arrives, whatever the painter is doing. A
-//! second thread (the painter) paints frames from data that nobody changes, and the main thread presents them as they
-//! are finished.
+//! The main thread owns the window. It takes each key as it comes, lets the application come up to that moment, and
+//! only then hands the key on: an input is stamped to the millisecond in which it arrives, whatever the painter is
+//! doing. A second thread (the painter) paints frames from data that nobody changes, and the main thread presents them
+//! as they are finished.
 //!
 //! An [`App`] is the game, or a scene viewer (`game/examples/scene_window.rs`). This room refuses to know a game, and
 //! nothing else in the project names winit or softbuffer.
@@ -45,8 +45,8 @@ impl Display {
         Ok(Display(events))
     }
 
-    /// Opens a window and runs `app` in it until it is closed. `painter` paints the application's frames, on a thread of
-    /// its own: it fills the frame that it is given, which holds the pixels of an older one.
+    /// Opens a window and runs `app` in it until it is closed. `painter` paints the application's frames, on a thread
+    /// of its own: it fills the frame that it is given, which holds the pixels of an older one.
     ///
     /// # Errors
     /// If no window can be opened, or it fails.

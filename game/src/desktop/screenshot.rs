@@ -8,8 +8,8 @@ use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;
 use tracer::Frame;
 
-/// The frame that is being saved, on a thread of its own: the application never waits for a file, but for the one that was
-/// not quite written when the window is closed.
+/// The frame that is being saved, on a thread of its own: the application never waits for a file, but for the one that
+/// was not quite written when the window is closed.
 #[derive(Default)]
 pub struct Screenshot(Option<JoinHandle<String>>);
 
@@ -33,7 +33,7 @@ impl Screenshot {
         Ok(())
     }
 
-    /// Where the picture was saved, or why it was not, once that is known.
+    /// Where the frame was saved, or why it was not, once that is known.
     pub fn news(&mut self) -> Option<String> {
         self.0.take_if(|thread| thread.is_finished())?.join().ok()
     }
@@ -48,7 +48,7 @@ impl Drop for Screenshot {
     }
 }
 
-/// A new file in the folder of pictures, or beside the recordings where there is no such folder.
+/// A new file in the folder of frames, or beside the recordings where there is no such folder.
 #[expect(clippy::disallowed_methods, reason = "a picture is named after the moment that it was taken")]
 fn path() -> Result<PathBuf, Failure> {
     let pictures = directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(PathBuf::from));

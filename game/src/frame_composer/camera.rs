@@ -1,7 +1,7 @@
 //! Which part of the table is shown when not all of it is: a camera that follows the ball.
 //!
-//! It is moved in steps of a tick, by the moments that are drawn and by nothing else, so the same moments give the same
-//! pictures. It refuses to know a clock, and what is in the picture.
+//! It is moved in steps of a tick, by the snapshots that are drawn and by nothing else, so the same snapshots give the
+//! same frames. It refuses to know a clock, and what is in the frame.
 
 use crate::simulation::Snapshot;
 use geometry::DVec2;
@@ -37,15 +37,15 @@ struct Flight {
 }
 
 impl Camera {
-    /// The middle of what is shown of a table of `size_mm` at this moment, mm: of `shown_mm`, all of which is table.
-    pub fn follow(&mut self, moment: &Snapshot, size_mm: DVec2, shown_mm: DVec2) -> DVec2 {
+    /// The middle of what is shown of a table of `size_mm` in this snapshot, mm: of `shown_mm`, all of which is table.
+    pub fn follow(&mut self, snapshot: &Snapshot, size_mm: DVec2, shown_mm: DVec2) -> DVec2 {
         let room = (size_mm - shown_mm).max(DVec2::ZERO) * 0.5;
         let within = |point: DVec2| point.clamp(size_mm * 0.5 - room, size_mm * 0.5 + room);
-        let Aim { now_mm, soon_mm } = aim(&moment.pose.balls, size_mm);
+        let Aim { now_mm, soon_mm } = aim(&snapshot.pose.balls, size_mm);
         let aim_mm = within(soon_mm);
-        let still = Flight { tick: moment.tick, aim_mm, middle_mm: aim_mm, speed_mm_s: DVec2::ZERO };
+        let still = Flight { tick: snapshot.tick, aim_mm, middle_mm: aim_mm, speed_mm_s: DVec2::ZERO };
         let flight = self.0.get_or_insert(still.clone());
-        match moment.tick.checked_sub(flight.tick).filter(|ticks| *ticks <= LONGEST_GAP) {
+        match snapshot.tick.checked_sub(flight.tick).filter(|ticks| *ticks <= LONGEST_GAP) {
             Some(ticks) => flight.fly(ticks, aim_mm),
             None => *flight = still,
         }
@@ -78,7 +78,7 @@ impl Flight {
 /// Where to look, mm.
 struct Aim {
     now_mm: DVec2,
-    /// In a moment.
+    /// A little later.
     soon_mm: DVec2,
 }
 
@@ -122,16 +122,16 @@ mod tests {
         }
     }
 
-    fn moment(tick: u64, balls: Vec<BallPose>) -> Snapshot {
+    fn snapshot(tick: u64, balls: Vec<BallPose>) -> Snapshot {
         Snapshot { tick, pose: Pose { balls, ..Pose::default() }, ..Snapshot::default() }
     }
 
     #[test]
     fn the_first_moment_finds_it_at_rest_on_the_ball_and_without_one_it_shows_the_flippers() {
         let center = DVec2::new(0.257, 0.5);
-        let seen = Camera::default().follow(&moment(9, vec![ball(center, DVec2::ZERO)]), SIZE, SHOWN);
+        let seen = Camera::default().follow(&snapshot(9, vec![ball(center, DVec2::ZERO)]), SIZE, SHOWN);
         assert!((seen - center * 1000.0).length() < 1e-9, "{seen}");
-        let seen = Camera::default().follow(&moment(9, Vec::new()), SIZE, SHOWN);
+        let seen = Camera::default().follow(&snapshot(9, Vec::new()), SIZE, SHOWN);
         assert_eq!(seen, DVec2::new(257.0, SIZE.y - SHOWN.y * 0.5));
     }
 
@@ -140,7 +140,7 @@ mod tests {
         let mut camera = Camera::default();
         for tick in 0..400_u32 {
             let place = DVec2::new(0.5 * f64::from(tick % 3), 1.2 * f64::from(tick % 7 / 4));
-            let seen = camera.follow(&moment(tick.into(), vec![ball(place, DVec2::splat(4.0))]), SIZE, SHOWN);
+            let seen = camera.follow(&snapshot(tick.into(), vec![ball(place, DVec2::splat(4.0))]), SIZE, SHOWN);
             let (low, high) = (seen - SHOWN * 0.5, seen + SHOWN * 0.5);
             assert!(low.min_element() >= -1e-9 && (SIZE - high).min_element() >= -1e-9, "{seen}");
         }
@@ -154,7 +154,7 @@ mod tests {
         for tick in 0..600_u64 {
             let (t, speed) = if tick < 300 { (tick, 3.0) } else { (600 - tick, -3.0) };
             let place = DVec2::new(0.257, 0.1 + 0.003 * t as f64);
-            let seen = camera.follow(&moment(tick, vec![ball(place, DVec2::new(0.0, speed))]), SIZE, SHOWN);
+            let seen = camera.follow(&snapshot(tick, vec![ball(place, DVec2::new(0.0, speed))]), SIZE, SHOWN);
             assert!((seen.y - place.y * 1000.0).abs() < SHOWN.y * 0.5, "out of sight at {tick}");
             let step = last.map_or(0.0, |last: DVec2| (seen - last).length());
             assert!(step < 5.0, "a jump of {step} mm at {tick}");
@@ -166,7 +166,7 @@ mod tests {
     fn how_often_it_is_asked_hardly_matters() {
         let at = |camera: &mut Camera, tick: u64| {
             let place = DVec2::new(0.257 + 0.0002 * tick as f64, 0.3 + 0.0008 * tick as f64);
-            camera.follow(&moment(tick, vec![ball(place, DVec2::new(0.2, 0.8))]), SIZE, SHOWN)
+            camera.follow(&snapshot(tick, vec![ball(place, DVec2::new(0.2, 0.8))]), SIZE, SHOWN)
         };
         let (mut often, mut seldom) = (Camera::default(), Camera::default());
         let fine = (0..=480).map(|tick| at(&mut often, tick)).last();
@@ -190,8 +190,8 @@ mod tests {
     #[test]
     fn a_seek_finds_it_at_rest_again() {
         let mut camera = Camera::default();
-        camera.follow(&moment(5000, Vec::new()), SIZE, SHOWN);
-        let there = moment(100, vec![ball(DVec2::new(0.257, 0.4), DVec2::ZERO)]);
+        camera.follow(&snapshot(5000, Vec::new()), SIZE, SHOWN);
+        let there = snapshot(100, vec![ball(DVec2::new(0.257, 0.4), DVec2::ZERO)]);
         assert_eq!(camera.follow(&there, SIZE, SHOWN), Camera::default().follow(&there, SIZE, SHOWN));
     }
 }

@@ -1,11 +1,11 @@
 //! Which resolution of light holds the monitor's rate.
 //!
-//! Half of it as soon as the full one is too slow for a while; back when there has been ample room for the full one for a
-//! while, and the longer the more often that has been a mistake. It reads no clock: it is told what each picture took.
+//! Half of it as soon as the full one is too slow for a while; back when there has been ample room for the full one for
+//! a while, and the longer the more often that has been a mistake. It reads no clock: it is told what each frame took.
 
 use super::LightResolution;
 
-/// The part of a picture's time that may be used to draw it: the rest is for the game and for showing it.
+/// The part of a frame's time that may be used to draw it: the rest is for the game and for showing it.
 const ROOM: f64 = 0.9;
 /// The part that the full resolution must be expected to need, for it to be tried again.
 const AMPLE: f64 = 0.65;
@@ -17,18 +17,18 @@ const SLOW_MS: f64 = 800.0;
 const PATIENCE_MS: [f64; 2] = [5_000.0, 300_000.0];
 /// The full resolution was no mistake if it has been held this long, ms.
 const HELD_MS: f64 = 30_000.0;
-/// Pictures after a change that say nothing: art is printed for them.
+/// Frames after a change that say nothing: art is printed for them.
 const UNSETTLED: u32 = 5;
-/// No picture counts for more than this many times its time: one that waited for the system is no reason.
+/// No frame counts for more than this many times its time: one that waited for the system is no reason.
 const MOST_NEED: f64 = 3.0;
-/// How many times as long as at half the resolution a picture takes at the full one, until that has been measured.
+/// How many times as long as at half the resolution a frame takes at the full one, until that has been measured.
 const USUAL_RATIO: f64 = 2.0;
 
 /// The choice, and what it is made by.
 #[derive(Clone, Copy, Debug)]
 pub struct DynamicResolution {
     light: LightResolution,
-    /// The part of a picture's time that drawing it needs, averaged.
+    /// The part of a frame's time that drawing it needs, averaged.
     need: Option<f64>,
     /// How long it has been a reason for a change, ms.
     reason_ms: f64,
@@ -61,12 +61,12 @@ impl Default for DynamicResolution {
 }
 
 impl DynamicResolution {
-    /// The resolution of the next picture.
+    /// The resolution of the next frame.
     pub fn light(&self) -> LightResolution {
         self.light
     }
 
-    /// A picture took `drawn_ms` to draw, where the monitor shows one every `budget_ms`.
+    /// A frame took `drawn_ms` to draw, where the monitor shows one every `budget_ms`.
     pub fn judge(&mut self, drawn_ms: f64, budget_ms: f64) {
         if !(drawn_ms.is_finite() && drawn_ms >= 0.0 && budget_ms > 0.0) {
             return;
@@ -133,7 +133,7 @@ mod tests {
 
     const BUDGET_MS: f64 = 1000.0 / 60.0;
 
-    /// Runs for some seconds on a machine that needs `full_ms(seconds)` for a picture and `half_ms(seconds)` at half the
+    /// Runs for some seconds on a machine that needs `full_ms(seconds)` for a frame and `half_ms(seconds)` at half the
     /// resolution; gives the times of the changes, s.
     fn run(seconds: f64, full_ms: impl Fn(f64) -> f64, half_ms: impl Fn(f64) -> f64) -> (DynamicResolution, Vec<f64>) {
         let (mut quality, mut now_s, mut changes) = (DynamicResolution::default(), 0.0, Vec::new());

@@ -1,9 +1,10 @@
 //! How much of the table's light the film takes: less where the table has been bright for a while, more in the dark.
 //!
-//! A function of what the moment says of the light that eyes have got used to ([`crate::lamps::Eye`]), so that a picture
-//! is the same whoever draws it.
+//! A function of what the snapshot says of the light that eyes have got used to ([`crate::lamps::Eye`]), so that a
+//! frame is the same whoever draws it.
 
-/// What the film takes of usual light, stops: a quarter less than all keeps the lamps' colours, and leaves the night dark.
+/// What the film takes of usual light, stops: a quarter less than all keeps the lamps' colours, and leaves the night
+/// dark.
 const USUAL_STOPS: f32 = -0.25;
 /// How much of a change of light is taken back: half of it, so that a lamp that goes out still makes the table darker.
 const PART: f32 = 0.5;

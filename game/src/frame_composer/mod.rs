@@ -1,7 +1,7 @@
 //! The frame composer: from two snapshots to a finished frame. The window, `caustic dump` and `caustic frame` share it.
 //!
-//! A frame is the playfield, which `tracer` lights, in its place, with the head-up display (HUD) around and over it. The
-//! same snapshots, size and table give the same bytes on any number of threads, with a window or without.
+//! A frame is the playfield, which `tracer` lights, in its place, with the head-up display (HUD) around and over it.
+//! The same snapshots, size and table give the same bytes on any number of threads, with a window or without.
 
 mod camera;
 mod dynamic_resolution;

@@ -91,7 +91,7 @@ impl SizeDependentAssets {
     }
 }
 
-/// The playfield `zoom` times as large as `table`, or as large as a picture may be.
+/// The playfield `zoom` times as large as `table`, or as large as a frame may be.
 fn canvas(table: &Rect, zoom: f64) -> Size {
     let (width, height) = (f64::from(table.width), f64::from(table.height));
     let most = (Size::MAX_PIXELS as f64 / (width * height)).sqrt().min(Size::MAX as f64 / width.max(height));

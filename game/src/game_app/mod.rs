@@ -1,9 +1,12 @@
-//! The game as an application of the desktop's shell: what each key does, what a frame shows, when a table is read again.
+//! The game as an application of the desktop's shell: what each key does, what a frame shows, when a table is read
+//! again.
 
 mod app;
 mod keys;
 mod painter;
 mod table_reload;
+#[cfg(test)]
+mod tests;
 
 use crate::desktop::{Display, WindowOptions};
 use crate::frame_composer::{FrameComposer, LightResolution};

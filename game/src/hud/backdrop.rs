@@ -5,6 +5,7 @@
 use super::dmd;
 use super::palette::{BRASS, IVORY};
 use crate::screen::{Canvas, Color, Layer, Placement, Rect};
+use geometry::rng::mix32;
 
 const ZENITH: Color = 0x0c_1220;
 const HORIZON: Color = 0x05_070c;
@@ -51,10 +52,7 @@ fn stars(layer: &mut Layer, whole: Rect) {
 
 /// Well-mixed bits of a number.
 fn scatter(seed: u32) -> u32 {
-    let mut x = seed.wrapping_mul(0x9e37_79b9);
-    x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
-    x = (x ^ (x >> 13)).wrapping_mul(0xc2b2_ae35);
-    x ^ (x >> 16)
+    mix32(seed.wrapping_mul(0x9e37_79b9))
 }
 
 /// Graduations along both sides of the table: two hundred parts, every fifth and tenth longer.

@@ -1,5 +1,5 @@
-//! The debug overlay: the shapes that balls and light share, where each ball is going, what it has touched, and what the
-//! frame cost.
+//! The debug overlay: the shapes that balls and light share, where each ball is going, what it has touched, and what
+//! the frame cost.
 
 mod shapes;
 
@@ -177,7 +177,8 @@ impl OverlayView<'_> {
         })
     }
 
-    /// A torque as an arc round the pivot, from the way that the flipper points at rest: a tenth of a turn a newton metre.
+    /// A torque as an arc round the pivot, from the way that the flipper points at rest: a tenth of a turn a newton
+    /// metre.
     fn add_torque(&self, flipper: &Flipper, torque: f64, marks: &mut Vec<Mark>) {
         let lifts = (flipper.up_rad - flipper.rest_rad).signum();
         let sweep = (lifts * torque * TORQUE_RAD).clamp(-3.0, 3.0);

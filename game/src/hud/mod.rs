@@ -124,7 +124,8 @@ impl Hud {
         }
     }
 
-    /// Draws what lies over the table, whose points are where `screen_from_table` says; the table itself must have been drawn anew.
+    /// Draws what lies over the table, whose points are where `screen_from_table` says; the table itself must have been
+    /// drawn anew.
     pub fn draw_over(
         &mut self,
         table: &Table,

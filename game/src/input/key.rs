@@ -1,6 +1,7 @@
 //! The keys of a keyboard, by where they are and not by what is printed on them.
 
-/// A physical key. The names are those of the W3C (UI Events KeyboardEvent code Values): where the key is on a US keyboard.
+/// A physical key. The names are those of the W3C (UI Events KeyboardEvent code Values): where the key is on a US
+/// keyboard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[expect(missing_docs, reason = "a key's name says which it is")]
 #[rustfmt::skip]

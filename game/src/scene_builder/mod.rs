@@ -14,7 +14,6 @@ mod rod;
 mod tests;
 
 pub use blend::blend;
-pub use light::{linear, linear_channel};
 
 use crate::Failure;
 use crate::art;
@@ -261,7 +260,7 @@ fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glo
 /// A lamp's light: its colour, linear, times its power and its level.
 fn radiance(lamp: &Lamp, light: &LampLight) -> Rgb {
     let strength = lamp.power as f32 * f32::from(light.level) / 1000.0;
-    linear(light.color).map(|channel| channel * strength)
+    tracer::srgb::decode_rgb8(light.color).map(|channel| channel * strength)
 }
 
 /// What comes out through the cap above a bulb.

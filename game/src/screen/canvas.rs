@@ -1,4 +1,4 @@
-//! A finished picture that is drawn on: pixels, copies and layers, blended over what is there.
+//! A finished frame that is drawn on: pixels, copies and layers, blended over what is there.
 //!
 //! Everything is clipped, so nothing that is drawn can be out of place. Lines and shapes are a [`super::Layer`]'s.
 
@@ -11,7 +11,7 @@ const COPIED: usize = 128;
 /// A colour, sRGB, 0x00RRGGBB.
 pub type Color = u32;
 
-/// Some pixels of a picture; it may reach beyond it.
+/// Some pixels of a frame; it may reach beyond it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rect {
     /// The leftmost pixel.
@@ -71,7 +71,7 @@ impl Rect {
     }
 }
 
-/// A picture that is being drawn on, inside `clip`.
+/// A frame that is being drawn on, inside `clip`.
 pub struct Canvas<'a> {
     frame: &'a mut Frame,
     clip: Rect,
@@ -123,11 +123,11 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// The pixels of `picture` from its corner `from`, put into `rect` as they are, on the threads of the current rayon
+    /// The pixels of `source` from its corner `from`, put into `rect` as they are, on the threads of the current rayon
     /// pool.
-    pub fn copy(&mut self, picture: &Frame, rect: Rect, from: (i32, i32)) {
+    pub fn copy(&mut self, source: &Frame, rect: Rect, from: (i32, i32)) {
         let (left, top) = (rect.x - from.0, rect.y - from.1);
-        let whole = Rect::new(left, top, picture.width as i32, picture.height as i32);
+        let whole = Rect::new(left, top, source.width as i32, source.height as i32);
         let rect = rect.clipped(whole).clipped(self.clip);
         if rect.is_empty() {
             return;
@@ -137,9 +137,9 @@ impl<'a> Canvas<'a> {
         rows.par_chunks_mut(width * COPIED).enumerate().for_each(|(chunk, rows)| {
             for (row, line) in rows.chunks_mut(width).enumerate() {
                 let y = rect.y as usize + chunk * COPIED + row;
-                let start = (y as i32 - top) as usize * picture.width + (rect.x - left) as usize;
+                let start = (y as i32 - top) as usize * source.width + (rect.x - left) as usize;
                 let line = &mut line[rect.x as usize..rect.right() as usize];
-                line.copy_from_slice(&picture.pixels[start..start + line.len()]);
+                line.copy_from_slice(&source.pixels[start..start + line.len()]);
             }
         });
     }
@@ -184,9 +184,9 @@ mod tests {
 
     #[test]
     fn a_copy_lands_where_it_is_asked_to() {
-        let picture = Frame { width: 2, height: 2, pixels: vec![1, 2, 3, 4] };
+        let source = Frame { width: 2, height: 2, pixels: vec![1, 2, 3, 4] };
         let mut frame = Frame::new(4, 1);
-        Canvas::new(&mut frame).copy(&picture, Rect::new(2, 0, 9, 9), (0, 1));
+        Canvas::new(&mut frame).copy(&source, Rect::new(2, 0, 9, 9), (0, 1));
         assert_eq!(frame.pixels, [0, 0, 3, 4]);
     }
 

@@ -1,7 +1,7 @@
-//! A small drawing in lines and shapes, kept as pixels and laid over a picture.
+//! A small drawing in lines and shapes, kept as pixels and laid over a frame.
 //!
 //! It is drawn with tiny-skia when what it shows changes, and only copied while it stays the same. Its coordinates are
-//! the picture's own, so that nobody has to know where its corner is; what falls outside it is lost.
+//! the frame's own, so that nobody has to know where its corner is; what falls outside it is lost.
 
 use super::canvas::{Canvas, Color, Rect};
 use super::contour;
@@ -11,7 +11,7 @@ use tiny_skia::{
     SpreadMode, Stroke, Transform,
 };
 
-/// Pixels with a place on a picture; empty ones draw nothing.
+/// Pixels with a place on a frame; empty ones draw nothing.
 #[derive(Default)]
 pub struct Layer {
     rect: Rect,
@@ -104,7 +104,7 @@ impl Layer {
         self.stroke(line(a, b).as_ref(), width, color, alpha);
     }
 
-    /// Its pixels over those of the picture.
+    /// Its pixels over those of the frame.
     pub fn lay(&self, canvas: &mut Canvas) {
         let Some(pixels) = &self.pixels else { return };
         canvas.blend(self.rect, |index| {
@@ -141,7 +141,7 @@ impl Layer {
         }
     }
 
-    /// From the picture's coordinates to its own.
+    /// From the frame's coordinates to its own.
     fn place(&self) -> Transform {
         Transform::from_translate(-self.rect.x as f32, -self.rect.y as f32)
     }
@@ -160,7 +160,7 @@ impl<K> Default for CachedLayer<K> {
 }
 
 impl<K: PartialEq> CachedLayer<K> {
-    /// Lays it over the picture in `rect`, after drawing it anew with `draw` if it shows something else.
+    /// Lays it over the frame in `rect`, after drawing it anew with `draw` if it shows something else.
     pub fn lay(&mut self, canvas: &mut Canvas, rect: Rect, shows: K, draw: impl FnOnce(&mut Layer)) {
         if self.layer.rect() != rect || self.shown.as_ref() != Some(&shows) {
             self.layer = Layer::new(rect);
@@ -195,7 +195,7 @@ mod tests {
     use super::*;
     use tracer::Frame;
 
-    /// What a layer that covers all of a black picture leaves of white.
+    /// What a layer that covers all of a black frame leaves of white.
     fn covered(draw: impl FnOnce(&mut Layer)) -> f64 {
         let mut layer = Layer::new(Rect::new(0, 0, 64, 64));
         draw(&mut layer);

@@ -1,6 +1,6 @@
-//! Where the table and the display are in a picture of some size.
+//! Where the table and the display are in a frame of some size.
 //!
-//! A tall picture has the display above the table, a broad one beside it: whichever leaves the larger table. Every
+//! A tall frame has the display above the table, a broad one beside it: whichever leaves the larger table. Every
 //! size has a place for the table, however small or odd; the display gives way first.
 
 use super::Rect;
@@ -33,10 +33,10 @@ pub struct Placement {
     pub side: Side,
 }
 
-/// Where points of the table are in a picture.
+/// Where points of the table are in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScreenFromTable {
-    /// The playfield's upper left corner, pixels; beyond the picture where that is not shown.
+    /// The playfield's upper left corner, pixels; beyond the frame where that is not shown.
     pub origin: DVec2,
     /// Pixels a metre.
     pub px_per_m: f64,
@@ -52,7 +52,7 @@ pub enum Side {
 }
 
 impl Placement {
-    /// The placement for a picture of `width` x `height` pixels (1 or more each) of a table of `size_mm`.
+    /// The placement for a frame of `width` x `height` pixels (1 or more each) of a table of `size_mm`.
     pub fn new(width: usize, height: usize, size_mm: DVec2) -> Placement {
         let (above, beside) = (Placement::above(width, height, size_mm), Placement::beside(width, height, size_mm));
         if beside.table.height > above.table.height { beside } else { above }

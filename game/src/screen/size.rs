@@ -1,4 +1,4 @@
-//! The size of a picture or a window, and which sizes there can be.
+//! The size of a frame or a window, and which sizes there can be.
 
 /// A size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,14 +10,14 @@ pub struct Size {
 }
 
 impl Size {
-    /// The smallest side of a picture or a window.
+    /// The smallest side of a frame or a window.
     pub const MIN: usize = 64;
-    /// The largest side of a picture or a window.
+    /// The largest side of a frame or a window.
     pub const MAX: usize = 16384;
-    /// The most pixels of a picture or a window: 8192 x 8192, which take 2 GB to draw.
+    /// The most pixels of a frame or a window: 8192 x 8192, which take 2 GB to draw.
     pub const MAX_PIXELS: usize = 1 << 26;
 
-    /// Whether a picture or a window may have this size.
+    /// Whether a frame or a window may have this size.
     pub fn is_drawable(self) -> bool {
         let sides = [self.width, self.height].iter().all(|side| *side <= Size::MAX);
         sides && self.width * self.height <= Size::MAX_PIXELS

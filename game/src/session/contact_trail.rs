@@ -1,23 +1,23 @@
-//! The last impacts of balls, for as long as they are shown.
+//! The contact trail: the last contacts of balls, for as long as they are shown.
 
 use crate::hud::TrailContact;
 use physics::Contact;
 use std::collections::VecDeque;
 
-/// How long an impact is shown, ticks.
+/// How long a contact is shown, ticks.
 const SHOWN_TICKS: u64 = 400;
-/// The most impacts that are kept: a ball that rolls along a wall contact_trail it in every tick.
-const KEPT: usize = 256;
+/// The most contacts that are kept: a ball that rolls along a wall contact_trail it in every tick.
+const MOST_CONTACTS: usize = 256;
 
-/// The last impacts, the oldest first.
+/// The last contacts, the oldest first.
 #[derive(Default)]
 pub struct ContactTrail(VecDeque<(u64, Contact)>);
 
 impl ContactTrail {
-    /// The impacts of a tick.
+    /// Adds the contacts of a tick.
     pub fn add(&mut self, tick: u64, contacts: &[Contact]) {
         self.0.extend(contacts.iter().map(|&contact| (tick, contact)));
-        let surplus = self.0.len().saturating_sub(KEPT);
+        let surplus = self.0.len().saturating_sub(MOST_CONTACTS);
         self.0.drain(..surplus);
     }
 

@@ -1,9 +1,8 @@
 //! The last ball, kept so that it can be watched again: the state in which it began and every button since.
 
-use super::contact_trail::ContactTrail;
+use super::timeline::TickSource;
 use crate::simulation::Display;
-use crate::{Buttons, Simulation, Snapshot};
-use std::sync::Arc;
+use crate::{Buttons, Simulation};
 
 /// A ball that takes longer is kept from here on, ticks (half an hour).
 const LONGEST_TICKS: usize = 1_800_000;
@@ -74,24 +73,21 @@ pub struct Rerun {
 }
 
 impl Rerun {
-    /// Plays some ticks; gives the last two.
-    pub fn play(&mut self, ticks: u64, contact_trail: &mut ContactTrail) -> (Arc<Snapshot>, Arc<Snapshot>) {
-        let end = self.buttons.len().min(self.played + ticks as usize);
-        let mut previous = None;
-        while self.played < end {
-            if self.played + 1 == end {
-                previous = Some(Arc::new(self.simulation.snapshot()));
-            }
-            self.simulation.tick(self.buttons[self.played]);
-            contact_trail.add(self.simulation.ticks(), self.simulation.contacts());
-            self.played += 1;
-        }
-        let current = Arc::new(self.simulation.snapshot());
-        (previous.unwrap_or_else(|| current.clone()), current)
-    }
-
     /// Whether everything has been shown.
     pub fn is_over(&self) -> bool {
         self.played >= self.buttons.len()
+    }
+}
+
+impl TickSource for Rerun {
+    fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    fn tick(&mut self) -> bool {
+        let Some(&buttons) = self.buttons.get(self.played) else { return false };
+        self.simulation.tick(buttons);
+        self.played += 1;
+        true
     }
 }

@@ -1,144 +1,120 @@
-//! A game that is being played: the simulation, who plays it, and what is written down of it.
+//! A live game: a machine in play, who plays it, and what is written down of it.
 
 use super::contact_trail::ContactTrail;
+use super::game_recordings::GameRecordings;
 use super::last_ball::{LastBall, Rerun};
+use super::timeline::{TickSource, Timeline};
 use crate::bot::Bot;
 use crate::hud::{Badge, TrailContact};
-use crate::storage::library;
-use crate::storage::recordings::RecordingFile;
 use crate::{Buttons, Failure, Simulation, Snapshot, Table, tell};
 use std::path::Path;
 use std::sync::Arc;
-use std::time::SystemTime;
 
 /// The start button is pressed for a newcomer after this many ticks, and held for as many.
 const OPENING_TICKS: u64 = 300;
 
 /// A game in play.
 pub struct LiveGame {
-    simulation: Simulation,
     seed: u64,
-    previous: Arc<Snapshot>,
-    current: Arc<Snapshot>,
-    bot: Option<Bot>,
-    /// In the player's own folder.
-    library: Option<RecordingFile>,
-    /// In the file that was asked for.
-    asked: Option<RecordingFile>,
-    /// Why that one was given up: told when the window is closed.
-    broken_off: Option<Failure>,
-    last_ball: LastBall,
+    machine: LiveMachine,
+    /// The last ball, while it is watched instead of the game.
     rerun: Option<Rerun>,
+    timeline: Timeline,
     contact_trail: ContactTrail,
+}
+
+/// A machine that somebody plays.
+struct LiveMachine {
+    simulation: Simulation,
+    /// Plays instead of the player.
+    bot: Option<Bot>,
+    /// What the player holds down.
+    held: Buttons,
+    last_ball: LastBall,
+    recordings: GameRecordings,
     complaints: Vec<String>,
 }
 
 impl LiveGame {
-    /// Switches the machine on.
+    /// Switches the machine on, and records what is played: in the player's own folder, and in the file `record`.
     ///
     /// # Errors
     /// If the rules do not run, or the recording that was asked for cannot be written.
     pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<LiveGame, Failure> {
+        let mut game = LiveGame::unrecorded(table, seed, bot)?;
+        let LiveMachine { simulation, complaints, .. } = &mut game.machine;
+        game.machine.recordings = GameRecordings::begin(simulation, seed, record, complaints)?;
+        Ok(game)
+    }
+
+    /// Switches the machine on, and records nothing.
+    ///
+    /// # Errors
+    /// If the rules do not run.
+    pub fn unrecorded(table: Arc<Table>, seed: u64, bot: bool) -> Result<LiveGame, Failure> {
         let simulation = Simulation::new(table, seed)?;
-        let asked = record.map(|path| RecordingFile::create(path, &simulation, seed)).transpose()?;
-        let mut complaints = Vec::new();
-        let library = begin_in_library(&simulation, seed, &mut complaints);
-        let current = Arc::new(simulation.snapshot());
         Ok(LiveGame {
-            last_ball: LastBall::new(&simulation),
-            simulation,
             seed,
-            previous: current.clone(),
-            current,
-            bot: bot.then(|| Bot::new(seed)),
-            library,
-            asked,
-            broken_off: None,
             rerun: None,
+            timeline: Timeline::new(&simulation),
             contact_trail: ContactTrail::default(),
-            complaints,
+            machine: LiveMachine {
+                bot: bot.then(|| Bot::new(seed)),
+                held: Buttons::NONE,
+                last_ball: LastBall::new(&simulation),
+                recordings: GameRecordings::default(),
+                complaints: Vec::new(),
+                simulation,
+            },
         })
     }
 
     /// Plays some ticks with these buttons down.
     pub fn play(&mut self, ticks: u64, buttons: Buttons) {
-        if ticks == 0 {
+        let LiveGame { machine, rerun, timeline, contact_trail, .. } = self;
+        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.contacts());
+        if let Some(rerun) = rerun {
+            timeline.play(rerun, ticks, after_tick);
             return;
         }
-        if let Some(rerun) = &mut self.rerun {
-            (self.previous, self.current) = rerun.play(ticks, &mut self.contact_trail);
-            return;
-        }
-        for tick in 0..ticks {
-            if tick + 1 == ticks {
-                self.previous = Arc::new(self.simulation.snapshot());
-            }
-            self.tick(buttons);
-        }
-        self.current = Arc::new(self.simulation.snapshot());
-        self.last_ball.look(&self.simulation, &self.current.display);
-        for complaint in self.simulation.complaints() {
-            tell(&Failure::new(&complaint));
-            self.complaints.push(complaint);
+        machine.held = buttons;
+        if timeline.play(machine, ticks, after_tick) > 0 {
+            machine.look(timeline.current());
         }
     }
 
-    fn tick(&mut self, buttons: Buttons) {
-        let buttons = match &mut self.bot {
-            Some(bot) => bot.buttons(&self.simulation),
-            None => self.opening(buttons),
-        };
-        self.simulation.tick(buttons);
-        self.contact_trail.add(self.simulation.ticks(), self.simulation.contacts());
-        self.last_ball.push(buttons);
-        if let Some(failure) = keep_recording(&mut self.library, &self.simulation, buttons) {
-            tell(&failure);
-            self.complaints.push(failure.to_string());
-        }
-        if let Some(failure) = keep_recording(&mut self.asked, &self.simulation, buttons) {
-            self.complaints.push(failure.to_string());
-            self.broken_off = Some(failure);
-        }
-    }
-
-    /// A newcomer has a ball at once: the start button is pressed as the machine warms up, like any other button.
-    fn opening(&self, buttons: Buttons) -> Buttons {
-        let pressed = (OPENING_TICKS..2 * OPENING_TICKS).contains(&self.simulation.ticks());
-        if pressed { buttons.with(Buttons::START, true) } else { buttons }
-    }
-
-    /// The last two ticks.
+    /// The snapshots of the last two ticks.
     pub fn snapshots(&self) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
-        (&self.previous, &self.current)
+        self.timeline.snapshots()
     }
 
     /// Whether a game is on, so that a ball can be shot.
     pub fn is_on(&self) -> bool {
-        self.current.display.playing
+        self.timeline.current().display.playing
     }
 
     /// Who is at the machine, if not the player.
     pub fn badge(&self) -> Option<Badge> {
-        match (&self.rerun, &self.bot) {
+        match (&self.rerun, &self.machine.bot) {
             (Some(_), _) => Some(Badge::Replay),
             (None, Some(_)) => Some(Badge::Bot),
             (None, None) => None,
         }
     }
 
-    /// The last impacts.
+    /// The contact trail, as it is shown now.
     pub fn contact_trail(&self) -> Vec<TrailContact> {
-        self.contact_trail.shown(self.current.tick)
+        self.contact_trail.shown(self.timeline.current().tick)
     }
 
     /// What went wrong since the last call.
     pub fn complaints(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.complaints)
+        std::mem::take(&mut self.machine.complaints)
     }
 
     /// Shows the last ball again; `false` if there has been none.
     pub fn watch_last_ball(&mut self) -> bool {
-        self.rerun = self.last_ball.rerun();
+        self.rerun = self.machine.last_ball.rerun();
         self.rerun.is_some()
     }
 
@@ -155,13 +131,12 @@ impl LiveGame {
     /// Back from the last ball to the game.
     pub fn return_to_game(&mut self) {
         self.rerun = None;
-        self.current = Arc::new(self.simulation.snapshot());
-        self.previous = self.current.clone();
+        self.timeline.stand(&self.machine.simulation);
     }
 
     /// Whether the player asked for a recording: its table must stay as it is.
     pub fn is_bound_to_table(&self) -> bool {
-        self.asked.is_some()
+        self.machine.recordings.is_asked_for()
     }
 
     /// Goes on with another version of the table: with the same game if only the picture changed, else from the start.
@@ -169,11 +144,12 @@ impl LiveGame {
     /// # Errors
     /// If its rules do not run; the game then goes on as it was.
     pub fn set_table(&mut self, table: Arc<Table>) -> Result<(), Failure> {
-        if table.hash == self.simulation.table().hash {
-            self.simulation = Simulation::restore(table, &self.simulation.save())?;
+        let simulation = &mut self.machine.simulation;
+        if table.hash == simulation.table().hash {
+            *simulation = Simulation::restore(table, &simulation.save())?;
             return Ok(());
         }
-        let game = LiveGame::new(table, self.seed, None, self.bot.is_some())?;
+        let game = LiveGame::new(table, self.seed, None, self.machine.bot.is_some())?;
         // A game that must be recorded keeps its table; what is lost here is told and no more.
         self.finish().unwrap_or_else(|failure| tell(&failure));
         *self = game;
@@ -185,34 +161,40 @@ impl LiveGame {
     /// # Errors
     /// If the recording that was asked for is not whole.
     pub fn finish(&mut self) -> Result<(), Failure> {
-        if let Some(recorder) = self.library.take()
-            && let Err(failure) = library::finish(recorder, &self.simulation)
-        {
-            tell(&failure);
-        }
-        match self.asked.take() {
-            Some(recorder) if recorder.ticks() == 0 => recorder.discard(),
-            Some(recorder) => recorder.finish(&self.simulation),
-            None => self.broken_off.take().map_or(Ok(()), Err),
+        self.machine.recordings.finish(&self.machine.simulation)
+    }
+}
+
+impl LiveMachine {
+    /// A newcomer has a ball at once: the start button is pressed as the machine warms up, like any other button.
+    fn opening(&self) -> Buttons {
+        let pressed = (OPENING_TICKS..2 * OPENING_TICKS).contains(&self.simulation.ticks());
+        if pressed { self.held.with(Buttons::START, true) } else { self.held }
+    }
+
+    /// Looks at what has been played: whether another ball is in play, and what the rules complained about.
+    fn look(&mut self, current: &Snapshot) {
+        self.last_ball.look(&self.simulation, &current.display);
+        for complaint in self.simulation.complaints() {
+            tell(&Failure::new(&complaint));
+            self.complaints.push(complaint);
         }
     }
 }
 
-/// Records a tick; gives the recording up when that fails, and says why.
-fn keep_recording(recorder: &mut Option<RecordingFile>, game: &Simulation, buttons: Buttons) -> Option<Failure> {
-    let failure = recorder.as_mut()?.record(game, buttons).err()?;
-    *recorder = None;
-    Some(failure)
-}
+impl TickSource for LiveMachine {
+    fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
 
-#[expect(clippy::disallowed_methods, reason = "a recording is named after the moment that it was made")]
-fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<String>) -> Option<RecordingFile> {
-    let unix_s = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    let recorder = library::record(simulation, seed, unix_s);
-    recorder
-        .inspect_err(|failure| {
-            tell(failure);
-            complaints.push(failure.to_string());
-        })
-        .ok()
+    fn tick(&mut self) -> bool {
+        let buttons = match &mut self.bot {
+            Some(bot) => bot.buttons(&self.simulation),
+            None => self.opening(),
+        };
+        self.simulation.tick(buttons);
+        self.last_ball.push(buttons);
+        self.recordings.record(&self.simulation, buttons, &mut self.complaints);
+        true
+    }
 }

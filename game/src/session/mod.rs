@@ -1,20 +1,23 @@
-//! Sessions: a game that is played live, or a recording that is watched. Each plays the ticks that are due and keeps the
-//! last two snapshots.
+//! Sessions: a game that is played live, or a recording that is watched. Each plays the ticks that are due and keeps
+//! the last two snapshots.
 //!
 //! This room refuses to know a window, a key or a thread; it reads the clock only to name a new recording.
 
 mod contact_trail;
+mod game_recordings;
 mod last_ball;
 mod live_game;
 mod modal;
 mod replay_session;
 mod tick_clock;
+mod timeline;
 pub mod zoom;
 
 pub use live_game::LiveGame;
 pub use modal::Modal;
 pub use replay_session::ReplaySession;
 pub use tick_clock::{PlaybackSpeed, TickClock};
+pub use timeline::{TickSource, Timeline};
 
 use crate::Snapshot;
 use crate::hud::{Badge, DebugInfo, FrameTimes, TrailContact, UiState};

@@ -2,9 +2,10 @@
 
 use super::contact_trail::ContactTrail;
 use super::tick_clock::PlaybackSpeed;
+use super::timeline::{TickSource, Timeline};
 use crate::hud::{ReplayProgress, TrailContact};
 use crate::recording::Replay;
-use crate::{Failure, Snapshot, Table};
+use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::sync::Arc;
 
@@ -14,8 +15,7 @@ pub const SEEK_TICKS: u64 = 5 * TICKS_PER_SECOND as u64;
 /// A recording that is being watched.
 pub struct ReplaySession {
     replay: Replay,
-    previous: Arc<Snapshot>,
-    current: Arc<Snapshot>,
+    timeline: Timeline,
     contact_trail: ContactTrail,
     complaint: Option<String>,
     told: bool,
@@ -28,11 +28,9 @@ pub struct ReplaySession {
 impl ReplaySession {
     /// Watches a recording from its beginning.
     pub fn new(replay: Replay) -> ReplaySession {
-        let current = Arc::new(replay.simulation().snapshot());
         ReplaySession {
+            timeline: Timeline::new(replay.simulation()),
             replay,
-            previous: current.clone(),
-            current,
             contact_trail: ContactTrail::default(),
             complaint: None,
             told: false,
@@ -48,20 +46,10 @@ impl ReplaySession {
 
     /// Plays some ticks; stands still at the end.
     pub fn play(&mut self, ticks: u64) {
-        for tick in 0..ticks {
-            if tick + 1 == ticks {
-                self.previous = Arc::new(self.replay.simulation().snapshot());
-            }
-            if !self.replay.step() {
-                self.paused = true;
-                self.show();
-                return;
-            }
-            self.contact_trail.add(self.replay.tick(), self.replay.simulation().contacts());
-        }
-        if ticks > 0 {
-            self.current = Arc::new(self.replay.simulation().snapshot());
-        }
+        let contact_trail = &mut self.contact_trail;
+        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.contacts());
+        let played = self.timeline.play(&mut self.replay, ticks, after_tick);
+        self.paused |= played < ticks;
         self.look_for_difference();
     }
 
@@ -85,8 +73,7 @@ impl ReplaySession {
     }
 
     fn show(&mut self) {
-        self.current = Arc::new(self.replay.simulation().snapshot());
-        self.previous = self.current.clone();
+        self.timeline.stand(self.replay.simulation());
         self.look_for_difference();
     }
 
@@ -99,14 +86,14 @@ impl ReplaySession {
         }
     }
 
-    /// The last two ticks.
+    /// The snapshots of the last two ticks.
     pub fn snapshots(&self) -> (&Arc<Snapshot>, &Arc<Snapshot>) {
-        (&self.previous, &self.current)
+        self.timeline.snapshots()
     }
 
-    /// The last impacts.
+    /// The contact trail, as it is shown now.
     pub fn contact_trail(&self) -> Vec<TrailContact> {
-        self.contact_trail.shown(self.current.tick)
+        self.contact_trail.shown(self.timeline.current().tick)
     }
 
     /// What went wrong since the last call.
@@ -123,5 +110,15 @@ impl ReplaySession {
             speed: self.speed.label(),
             paused: self.paused,
         }
+    }
+}
+
+impl TickSource for Replay {
+    fn simulation(&self) -> &Simulation {
+        Replay::simulation(self)
+    }
+
+    fn tick(&mut self) -> bool {
+        self.step()
     }
 }

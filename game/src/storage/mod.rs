@@ -1,7 +1,7 @@
 //! Files: where tables, demos and recordings lie, how they are read and written.
 //!
-//! The rooms below take texts and bytes. This room turns paths into those, and what goes wrong into a sentence that names
-//! the file.
+//! The rooms below take texts and bytes. This room turns paths into those, and what goes wrong into a sentence that
+//! names the file.
 
 pub mod assets;
 mod file_failure;

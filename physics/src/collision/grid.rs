@@ -1,4 +1,4 @@
-//! Which shapes are near: a uniform grid, made once.
+//! Uniform grid: the broad phase, which shapes are near (Ericson, Real-Time Collision Detection, 2005, 7.1). Made once.
 //!
 //! Refuses to know what the shapes are for.
 
@@ -12,7 +12,7 @@ const PARTS: usize = 4;
 /// Edge of a part, m: a power of two of them, so that a place is in a part exactly if it is in that part's cell.
 const PART_M: f64 = CELL_M / PARTS as f64;
 /// Far above rounding, far below anything else, m.
-const ROUNDING_M: f64 = 1e-9;
+const GRID_ROUNDING_M: f64 = 1e-9;
 
 /// For each cell the indices of the shapes that come near it.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ impl Grid {
         grid
     }
 
-    /// Calls `visit` with every shape that may be near the straight way from `from` to `to`, perhaps more than once.
+    /// Calls `visit` with every shape that may be near the straight path from `from` to `to`, perhaps more than once.
     pub fn visit(&self, from: DVec2, to: DVec2, mut visit: impl FnMut(usize)) {
         let (min, max) = (from.min(to), from.max(to));
         let (left, right) = (part(min.x, self.columns), part(max.x, self.columns));
@@ -97,7 +97,7 @@ fn block(columns: (usize, usize), rows: (usize, usize)) -> u16 {
 fn parts_near(shape: &Shape, corner: DVec2, reach: f64) -> u16 {
     let near = |middle: DVec2, edge: f64| {
         let half_diagonal = edge * std::f64::consts::FRAC_1_SQRT_2;
-        shape.distance(middle).0 <= half_diagonal + reach + ROUNDING_M
+        shape.distance(middle).0 <= half_diagonal + reach + GRID_ROUNDING_M
     };
     if !near(corner + 0.5 * CELL_M, CELL_M) {
         return 0;

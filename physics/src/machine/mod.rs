@@ -1,24 +1,21 @@
-//! The machine in play.
+//! Machine: everything on the playfield, tick after tick.
 
-pub(crate) mod command;
 pub(crate) mod diagnostics;
 pub(crate) mod fingerprint;
 pub(crate) mod save;
 
-use crate::ball::motion::Motion;
-use crate::ball::{Ball, Hold};
-use crate::collision::time_of_impact::is_out_of_reach;
-use crate::collision::world::Plan;
-use crate::layout::{FlipperControl, Layout, PartId, check};
+use crate::ball::Ball;
+use crate::layout::{Layout, build, check};
 use crate::machine::fingerprint::fingerprint;
-use crate::mechanisms::controls::{Command, Controls};
-use crate::mechanisms::flipper::{Blade, FINE_STEPS, Rotor};
-use crate::mechanisms::rigid_mechanisms::Works;
-use crate::mechanisms::state::{KICKER_READY_TICKS, State};
-use crate::mechanisms::{elevation, magnet, rod, triggers};
+use crate::mechanisms::controls::Controls;
+use crate::mechanisms::kind::Command;
+use crate::mechanisms::model::{Model, State};
+use crate::mechanisms::rigid_mechanisms::RigidMechanisms;
+use crate::mechanisms::{self, drop_target, elevation, flap_contact, flipper, kicker, plunger, rod, triggers};
+use crate::part::PartId;
 use crate::part::event::{Contact, Event, EventKind};
-use crate::solver::sweep::{Scratch, Sweep};
-use crate::{BALL_RADIUS_M, TICK_S};
+use crate::solver::step::{Step, StepBuffers};
+use crate::solver::substeps::{self, TickInput};
 use geometry::DVec2;
 use std::sync::Arc;
 
@@ -29,14 +26,15 @@ pub struct Machine {
     layout: Arc<Layout>,
     /// Of the layout, as saved bytes name it.
     fingerprint: u64,
-    pub(crate) plan: Arc<Plan>,
-    pub(crate) state: State,
-    pub(crate) works: Works,
-    scratch: Scratch,
-    pub(crate) starts: Vec<DVec2>,
-    pub(crate) events: Vec<Event>,
+    model: Arc<Model>,
+    state: State,
+    rigid: RigidMechanisms,
+    buffers: StepBuffers,
+    /// Where the balls were at the tick's start.
+    starts: Vec<DVec2>,
+    events: Vec<Event>,
     contacts: Vec<Contact>,
-    /// Least number of steps in a tick: 1 in play.
+    /// Least number of substeps in a tick: 1 in play.
     substeps: u32,
 }
 
@@ -64,22 +62,28 @@ impl Machine {
     /// # Errors
     /// If a part's numbers cannot be.
     pub fn new(layout: Arc<Layout>) -> Result<Machine, Error> {
-        check::layout(&layout)?;
-        let plan = Plan::new(&layout);
-        let state = State::new(&plan);
-        let works = Works::new(&plan);
+        check::layout(&layout).map_err(|(part, text)| Error::Layout(part, text))?;
+        let model = build::model(&layout);
+        let state = State::new(&model);
+        let rigid = RigidMechanisms::new(&model.mechanisms);
         let fingerprint = fingerprint(&*layout);
-        Ok(Machine::assemble(layout, fingerprint, Arc::new(plan), state, works))
+        Ok(Machine::assemble(layout, fingerprint, Arc::new(model), state, rigid))
     }
 
-    fn assemble(layout: Arc<Layout>, fingerprint: u64, plan: Arc<Plan>, state: State, works: Works) -> Machine {
+    fn assemble(
+        layout: Arc<Layout>,
+        fingerprint: u64,
+        model: Arc<Model>,
+        state: State,
+        rigid: RigidMechanisms,
+    ) -> Machine {
         Machine {
             layout,
             fingerprint,
-            plan,
+            model,
             state,
-            works,
-            scratch: Scratch::default(),
+            rigid,
+            buffers: StepBuffers::default(),
             starts: Vec::new(),
             events: Vec::new(),
             contacts: Vec::new(),
@@ -87,7 +91,7 @@ impl Machine {
         }
     }
 
-    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least `substeps` steps in a
+    /// The slow twin of a machine in play, for experiments: its balls and flippers take at least so many substeps in a
     /// tick (1 in play; near a moving flipper there are more in any case). Its clones are as slow; what is restored from
     /// its bytes is not.
     pub fn substepped(self, substeps: u32) -> Machine {
@@ -99,33 +103,29 @@ impl Machine {
         &self.layout
     }
 
-    /// One millisecond. Commands are obeyed first, in their order.
+    /// One millisecond: commands are obeyed in their order, the cabinet is pushed, balls and flippers move from impact to
+    /// impact, then everything that looks where balls have come to.
     pub fn tick(&mut self, controls: Controls, commands: &[Command]) {
         self.events.clear();
         self.contacts.clear();
-        commands.iter().for_each(|command| self.obey(command));
-        self.feed();
-        self.raise();
-        let shake = self.state.mechanisms.cabinet.tick(&controls);
-        let felt = [(shake.bob, EventKind::TiltBob), (shake.slam, EventKind::Slam)];
-        self.events.extend(felt.into_iter().filter(|felt| felt.0).map(|(_, kind)| Event { part: None, kind }));
-        for ticks in &mut self.state.mechanisms.kickers {
-            *ticks = (*ticks + 1).min(KICKER_READY_TICKS);
-        }
-        self.pull_rods(controls.plunger);
+        commands.iter().for_each(|command| command.obey(&self.model, &mut self.state, &mut self.events));
+        plunger::feed(&self.model, &mut self.state, &mut self.events);
+        drop_target::tick(&self.model, &mut self.state, &mut self.rigid, &mut self.events);
+        let shaken = self.push_cabinet(&controls);
+        kicker::tick(&mut self.state.mechanisms.kicker_ticks);
+        rod::tick(&self.model.mechanisms.rods, &mut self.state.mechanisms.rods, controls.plunger);
         self.starts.clear();
         self.starts.extend(self.state.balls.iter().map(|ball| ball.center));
-        self.move_all(&controls, shake.acceleration);
-        self.move_works();
-        elevation::tick(&self.plan, &mut self.state, &self.starts, TICK_S, &mut self.events);
-        triggers::tick(&self.plan, &mut self.state, &self.starts, &mut self.events);
-        let State { balls, mechanisms } = &mut self.state;
-        rod::report(&self.plan.slides, balls, &mut mechanisms.rods, &mut self.events);
-        magnet::report(&self.plan, balls, mechanisms, &mut self.events);
-        self.state.balls.iter_mut().for_each(|ball| ball.end_tick(TICK_S));
+        self.move_balls(&controls, shaken);
+        self.move_rigid_mechanisms();
+        elevation::tick(&self.model, &mut self.state, &self.starts, &mut self.events);
+        triggers::tick(&self.model, &mut self.state, &self.starts, &mut self.events);
+        mechanisms::report(&self.model, &mut self.state, &mut self.events);
+        self.state.balls.iter_mut().for_each(Ball::end_tick);
     }
 
-    /// Puts a ball on the playfield, for experiments: centre in m, velocity in m/s, spin as in [`crate::mechanisms::pose::BallPose::spin`]. Returns its id.
+    /// Puts a ball on the playfield, for experiments: centre in m, velocity in m/s, spin as in [`crate::BallPose::spin`].
+    /// Returns its id.
     pub fn put_ball(&mut self, center: DVec2, velocity_m_s: DVec2, spin_rad_s: [f64; 3]) -> u32 {
         let id = self.state.mechanisms.next_ball;
         self.state.mechanisms.next_ball = id.wrapping_add(1);
@@ -134,75 +134,41 @@ impl Machine {
         id
     }
 
-    fn pull_rods(&mut self, held: bool) {
-        for (slide, rod) in self.plan.slides.iter().zip(&mut self.state.mechanisms.rods) {
-            slide.tick(rod, held);
-        }
+    /// Returns the cabinet's acceleration, m/s^2.
+    fn push_cabinet(&mut self, controls: &Controls) -> DVec2 {
+        let motion = self.state.mechanisms.cabinet.tick(controls);
+        let felt = [(motion.bob, EventKind::TiltBob), (motion.slam, EventKind::Slam)];
+        self.events.extend(felt.into_iter().filter(|felt| felt.0).map(|(_, kind)| Event { part: None, kind }));
+        motion.acceleration
     }
 
-    /// For each rotor whether its coil is on.
-    fn pressed(&self, controls: &Controls) -> Vec<bool> {
-        let own = &self.state.mechanisms;
-        let pressed = |(blade, &diverted): (&Blade, &bool)| match blade.flipper.control {
-            FlipperControl::Left => own.flippers_live && controls.left,
-            FlipperControl::Right => own.flippers_live && controls.right,
-            FlipperControl::Rules => diverted,
+    /// Balls, flippers and rods, in as many substeps as the flippers need.
+    fn move_balls(&mut self, controls: &Controls, cabinet: DVec2) {
+        let model = &*self.model;
+        let input = TickInput {
+            coils: flipper::coils(&model.mechanisms, &self.state.mechanisms, controls),
+            external: DVec2::new(0.0, model.floor.slope_gravity) - cabinet,
+            min_substeps: self.substeps,
         };
-        self.plan.blades.iter().zip(&own.diverted).map(pressed).collect()
+        let schedule = substeps::schedule(model, &self.state, &input);
+        substeps::turn_detached(model, &mut self.state, &input, &schedule);
+        let mut step = Step {
+            model,
+            state: &mut self.state,
+            buffers: &mut self.buffers,
+            events: &mut self.events,
+            contacts: &mut self.contacts,
+            elapsed: 0.0,
+            detached: &schedule.detached,
+        };
+        substeps::run(&mut step, &input, schedule.substeps);
     }
 
-    fn move_all(&mut self, controls: &Controls, cabinet: DVec2) {
-        let plan = Arc::clone(&self.plan);
-        let pull = DVec2::new(0.0, plan.floor.gravity) - cabinet;
-        let pressed = self.pressed(controls);
-        // A flipper that moves where no ball can come to turns alone; the others turn in the steps of the balls.
-        let mut alone = vec![false; plan.blades.len()];
-        let mut steps = 1;
-        for (index, (blade, rotor)) in plan.blades.iter().zip(&self.state.mechanisms.rotors).enumerate() {
-            if blade.will_move(rotor, pressed[index], TICK_S) {
-                alone[index] = !self.state.balls.iter().any(|ball| may_reach(blade, rotor, ball));
-                steps = if alone[index] { steps } else { steps.max(blade.steps(rotor)) };
-            }
-        }
-        for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| alone[index]) {
-            let rotor = &mut self.state.mechanisms.rotors[index];
-            for _ in 0..FINE_STEPS {
-                blade.turn(rotor, pressed[index], TICK_S / f64::from(FINE_STEPS));
-                rotor.advance(TICK_S / f64::from(FINE_STEPS));
-                blade.settle(rotor);
-            }
-        }
-        let steps = self.substeps.max(steps);
-        let duration = TICK_S / f64::from(steps);
-        self.scratch.clear.clear();
-        self.scratch.angles.clear();
-        if steps > 1 {
-            self.sweep(&plan, 0.0, &alone).look_around();
-        }
-        for step in 0..steps {
-            for (index, blade) in plan.blades.iter().enumerate().filter(|&(index, _)| !alone[index]) {
-                blade.turn(&mut self.state.mechanisms.rotors[index], pressed[index], duration);
-            }
-            self.step(&plan, pull, f64::from(step) * duration, duration, &alone);
-        }
-    }
-
-    fn step(&mut self, plan: &Plan, pull: DVec2, elapsed: f64, duration: f64, alone: &[bool]) {
-        self.scratch.motions.clear();
-        self.scratch.motions.resize(self.state.balls.len(), Motion::new(pull, plan.floor));
-        for (ball, motion) in self.state.balls.iter().zip(&mut self.scratch.motions) {
-            if let Hold::Sinking(saucer) = ball.hold {
-                motion.pull += triggers::bowl(&plan.saucers[saucer].1, ball);
-            }
-            elevation::act(plan, ball, duration, motion);
-            magnet::act(plan, &self.state.mechanisms, ball, duration, motion);
-        }
-        self.sweep(plan, elapsed, alone).step(duration);
-    }
-
-    fn sweep<'a>(&'a mut self, plan: &'a Plan, elapsed: f64, alone: &'a [bool]) -> Sweep<'a> {
-        let (events, contacts) = (&mut self.events, &mut self.contacts);
-        Sweep { plan, state: &mut self.state, scratch: &mut self.scratch, events, contacts, elapsed, alone }
+    /// Balls push flaps, and rapier moves everything that it owns.
+    fn move_rigid_mechanisms(&mut self) {
+        flap_contact::tick(&self.model, &mut self.rigid, &mut self.state.balls, &self.starts);
+        let (spinners, events) = (&self.model.mechanisms.spinners, &mut self.events);
+        self.rigid.tick(|spinner| events.push(Event::closed(spinners[spinner].part)));
     }
 
     /// What happened in the last tick, in order.
@@ -217,12 +183,12 @@ impl Machine {
 
     /// Of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
-        save::hashes(&self.state, &self.works)
+        save::hashes(&self.state, &self.rigid)
     }
 
     /// Everything that can change what happens next.
     pub fn save(&self) -> Vec<u8> {
-        save::write(self.fingerprint, &self.state, &self.works)
+        save::write(self.fingerprint, &self.state, &self.rigid)
     }
 
     /// The machine that [`Machine::save`] wrote, on the same layout.
@@ -233,24 +199,13 @@ impl Machine {
         Machine::new(layout)?.restored(bytes)
     }
 
-    /// As [`Machine::restore`], on this one's layout: much faster, because what follows from the layout is shared.
+    /// As [`Machine::restore`], on this machine's layout: much faster, because what follows from the layout is shared.
     /// Nothing else of this machine is in the other.
     ///
     /// # Errors
     /// If the bytes are not what `save` writes for this layout.
     pub fn restored(&self, bytes: &[u8]) -> Result<Machine, Error> {
-        let (state, works) = save::read(self.fingerprint, &self.plan, bytes).map_err(Error::Save)?;
-        Ok(Machine::assemble(Arc::clone(&self.layout), self.fingerprint, Arc::clone(&self.plan), state, works))
+        let (state, rigid) = save::read(self.fingerprint, &self.model, bytes).map_err(Error::Save)?;
+        Ok(Machine::assemble(Arc::clone(&self.layout), self.fingerprint, Arc::clone(&self.model), state, rigid))
     }
-}
-
-/// Whether a ball can come to where the flipper may be within the tick, both being a good deal faster than they are:
-/// another ball, a kicker and the coil may see to that.
-fn may_reach(blade: &Blade, rotor: &Rotor, ball: &Ball) -> bool {
-    let travel = 2.0 * ball.velocity.length() * TICK_S + 6e-3;
-    if ball.is_held() || ball.is_up() || is_out_of_reach(blade, ball.center, travel) {
-        return false;
-    }
-    let turn = (2.0 * rotor.speed.abs() + blade.most_acceleration(rotor) * TICK_S) * TICK_S;
-    blade.taper(rotor.angle).distance(ball.center).0 < BALL_RADIUS_M + travel + turn * blade.reach
 }

@@ -1,10 +1,9 @@
 //! The state as bytes, and its fingerprints.
 
-use crate::collision::world::Plan;
 use crate::machine::Hashes;
 use crate::machine::fingerprint::fingerprint;
-use crate::mechanisms::rigid_mechanisms::Works;
-use crate::mechanisms::state::State;
+use crate::mechanisms::model::{Model, State};
+use crate::mechanisms::rigid_mechanisms::RigidMechanisms;
 use xxhash_rust::xxh3::xxh3_64;
 
 /// Raised whenever the bytes mean something else.
@@ -12,13 +11,13 @@ const VERSION: u8 = 2;
 /// Version, fingerprint of the layout, fingerprint of what follows.
 const HEAD: usize = 1 + 8 + 8;
 
-pub(crate) fn hashes(state: &State, works: &Works) -> Hashes {
-    Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&(&state.mechanisms, works.motion())) }
+pub(crate) fn hashes(state: &State, rigid: &RigidMechanisms) -> Hashes {
+    Hashes { balls: fingerprint(&state.balls), mechanisms: fingerprint(&(&state.mechanisms, rigid.motion())) }
 }
 
 /// The bytes of a machine whose layout has the fingerprint `layout`.
-pub(crate) fn write(layout: u64, state: &State, works: &Works) -> Vec<u8> {
-    let body = postcard::to_stdvec(&(state, works.save())).unwrap_or_default();
+pub(crate) fn write(layout: u64, state: &State, rigid: &RigidMechanisms) -> Vec<u8> {
+    let body = postcard::to_stdvec(&(state, rigid.save())).unwrap_or_default();
     let mut bytes = vec![VERSION];
     bytes.extend(layout.to_le_bytes());
     bytes.extend(xxh3_64(&body).to_le_bytes());
@@ -26,8 +25,8 @@ pub(crate) fn write(layout: u64, state: &State, works: &Works) -> Vec<u8> {
     bytes
 }
 
-/// What [`write`] wrote for this plan, whose layout has the fingerprint `layout`.
-pub(crate) fn read(layout: u64, plan: &Plan, bytes: &[u8]) -> Result<(State, Works), String> {
+/// What [`write`] wrote for this model, whose layout has the fingerprint `layout`.
+pub(crate) fn read(layout: u64, model: &Model, bytes: &[u8]) -> Result<(State, RigidMechanisms), String> {
     let (head, body) = bytes.split_at_checked(HEAD).ok_or("the saved machine is cut off")?;
     if head[0] != VERSION {
         return Err(format!("the saved machine has version {}, this one has {VERSION}", head[0]));
@@ -38,9 +37,9 @@ pub(crate) fn read(layout: u64, plan: &Plan, bytes: &[u8]) -> Result<(State, Wor
     if head[9..] != xxh3_64(body).to_le_bytes() {
         return Err("the saved machine is damaged".into());
     }
-    let (state, works): (State, Vec<u8>) =
+    let (state, rigid): (State, Vec<u8>) =
         postcard::from_bytes(body).map_err(|error| format!("the saved machine cannot be read: {error}"))?;
-    let works = Works::restore(plan, &works).filter(|_| state.fits(plan));
-    let works = works.ok_or("the saved machine has other parts than this layout")?;
-    Ok((state, works))
+    let rigid = RigidMechanisms::restore(&model.mechanisms, &rigid).filter(|_| state.fits(model));
+    let rigid = rigid.ok_or("the saved machine has other parts than this layout")?;
+    Ok((state, rigid))
 }

@@ -1,47 +1,49 @@
-//! The cabinet: it rings on its legs when it is pushed; the tilt bob hangs in it, and the slam switch sits on its door.
+//! Cabinet: it rings on its legs when it is pushed; the tilt bob hangs in it, and the slam switch sits on its door.
 //!
 //! A push is half a sine wave of 25 ms. It is often said to have a peak of about 0.5 g and to move the cabinet by 3 to
 //! 5 mm, but both at once cannot be: a push of peak `a` gives the speed `a * 25 ms * 2 / pi`, and the cabinet goes as far
 //! as that over its natural frequency, with 0.5 g 1.3 mm sideways and 2.1 mm forwards. How far it goes is what saves a
 //! ball, so that is kept here; 0.5 g is then the cabinet's mean acceleration while it is pushed.
 
-use crate::TICK_S;
 use crate::mechanisms::controls::Controls;
+use crate::{GRAVITY_M_S2, TICK_S};
 use geometry::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// How long a push lasts.
-const PUSH_TICKS: u16 = 25;
+const NUDGE_TICKS: u16 = 25;
 /// Peak acceleration of a calm push, sideways and forwards or backwards, m/s^2: the cabinet moves by 3.2 mm.
-const PUSH_M_S2: DVec2 = DVec2::new(13.5, 8.0);
+const NUDGE_M_S2: DVec2 = DVec2::new(13.5, 8.0);
 /// A player who pushes again before he stands firm pushes with more of his weight: by so much harder...
-const HASTE: f64 = 1.2;
+const HASTE_GAIN: f64 = 1.2;
 /// ... fading with this time constant.
 const HASTE_S: f64 = 0.4;
 /// Natural frequency of the cabinet on its legs, sideways and forwards, rad/s: 9.3 and 5.8 Hz.
 const RING_RAD_S: DVec2 = DVec2::new(9.3 * std::f64::consts::TAU, 5.8 * std::f64::consts::TAU);
 /// Damping ratio of the same.
 const RING_DAMPING: DVec2 = DVec2::new(0.052, 0.055);
-/// Natural frequency of a pendulum 0.10 m long, squared, 1/s^2.
-const BOB_RAD2_S2: f64 = 9.81 / 0.10;
+/// Length of the tilt bob's pendulum, m.
+const BOB_LENGTH_M: f64 = 0.10;
+/// Its natural frequency, squared, 1/s^2.
+const BOB_RAD2_S2: f64 = GRAVITY_M_S2 / BOB_LENGTH_M;
 /// Damping rate of the bob's swing, 1/s.
 const BOB_DAMPING_PER_S: f64 = 2.0;
 /// How far the bob swings before it touches its ring, m.
-const RING_M: f64 = 0.0043;
+const BOB_RING_M: f64 = 0.0043;
 /// A touch so soon after the last one is the same one.
-const TOUCH_TICKS: u16 = 300;
+const BOB_DEAF_TICKS: u16 = 300;
 /// The slam switch is a weight on a leaf spring that creeps back with this time constant, so that jolts add up...
 const SLAM_S: f64 = 0.4;
 /// ... until it closes: at so many times what one calm push does to it. Three pushes, however hasty, come to 5.9 at
 /// most; five at even distances within 600 ms come to 6.7 at least. It opens again at half of that.
-const SLAM: f64 = 6.3;
+const SLAM_NUDGES: f64 = 6.3;
 /// What one calm push does to it: the mean of half a sine wave, for as long as the push lasts.
-const CALM_S: f64 = 2.0 / std::f64::consts::PI * PUSH_TICKS as f64 * TICK_S;
+const CALM_NUDGE_S: f64 = 2.0 / std::f64::consts::PI * NUDGE_TICKS as f64 * TICK_S;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Cabinet {
     /// From where it stands, m.
-    pub place: DVec2,
+    pub offset: DVec2,
     pub velocity: DVec2,
     /// The bob from where it hangs, in the cabinet.
     bob: DVec2,
@@ -62,9 +64,9 @@ pub(crate) struct Cabinet {
     slammed: bool,
 }
 
-/// What a tick does to what stands in the cabinet.
+/// What a tick of the cabinet does to what stands in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shake {
+pub(crate) struct CabinetMotion {
     /// The cabinet's acceleration, m/s^2.
     pub acceleration: DVec2,
     /// The bob has touched its ring.
@@ -76,7 +78,7 @@ pub(crate) struct Shake {
 impl Default for Cabinet {
     fn default() -> Cabinet {
         Cabinet {
-            place: DVec2::ZERO,
+            offset: DVec2::ZERO,
             velocity: DVec2::ZERO,
             bob: DVec2::ZERO,
             bob_velocity: DVec2::ZERO,
@@ -93,12 +95,12 @@ impl Default for Cabinet {
 
 impl Cabinet {
     /// One tick.
-    pub fn tick(&mut self, controls: &Controls) -> Shake {
+    pub fn tick(&mut self, controls: &Controls) -> CabinetMotion {
         let pressed = [controls.nudge_left, controls.nudge_right, controls.nudge_up, controls.nudge_down];
         for (index, &now) in pressed.iter().enumerate() {
             if now && !self.pressed[index] {
-                self.pushes[index] = PUSH_TICKS;
-                self.force[index] = 1.0 + HASTE * self.haste;
+                self.pushes[index] = NUDGE_TICKS;
+                self.force[index] = 1.0 + HASTE_GAIN * self.haste;
                 self.haste += 1.0;
             }
         }
@@ -106,10 +108,10 @@ impl Cabinet {
         self.pressed = pressed;
         let push = self.push();
         let stiffness = RING_RAD_S * RING_RAD_S;
-        let acceleration = push - self.place * stiffness - self.velocity * (2.0 * RING_DAMPING * RING_RAD_S);
+        let acceleration = push - self.offset * stiffness - self.velocity * (2.0 * RING_DAMPING * RING_RAD_S);
         self.velocity += acceleration * TICK_S;
-        self.place += self.velocity * TICK_S;
-        Shake { acceleration, bob: self.swing(acceleration), slam: self.bend_slam(push) }
+        self.offset += self.velocity * TICK_S;
+        CabinetMotion { acceleration, bob: self.swing(acceleration), slam: self.bend_slam(push) }
     }
 
     /// Acceleration by the hands: half a sine wave for each push.
@@ -118,8 +120,8 @@ impl Cabinet {
         let mut sum = DVec2::ZERO;
         for ((left, force), way) in self.pushes.iter_mut().zip(self.force).zip(ways) {
             if *left > 0 {
-                let phase = (f64::from(*left) - 0.5) / f64::from(PUSH_TICKS);
-                sum += way * force * PUSH_M_S2 * libm::sin(phase * std::f64::consts::PI);
+                let phase = (f64::from(*left) - 0.5) / f64::from(NUDGE_TICKS);
+                sum += way * force * NUDGE_M_S2 * libm::sin(phase * std::f64::consts::PI);
                 *left -= 1;
             }
         }
@@ -131,20 +133,21 @@ impl Cabinet {
         self.bob_velocity += pull * TICK_S;
         self.bob += self.bob_velocity * TICK_S;
         self.deaf = self.deaf.saturating_sub(1);
-        let touches = self.bob.length() > RING_M;
+        let touches = self.bob.length() > BOB_RING_M;
         let counted = touches && self.deaf == 0;
         if counted {
-            self.deaf = TOUCH_TICKS;
+            self.deaf = BOB_DEAF_TICKS;
         }
         counted
     }
+
     /// The slam switch answers to what the hands do, alike in all directions, and not to how the cabinet rings. True
     /// when it closes.
     fn bend_slam(&mut self, push: DVec2) -> bool {
         self.jolt *= 1.0 - TICK_S / SLAM_S;
-        self.jolt += (push / PUSH_M_S2).length() * TICK_S / CALM_S;
+        self.jolt += (push / NUDGE_M_S2).length() * TICK_S / CALM_NUDGE_S;
         let before = self.slammed;
-        self.slammed = self.jolt > if before { 0.5 * SLAM } else { SLAM };
+        self.slammed = self.jolt > if before { 0.5 * SLAM_NUDGES } else { SLAM_NUDGES };
         self.slammed && !before
     }
 }
@@ -165,7 +168,7 @@ mod tests {
             }
         }
         let period_s = f64::from(turns[2] - turns[0]) * 0.5 * TICK_S;
-        let wanted_s = std::f64::consts::TAU * (0.10_f64 / 9.81).sqrt();
+        let wanted_s = std::f64::consts::TAU * (BOB_LENGTH_M / GRAVITY_M_S2).sqrt();
         assert!((period_s / wanted_s - 1.0).abs() < 0.03, "{period_s} s, not {wanted_s} s");
     }
 }

@@ -1,4 +1,4 @@
-//! Magnets below the playfield: what they do to a ball, and when they hold one.
+//! Magnet: an electromagnet below the playfield: what it does to a ball, and when it holds a ball.
 //!
 //! The pull along the playfield is the gradient of the potential `-(1 - (r/R)^2)^3`, the smooth kernel of compact
 //! support of Muller et al., Particle-Based Fluid Simulation for Interactive Applications (2003): nothing in the
@@ -12,27 +12,53 @@
 
 use crate::ball::Ball;
 use crate::ball::motion::Motion;
-use crate::collision::world::Plan;
-use crate::layout::{Magnet, PartId};
-use crate::mechanisms::state::Mechanisms;
+use crate::mechanisms::MechanismStates;
+use crate::mechanisms::model::Model;
 use crate::part::event::{Event, EventKind};
-use geometry::DVec2;
+use crate::part::validation::{self, Checked};
+use crate::part::{Numbered, PartId, index_of};
+use geometry::{Circle, DVec2};
 use serde::{Deserialize, Serialize};
 
+/// A magnet that pulls harder than this would swing a ball faster than a tick can follow, m/s^2.
+const MAX_PULL_M_S2: f64 = 500.0;
 /// One over the most that `x (1 - x^2)^2` comes to, at `x = 1 / sqrt(5)`.
-const PEAK: f64 = 3.493_856_214_843_422;
+const INVERSE_PEAK: f64 = 3.493_856_214_843_422;
 /// What presses a ball on the playfield over the middle, over the most that pulls it along: the near pole is below it.
-const PRESS: f64 = 2.0;
+const NORMAL_LOAD_RATIO: f64 = 2.0;
 /// Deceleration of a ball that rolls in the field, over what presses it.
 const HYSTERESIS: f64 = 0.08;
 /// A ball lies in the middle when it is no farther from it than this part of the reach...
-const MIDDLE: f64 = 0.15;
+const HOLDING_RADIUS: f64 = 0.15;
 /// ... and no faster than this, m/s; it has left when it is twice as far.
-const LYING_M_S: f64 = 0.05;
+const HOLDING_M_S: f64 = 0.05;
 
-/// What a magnet is doing.
+/// An electromagnet below the playfield that pulls balls to its middle while the rules have it switched on.
+/// Its switch is closed while it holds a ball in its middle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Magnet {
+    /// Its middle, and how far it reaches.
+    pub circle: Circle,
+    /// The most that it pulls along the playfield, m/s^2: at 0.45 of its reach. A real one holds a ball against ten
+    /// times the slope and more.
+    pub pull_m_s2: f64,
+}
+
+impl Magnet {
+    pub(crate) fn check(&self) -> Checked {
+        validation::circle(&self.circle)?;
+        validation::not_negative("the pull", self.pull_m_s2)?;
+        validation::at_most("the pull", self.pull_m_s2, MAX_PULL_M_S2)
+    }
+
+    pub(crate) fn add_to(&self, part: PartId, model: &mut Model) {
+        model.mechanisms.magnets.push(Numbered { part, numbers: self.clone() });
+    }
+}
+
+/// Magnet state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Coil {
+pub(crate) struct MagnetState {
     /// The rules have switched it on.
     pub on: bool,
     /// A ball lies in its middle: its switch is closed.
@@ -50,29 +76,29 @@ fn pull(magnet: &Magnet, center: DVec2) -> (DVec2, f64) {
     let Some(inwards) = within(magnet, center) else { return (DVec2::ZERO, 0.0) };
     let fade = 1.0 - inwards.length_squared();
     let strength = magnet.pull_m_s2 * fade * fade;
-    (inwards * (PEAK * strength), PRESS * strength)
+    (inwards * (INVERSE_PEAK * strength), NORMAL_LOAD_RATIO * strength)
 }
 
-/// Lets the magnets that are on act on a ball in a step of `duration`.
+/// Lets the magnets that are on apply on a ball in a step of `duration`.
 ///
 /// The pull is that half-way through the step. Over a step this is the symplectic midpoint rule, so a ball that swings
 /// through the middle gains nothing from the size of the step.
-pub(crate) fn act(plan: &Plan, own: &Mechanisms, ball: &Ball, duration: f64, motion: &mut Motion) {
+pub(crate) fn apply(model: &Model, states: &MechanismStates, ball: &Ball, duration: f64, motion: &mut Motion) {
     let half_way = ball.center + ball.velocity * (0.5 * duration);
-    for (coil, (_, magnet)) in own.coils.iter().zip(&plan.magnets) {
-        if coil.on && own.kickers_live && !ball.is_up() {
+    for (coil, Numbered { numbers: magnet, .. }) in states.magnets.iter().zip(&model.mechanisms.magnets) {
+        if coil.on && states.kickers_live && !ball.is_up() {
             let (along, down) = pull(magnet, half_way);
-            motion.pull += along;
-            motion.floor.press += down;
+            motion.external += along;
+            motion.floor.normal_load += down;
             motion.floor.drag += HYSTERESIS * down;
         }
     }
 }
 
 /// Whether a magnet holds this ball.
-pub(crate) fn holds(plan: &Plan, own: &Mechanisms, ball: &Ball) -> bool {
-    let mut coils = own.coils.iter().zip(&plan.magnets);
-    coils.any(|(coil, (_, magnet))| coil.holds && lies(magnet, ball, 2.0 * MIDDLE))
+pub(crate) fn holds(model: &Model, states: &MechanismStates, ball: &Ball) -> bool {
+    let mut coils = states.magnets.iter().zip(&model.mechanisms.magnets);
+    coils.any(|(coil, own)| coil.holds && lies(&own.numbers, ball, 2.0 * HOLDING_RADIUS))
 }
 
 fn lies(magnet: &Magnet, ball: &Ball, middle: f64) -> bool {
@@ -80,33 +106,50 @@ fn lies(magnet: &Magnet, ball: &Ball, middle: f64) -> bool {
 }
 
 /// Closes the switches of magnets that have come to hold a ball, and opens those of magnets that it has left.
-pub(crate) fn report(plan: &Plan, balls: &[Ball], own: &mut Mechanisms, events: &mut Vec<Event>) {
-    let live = own.kickers_live;
-    for (coil, (part, magnet)) in own.coils.iter_mut().zip(&plan.magnets) {
-        let rests = |ball: &Ball| lies(magnet, ball, MIDDLE) && ball.velocity.length() < LYING_M_S;
+pub(crate) fn report(model: &Model, balls: &[Ball], states: &mut MechanismStates, events: &mut Vec<Event>) {
+    let live = states.kickers_live;
+    for (coil, Numbered { part, numbers: magnet }) in states.magnets.iter_mut().zip(&model.mechanisms.magnets) {
+        let rests = |ball: &Ball| lies(magnet, ball, HOLDING_RADIUS) && ball.velocity.length() < HOLDING_M_S;
         let holds = match coil.holds {
-            true => balls.iter().any(|ball| lies(magnet, ball, 2.0 * MIDDLE)),
+            true => balls.iter().any(|ball| lies(magnet, ball, 2.0 * HOLDING_RADIUS)),
             false => coil.on && live && balls.iter().any(rests),
         };
         if holds != coil.holds {
             let kind = if holds { EventKind::Closed } else { EventKind::Opened };
-            events.push(Event { part: Some(PartId(*part)), kind });
+            events.push(Event { part: Some(*part), kind });
         }
         coil.holds = holds;
     }
+}
+
+/// The rules switch a magnet on or off.
+pub(crate) fn switch(model: &Model, states: &mut MechanismStates, part: PartId, on: bool) {
+    if let Some(magnet) = index_of(part, &model.mechanisms.magnets) {
+        states.magnets[magnet].on = on;
+    }
+}
+
+/// Switches every magnet off.
+pub(crate) fn search(states: &mut MechanismStates) {
+    states.magnets.iter_mut().for_each(|coil| coil.on = false);
+}
+
+/// Whether each magnet pulls.
+pub(crate) fn pose(model: &Model, states: &MechanismStates) -> Vec<(PartId, bool)> {
+    let magnets = model.mechanisms.magnets.iter().zip(&states.magnets);
+    magnets.map(|(own, coil)| (own.part, coil.on && states.kickers_live)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::TICK_S;
-    use geometry::Circle;
 
     const MAGNET: Magnet = Magnet { circle: Circle { center: DVec2::new(0.25, 0.5), radius: 0.045 }, pull_m_s2: 40.0 };
 
     fn potential(center: DVec2) -> f64 {
         let fade = within(&MAGNET, center).map_or(0.0, |inwards| 1.0 - inwards.length_squared());
-        -PEAK * MAGNET.pull_m_s2 * MAGNET.circle.radius / 6.0 * fade * fade * fade
+        -INVERSE_PEAK * MAGNET.pull_m_s2 * MAGNET.circle.radius / 6.0 * fade * fade * fade
     }
 
     #[test]

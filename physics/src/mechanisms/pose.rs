@@ -1,6 +1,12 @@
-//! Where everything is: what a picture, a bot or a debug overlay needs to know.
+//! Pose: where everything is, as a picture, a bot or a debug overlay needs to know.
 
-use crate::layout::PartId;
+use crate::ball::Ball;
+use crate::ball::pose::BallPose;
+use crate::mechanisms::flap::Flap;
+use crate::mechanisms::model::{Model, State};
+use crate::mechanisms::rigid_mechanisms::RigidMechanisms;
+use crate::mechanisms::{kicker, magnet};
+use crate::part::PartId;
 use geometry::DVec2;
 
 /// Where everything that moves is at the end of a tick.
@@ -10,7 +16,7 @@ pub struct Pose {
     pub balls: Vec<BallPose>,
     /// The captive balls, which are not in play.
     pub captives: Vec<(PartId, BallPose)>,
-    /// The way that each flipper and each diverter points, rad.
+    /// The angle at which each flipper and each diverter points, rad.
     pub flippers_rad: Vec<(PartId, f64)>,
     /// Torque of each flipper's coil less that of its spring, N m: positive lifts it.
     pub flipper_torques_n_m: Vec<(PartId, f64)>,
@@ -30,23 +36,49 @@ pub struct Pose {
     pub cabinet_m: DVec2,
 }
 
-/// One ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BallPose {
-    /// Which ball: counts up as balls are fed, and down from the largest number for captive balls.
-    pub id: u32,
-    /// Its centre, m.
-    pub center: DVec2,
-    /// Its velocity, m/s.
-    pub velocity: DVec2,
-    /// Its angular velocity, rad/s: about x, y and the vertical (up, out of the playfield).
-    pub spin: [f64; 3],
-    /// How it has turned since it came: a unit quaternion x, y, z, w.
-    pub rotation: [f64; 4],
-    /// It is held by a saucer.
-    pub held: bool,
-    /// Height of its lowest point above the playfield, m.
-    pub height_m: f64,
-    /// It is on a ramp or a wire-form, or still high above the playfield: nothing that stands there is in its way.
-    pub above: bool,
+/// The balls in play.
+pub(crate) fn balls_in_play(state: &State) -> impl Iterator<Item = &Ball> {
+    state.balls.iter().filter(|ball| ball.captive().is_none())
+}
+
+impl Pose {
+    /// Where everything is now.
+    pub(crate) fn of(model: &Model, state: &State, rigid: &RigidMechanisms) -> Pose {
+        let (models, states) = (&model.mechanisms, &state.mechanisms);
+        let flippers = || models.flippers.iter().zip(&states.flippers);
+        let captive = |ball: &Ball| Some((models.captive_balls[ball.captive()?].part, ball.pose()));
+        let angle = |part: PartId, flap: Flap| (part, rigid.angle(flap));
+        let spinners = models.spinners.iter().enumerate();
+        let gates = models.gates.iter().enumerate();
+        let targets = models.drop_targets.iter().enumerate();
+        Pose {
+            balls: balls_in_play(state).map(Ball::pose).collect(),
+            captives: state.balls.iter().filter_map(captive).collect(),
+            flippers_rad: flippers().map(|(flipper, state)| (flipper.part, state.angle)).collect(),
+            flipper_torques_n_m: flippers().map(|(flipper, state)| (flipper.part, flipper.lift(state))).collect(),
+            drop_targets: targets.map(|(index, target)| (target.part, rigid.height(index))).collect(),
+            spinners_rad: spinners.map(|(index, own)| angle(own.part, Flap::Spinner(index))).collect(),
+            gates_rad: gates.map(|(index, own)| angle(own.part, Flap::Gate(index))).collect(),
+            kickers: kickers(model, state),
+            magnets: magnet::pose(model, states),
+            plunger: plunger(model, state),
+            cabinet_m: states.cabinet.offset,
+        }
+    }
+}
+
+/// How far the kickers' arms, then the kickbacks' rods are out.
+fn kickers(model: &Model, state: &State) -> Vec<(PartId, f64)> {
+    let (models, states) = (&model.mechanisms, &state.mechanisms);
+    let kickers = models.kickers.iter().zip(&states.kicker_ticks);
+    let kickers = kickers.map(|(kicker, &ticks)| (kicker.part, kicker::extension(ticks)));
+    let rods = models.rods.iter().zip(&states.rods).filter(|(model, _)| !model.is_plunger());
+    kickers.chain(rods.map(|(model, rod)| (model.part, (-model.pull(rod)).clamp(0.0, 1.0)))).collect()
+}
+
+/// How far the plunger is pulled.
+fn plunger(model: &Model, state: &State) -> f64 {
+    let rods = model.mechanisms.rods.iter().zip(&state.mechanisms.rods);
+    let pulls = rods.filter(|(model, _)| model.is_plunger()).map(|(model, rod)| model.pull(rod).max(0.0));
+    pulls.fold(0.0, f64::max)
 }

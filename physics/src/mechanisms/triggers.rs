@@ -1,130 +1,75 @@
-//! What happens where a ball's centre is: rollovers, drains and saucers.
+//! Triggers: what happens where a ball's centre is, as on rollovers, in drains and in saucers.
 
-use crate::ball::{Ball, Hold};
-use crate::collision::world::{Place, Plan};
-use crate::layout::{Gate, PartId, Saucer};
-use crate::mechanisms::state::State;
-use crate::part::event::{Event, EventKind};
-use geometry::{DVec2, Ray};
-use glam::DVec3;
+use crate::collision::trigger::{Trigger, TriggerKind};
+use crate::mechanisms::model::{Model, State};
+use crate::mechanisms::{rollover, saucer};
+use crate::part::event::Event;
+use geometry::DVec2;
 
-/// A ball this near the middle of a saucer, and this slow, lies in it.
-const LYING_M: f64 = 3e-4;
-const LYING_M_S: f64 = 0.02;
-/// Slowest natural frequency of a ball in a saucer's bowl, rad/s.
-const BOWL_RAD_S: f64 = 40.0;
-
-fn event(part: u16, kind: EventKind) -> Event {
-    Event { part: Some(PartId(part)), kind }
-}
-
-/// What a saucer's bowl does to a ball that sinks into it, m/s^2: critically damped, and steep enough that a ball of the
-/// capture speed does not run out on the other side.
-pub(crate) fn bowl(saucer: &Saucer, ball: &Ball) -> DVec2 {
-    let frequency = (2.0 * saucer.capture_m_s / saucer.circle.radius).max(BOWL_RAD_S);
-    (saucer.circle.center - ball.center) * (frequency * frequency) - ball.velocity * (2.0 * frequency)
+/// What the balls' centres have come to in a tick.
+#[derive(Default)]
+struct Reached {
+    /// The rollovers that balls are on, once for each ball.
+    rollovers: Vec<usize>,
+    /// The balls that are in a drain.
+    drained: Vec<usize>,
 }
 
 /// Closes and opens the switches that the balls have come to since they were at `starts`.
-pub(crate) fn tick(plan: &Plan, state: &mut State, starts: &[DVec2], events: &mut Vec<Event>) {
-    // The rollovers that balls are on, once for each ball.
-    let mut inside: Vec<usize> = Vec::new();
-    let mut drained: Vec<usize> = Vec::new();
-    for (index, &start) in starts.iter().enumerate() {
-        let center = state.balls[index].center;
-        let in_play = state.balls[index].captive().is_none();
-        let mut near: Vec<usize> = Vec::new();
-        let up = state.balls[index].is_up();
-        plan.zone_grid.visit(start, center, |zone| {
-            if !up && !near.contains(&zone) {
-                near.push(zone);
-            }
-        });
-        near.sort_unstable();
-        for zone in near {
-            let zone = &plan.zones[zone];
-            let within = zone.shape.distance(center).0 <= 0.0;
-            let crossed = || {
-                let ray = Ray::towards(start, center);
-                let hit = ray.and_then(|ray| zone.shape.cast(&ray));
-                hit.is_some_and(|hit| hit.distance <= start.distance(center))
-            };
-            match zone.what {
-                Place::Rollover(rollover) if within => inside.push(rollover),
-                Place::Rollover(rollover) if state.mechanisms.rollovers[rollover] == 0 && crossed() => {
-                    events.push(event(zone.part, EventKind::Closed));
-                    events.push(event(zone.part, EventKind::Opened));
-                }
-                Place::Drain if in_play && (within || crossed()) && !drained.contains(&index) => {
-                    events.push(event(zone.part, EventKind::Closed));
-                    drained.push(index);
-                }
-                Place::Gate(gate) if passes(&plan.gates[gate].1, start, center) => {
-                    events.push(event(zone.part, EventKind::Closed));
-                }
-                Place::Saucer(saucer) if within => sink(plan, state, saucer, index),
-                _ => {}
-            }
+pub(crate) fn tick(model: &Model, state: &mut State, starts: &[DVec2], events: &mut Vec<Event>) {
+    let mut reached = Reached::default();
+    for (ball, &start) in starts.iter().enumerate() {
+        for trigger in triggers_near(model, state, ball, start) {
+            reach(model, state, &model.collision.triggers[trigger], (ball, start), &mut reached, events);
         }
-        lie(plan, state, index, events);
+        saucer::settle(&model.mechanisms.saucers, &mut state.balls[ball], events);
     }
-    for (rollover, state) in state.mechanisms.rollovers.iter_mut().enumerate() {
-        let now = inside.iter().filter(|&&on| on == rollover).count() as u16;
-        let before = std::mem::replace(state, now);
-        match (before > 0, now > 0) {
-            (false, true) => events.push(event(plan.rollovers[rollover], EventKind::Closed)),
-            (true, false) => events.push(event(plan.rollovers[rollover], EventKind::Opened)),
-            _ => {}
+    rollover::report(&model.mechanisms.rollovers, &reached.rollovers, &mut state.mechanisms.rollovers, events);
+    for &ball in reached.drained.iter().rev() {
+        state.balls.remove(ball);
+    }
+}
+
+/// The triggers that may be near the path of a ball on the playfield, in their order.
+fn triggers_near(model: &Model, state: &State, ball: usize, start: DVec2) -> Vec<usize> {
+    let mut near: Vec<usize> = Vec::new();
+    let up = state.balls[ball].is_up();
+    model.collision.visit_triggers(start, state.balls[ball].center, |trigger| {
+        if !up && !near.contains(&trigger) {
+            near.push(trigger);
         }
-    }
-    for &index in drained.iter().rev() {
-        state.balls.remove(index);
-    }
+    });
+    near.sort_unstable();
+    near
 }
 
-/// A ball's centre goes under a gate's flap the way that is free.
-fn passes(gate: &Gate, start: DVec2, center: DVec2) -> bool {
-    let beyond = |point: DVec2| (point - gate.segment.a).dot(gate.direction);
-    let (before, after) = (beyond(start), beyond(center));
-    // `parameter` is clamped to the flap's ends, so beside the flap it is exactly one of them.
-    let parameter = gate.segment.parameter(center);
-    before <= 0.0 && after > 0.0 && parameter > 0.0 && parameter < 1.0
-}
-
-/// A slow ball comes over a saucer that is free.
-fn sink(plan: &Plan, state: &mut State, saucer: usize, ball: usize) {
-    let taken = |ball: &Ball| matches!(ball.hold, Hold::Sinking(own) | Hold::Held(own) if own == saucer);
-    let free = !state.balls.iter().any(taken);
-    let ball = &mut state.balls[ball];
-    let slow = ball.velocity.length() <= plan.saucers[saucer].1.capture_m_s;
-    if free && slow && ball.hold == Hold::Free {
-        ball.hold = Hold::Sinking(saucer);
-    }
-}
-
-/// A ball in a saucer comes to lie in it, or has left it.
-fn lie(plan: &Plan, state: &mut State, ball: usize, events: &mut Vec<Event>) {
-    let ball = &mut state.balls[ball];
-    let (Hold::Sinking(saucer) | Hold::Thrown(saucer)) = ball.hold else { return };
-    let (part, saucer_plan) = &plan.saucers[saucer];
-    let away = ball.center.distance(saucer_plan.circle.center);
-    if away > saucer_plan.circle.radius {
-        ball.hold = Hold::Free;
-    } else if ball.hold == Hold::Sinking(saucer) && away < LYING_M && ball.velocity.length() < LYING_M_S {
-        ball.hold = Hold::Held(saucer);
-        ball.center = saucer_plan.circle.center;
-        ball.velocity = DVec2::ZERO;
-        ball.spin = DVec3::ZERO;
-        events.push(event(*part, EventKind::Closed));
-    }
-}
-
-/// Throws out the ball that a saucer holds.
-pub(crate) fn eject(plan: &Plan, state: &mut State, saucer: usize, events: &mut Vec<Event>) {
-    let (part, numbers) = &plan.saucers[saucer];
-    for ball in state.balls.iter_mut().filter(|ball| ball.hold == Hold::Held(saucer)) {
-        ball.hold = Hold::Thrown(saucer);
-        ball.velocity = numbers.eject_m_s;
-        events.push(event(*part, EventKind::Opened));
+/// What a trigger does to a ball, which was at `start`.
+fn reach(
+    model: &Model,
+    state: &mut State,
+    trigger: &Trigger,
+    (ball, start): (usize, DVec2),
+    reached: &mut Reached,
+    events: &mut Vec<Event>,
+) {
+    let center = state.balls[ball].center;
+    let in_play = state.balls[ball].captive().is_none();
+    let within = trigger.contains(center);
+    let crossed = || trigger.is_crossed(start, center);
+    match trigger.kind {
+        TriggerKind::Rollover(rollover) if within => reached.rollovers.push(rollover),
+        TriggerKind::Rollover(rollover) if state.mechanisms.rollovers[rollover] == 0 && crossed() => {
+            events.push(Event::closed(trigger.part));
+            events.push(Event::opened(trigger.part));
+        }
+        TriggerKind::Drain if in_play && (within || crossed()) && !reached.drained.contains(&ball) => {
+            events.push(Event::closed(trigger.part));
+            reached.drained.push(ball);
+        }
+        TriggerKind::Gate(gate) if model.mechanisms.gates[gate].numbers.is_passed(start, center) => {
+            events.push(Event::closed(trigger.part));
+        }
+        TriggerKind::Saucer(saucer) if within => saucer::capture(model, state, saucer, ball),
+        _ => {}
     }
 }

@@ -1,6 +1,6 @@
-//! What comes out of a tick.
+//! Events and contacts: what comes out of a tick.
 
-use crate::layout::PartId;
+use crate::part::PartId;
 use geometry::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -13,15 +13,25 @@ pub struct Event {
     pub kind: EventKind,
 }
 
+impl Event {
+    /// The switch of this part has closed.
+    pub(crate) fn closed(part: PartId) -> Event {
+        Event { part: Some(part), kind: EventKind::Closed }
+    }
+
+    /// The switch of this part has opened.
+    pub(crate) fn opened(part: PartId) -> Event {
+        Event { part: Some(part), kind: EventKind::Opened }
+    }
+}
+
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EventKind {
-    /// A part's switch closed: a bumper or slingshot fired, a target or a captive ball was hit, a drop target fell, a
-    /// ball rolled onto a rollover, passed a gate, turned a spinner by half a turn, came to rest in a saucer or over a
-    /// magnet, touched a kickback's face, or was drained.
+    /// A part's switch closed: a kicker fired, a target was hit, or a ball came to rest in or passed over the part. The
+    /// part's own numbers (as [`crate::Rollover`]) say when.
     Closed,
-    /// A part's switch opened: a ball left a rollover, a saucer, a magnet's middle or a kickback's face, or a drop
-    /// target rose.
+    /// A part's switch opened: a ball left the part, or a drop target rose.
     Opened,
     /// A ball was shot by the plunger.
     Launched,

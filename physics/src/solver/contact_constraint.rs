@@ -1,21 +1,25 @@
-//! Where a ball touches something, and the impulses that pass there.
+//! Contact constraint: where a ball touches something, and the normal and tangential impulses that pass there.
 //!
-//! Impulses are over the ball's mass (m/s), so a free ball takes 1 along the normal and, being a solid sphere, 7/2
-//! across it.
+//! Impulses are over the ball's mass (m/s). So the inverse mass of a free ball is 1 along the normal, and across it, being
+//! a solid sphere, `1 + m r^2 / I = 7/2` (Stronge, Impact Mechanics, 2000, 3.3).
 
-use crate::BALL_MASS_KG;
 use crate::ball::Ball;
-use crate::mechanisms::flipper::{Blade, Rotor};
+use crate::mechanisms::flipper_model::{FlipperModel, FlipperState};
+use crate::{BALL_MASS_KG, BALL_RADIUS_M};
 use geometry::DVec2;
 
-/// Inverse mass of a solid sphere's rim across the normal, over that along it: `1 + m r^2 / I`.
-const ACROSS: f64 = 3.5;
-/// Coefficient of friction of two balls.
-pub(crate) const BALL_FRICTION: f64 = 0.1;
+/// Inverse mass of a solid sphere's surface across the normal, over that along it: `1 + m r^2 / I`.
+const TANGENT_INVERSE_MASS: f64 = 3.5;
+/// Rounds in which normal and tangential impulse of an impact on a flipper find each other: each changes the other's
+/// speed through the rotor. On anything else they do not, and one round is exact.
+const FLIPPER_IMPACT_ROUNDS: usize = 8;
+
+/// Two normals whose angle has a larger cosine, 1.4 thousandths of a radian, are the same.
+const SAME_NORMAL_COS: f64 = 0.999_999;
 
 /// What the ball touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Other {
+pub(crate) enum ContactBody {
     /// Something that no ball moves, with its own velocity.
     Fixed(DVec2),
     Flipper(usize),
@@ -25,150 +29,180 @@ pub(crate) enum Other {
 /// The bodies that impulses move.
 pub(crate) struct Bodies<'a> {
     pub balls: &'a mut [Ball],
-    pub rotors: &'a mut [Rotor],
-    pub blades: &'a [Blade],
+    pub flippers: &'a mut [FlipperState],
+    pub flipper_models: &'a [FlipperModel],
 }
 
+/// What a ball touches, and where.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Touch {
+pub(crate) struct Touching {
     pub ball: usize,
-    pub other: Other,
-    /// From the other to the ball.
+    pub body: ContactBody,
+    /// From the body to the ball.
+    pub normal: DVec2,
+    /// Where the ball's centre is taken to be.
+    pub center: DVec2,
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// A contact with the impulses that have passed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactConstraint {
+    pub ball: usize,
+    pub body: ContactBody,
+    /// From the body to the ball.
     pub normal: DVec2,
     /// Where the ball was when it touched.
     pub center: DVec2,
-    pub friction: f64,
-    /// Speed at which the two are to part while they lie on each other, m/s.
-    pub goal: f64,
+    friction: f64,
+    /// Speed at which the two are to part while they rest on each other, m/s.
+    pub parting_speed: f64,
     /// From the flipper's pivot to the point of contact.
     lever: DVec2,
-    /// The ball's mass over the flipper's moment of inertia; 0 where it is rigid, and for everything else.
-    give: f64,
-    /// Inverse mass along the normal.
-    along: f64,
-    /// The larger of the inverse masses along `normal.perp()` and along the vertical. One for both, or what slides in the
-    /// end would not slide against the friction.
-    across: f64,
-    pressed: f64,
-    rubbed: DVec2,
+    /// The ball's mass over the flipper's moment of inertia, 1/m^2; 0 where it is rigid, and for everything else.
+    rotor_inverse_inertia: f64,
+    normal_inverse_mass: f64,
+    /// The larger of the inverse masses along `normal.perp()` and along the vertical. The same for both, or what slides
+    /// in the end would not slide against the friction.
+    tangent_inverse_mass: f64,
+    normal_impulse: f64,
+    tangent_impulse: DVec2,
     /// It is an impact: for its moment the ball is free to rise, which takes from the slip as well.
-    sudden: bool,
+    is_impact: bool,
 }
 
-impl Touch {
-    /// Of a ball whose centre is taken to be at `center`.
-    pub fn new(ball: usize, center: DVec2, other: Other, normal: DVec2, friction: f64, bodies: &Bodies) -> Touch {
-        let (mut lever, mut give) = (DVec2::ZERO, 0.0);
-        if let Other::Flipper(index) = other {
-            let blade = &bodies.blades[index];
-            lever = center - normal * crate::BALL_RADIUS_M - blade.pivot();
-            let (rotor, arm) = (&bodies.rotors[index], -lever.perp().dot(normal));
-            let approach = (rotor.velocity_at(lever) - bodies.balls[ball].velocity).dot(normal);
-            give = BALL_MASS_KG * blade.inverse_inertia(rotor, arm, approach);
+impl ContactConstraint {
+    pub fn new(touching: &Touching, bodies: &Bodies) -> ContactConstraint {
+        let &Touching { ball, body, normal, center, friction } = touching;
+        let (mut lever, mut rotor_inverse_inertia) = (DVec2::ZERO, 0.0);
+        if let ContactBody::Flipper(index) = body {
+            let model = &bodies.flipper_models[index];
+            lever = center - normal * BALL_RADIUS_M - model.pivot();
+            let (flipper, arm) = (&bodies.flippers[index], -lever.perp().dot(normal));
+            let approach = (flipper.velocity_at(lever) - bodies.balls[ball].velocity).dot(normal);
+            rotor_inverse_inertia = BALL_MASS_KG * model.inverse_inertia(flipper, arm, approach);
         }
-        let both = if matches!(other, Other::Ball(_)) { 2.0 } else { 1.0 };
-        let turn = DVec2::new(lever.perp().dot(normal), lever.perp().dot(normal.perp()));
-        Touch {
+        let balls = if matches!(body, ContactBody::Ball(_)) { 2.0 } else { 1.0 };
+        let arms = DVec2::new(lever.perp().dot(normal), lever.perp().dot(normal.perp()));
+        let tangent = TANGENT_INVERSE_MASS * balls;
+        ContactConstraint {
             ball,
-            other,
+            body,
             normal,
             center,
             friction,
-            goal: 0.0,
+            parting_speed: 0.0,
             lever,
-            give,
-            along: both + give * turn.x * turn.x,
-            across: (ACROSS * both + give * turn.y * turn.y).max(ACROSS * both),
-            pressed: 0.0,
-            rubbed: DVec2::ZERO,
-            sudden: false,
+            rotor_inverse_inertia,
+            normal_inverse_mass: balls + rotor_inverse_inertia * arms.x * arms.x,
+            tangent_inverse_mass: (tangent + rotor_inverse_inertia * arms.y * arms.y).max(tangent),
+            normal_impulse: 0.0,
+            tangent_impulse: DVec2::ZERO,
+            is_impact: false,
         }
     }
 
-    fn other_velocity(&self, bodies: &Bodies) -> DVec2 {
-        match self.other {
-            Other::Fixed(velocity) => velocity,
-            Other::Flipper(index) => bodies.rotors[index].velocity_at(self.lever),
-            Other::Ball(index) => bodies.balls[index].velocity,
+    pub fn friction(&self) -> f64 {
+        self.friction
+    }
+
+    /// Whether the two bodies are the same, and the normal but for 1.4 thousandths of a radian.
+    pub fn is_same_contact(&self, other: &ContactConstraint) -> bool {
+        self.ball == other.ball && self.body == other.body && self.normal.dot(other.normal) > SAME_NORMAL_COS
+    }
+
+    fn body_velocity(&self, bodies: &Bodies) -> DVec2 {
+        match self.body {
+            ContactBody::Fixed(velocity) => velocity,
+            ContactBody::Flipper(index) => bodies.flippers[index].velocity_at(self.lever),
+            ContactBody::Ball(index) => bodies.balls[index].velocity,
         }
     }
 
     /// Speed of approach along the normal.
     pub fn approach(&self, bodies: &Bodies) -> f64 {
-        (self.other_velocity(bodies) - bodies.balls[self.ball].velocity).dot(self.normal)
+        (self.body_velocity(bodies) - bodies.balls[self.ball].velocity).dot(self.normal)
     }
 
-    /// How the ball's rim slides on the other: along `normal.perp()` and along the vertical.
+    /// Slip: how the ball's surface slides on the body, along `normal.perp()` and along the vertical.
     fn slip(&self, bodies: &Bodies) -> DVec2 {
-        let own = bodies.balls[self.ball].rim_slip(self.normal);
-        let rise = if self.sudden { self.rubbed.y } else { 0.0 };
-        match self.other {
-            Other::Ball(index) => {
-                let other = bodies.balls[index].rim_slip(-self.normal);
+        let own = bodies.balls[self.ball].contact_slip(self.normal);
+        let rise = if self.is_impact { self.tangent_impulse.y } else { 0.0 };
+        match self.body {
+            ContactBody::Ball(index) => {
+                let other = bodies.balls[index].contact_slip(-self.normal);
                 DVec2::new(own.x + other.x, own.y + rise - other.y + rise)
             }
-            _ => DVec2::new(own.x - self.other_velocity(bodies).dot(self.normal.perp()), own.y + rise),
+            _ => DVec2::new(own.x - self.body_velocity(bodies).dot(self.normal.perp()), own.y + rise),
         }
     }
 
-    fn press(&self, bodies: &mut Bodies, impulse: f64) {
+    fn apply_normal(&self, bodies: &mut Bodies, impulse: f64) {
         bodies.balls[self.ball].velocity += self.normal * impulse;
-        match self.other {
-            Other::Fixed(_) => {}
-            Other::Flipper(index) => {
-                bodies.rotors[index].push(-impulse * self.give * self.lever.perp().dot(self.normal));
+        match self.body {
+            ContactBody::Fixed(_) => {}
+            ContactBody::Flipper(index) => {
+                let arm = self.lever.perp().dot(self.normal);
+                bodies.flippers[index].push(-impulse * self.rotor_inverse_inertia * arm);
             }
-            Other::Ball(index) => bodies.balls[index].velocity -= self.normal * impulse,
+            ContactBody::Ball(index) => bodies.balls[index].velocity -= self.normal * impulse,
         }
     }
 
-    fn rub(&self, bodies: &mut Bodies, impulse: DVec2) {
-        bodies.balls[self.ball].push_rim(self.normal, impulse);
-        match self.other {
-            Other::Fixed(_) => {}
-            Other::Flipper(index) => {
-                let across = self.lever.perp().dot(self.normal.perp());
-                bodies.rotors[index].push(-impulse.x * self.give * across);
+    fn apply_tangent(&self, bodies: &mut Bodies, impulse: DVec2) {
+        bodies.balls[self.ball].apply_tangent_impulse(self.normal, impulse);
+        match self.body {
+            ContactBody::Fixed(_) => {}
+            ContactBody::Flipper(index) => {
+                let arm = self.lever.perp().dot(self.normal.perp());
+                bodies.flippers[index].push(-impulse.x * self.rotor_inverse_inertia * arm);
             }
-            Other::Ball(index) => bodies.balls[index].push_rim(-self.normal, DVec2::new(impulse.x, -impulse.y)),
+            ContactBody::Ball(index) => {
+                bodies.balls[index].apply_tangent_impulse(-self.normal, DVec2::new(impulse.x, -impulse.y));
+            }
         }
     }
 
-    /// Presses until the two part at `goal`. Returns by how much the impulse changed.
-    pub fn separate(&mut self, bodies: &mut Bodies, goal: f64) -> f64 {
-        let wanted = self.pressed + (goal + self.approach(bodies)) / self.along;
-        let change = wanted.max(0.0) - self.pressed;
-        self.pressed += change;
-        self.press(bodies, change);
+    /// The normal constraint: presses until the two part at `parting_speed`, m/s. The sum of all impulses pushes and
+    /// never pulls (Catto, Iterative Dynamics with Temporal Coherence, 2005: accumulated and clamped). Returns by how
+    /// much the impulse changed.
+    pub fn solve_normal(&mut self, bodies: &mut Bodies, parting_speed: f64) -> f64 {
+        let wanted = self.normal_impulse + (parting_speed + self.approach(bodies)) / self.normal_inverse_mass;
+        let change = wanted.max(0.0) - self.normal_impulse;
+        self.normal_impulse += change;
+        self.apply_normal(bodies, change);
         change
     }
 
-    /// Rubs until the slip ends or the friction cone is reached.
-    pub fn grip(&mut self, bodies: &mut Bodies) {
-        let wanted = self.rubbed - self.slip(bodies) / self.across;
-        let limited = wanted.clamp_length_max(self.friction * self.pressed);
-        let change = limited - self.rubbed;
-        self.rubbed = limited;
-        self.rub(bodies, change);
+    /// The friction constraint (Coulomb): rubs until the slip ends, `-slip / (tangential inverse mass)`, or until the
+    /// friction cone is reached, `mu` times the normal impulse. A ball that slides through the whole contact gets the
+    /// second, a ball that grips the first (Routh; Cross, Grip-slip behavior of a bouncing ball, American Journal of
+    /// Physics 70, 2002).
+    pub fn solve_friction(&mut self, bodies: &mut Bodies) {
+        let wanted = self.tangent_impulse - self.slip(bodies) / self.tangent_inverse_mass;
+        let limited = wanted.clamp_length_max(self.friction * self.normal_impulse);
+        let change = limited - self.tangent_impulse;
+        self.tangent_impulse = limited;
+        self.apply_tangent(bodies, change);
     }
 
-    /// An impact: the two part at `restitution` times their approach, with friction. Returns the impulse over mass.
-    pub fn strike(&mut self, bodies: &mut Bodies, restitution: f64) -> DVec2 {
-        let goal = restitution * self.approach(bodies);
-        let rounds = if self.give > 0.0 { 8 } else { 1 };
-        self.sudden = true;
+    /// An impact: the two part at `restitution` times their approach (Newton), with friction. Returns the impulse over
+    /// mass.
+    pub fn solve_impact(&mut self, bodies: &mut Bodies, restitution: f64) -> DVec2 {
+        let parting_speed = restitution * self.approach(bodies);
+        let rounds = if self.rotor_inverse_inertia > 0.0 { FLIPPER_IMPACT_ROUNDS } else { 1 };
+        self.is_impact = true;
         for _ in 0..rounds {
-            self.separate(bodies, goal);
-            self.grip(bodies);
+            self.solve_normal(bodies, parting_speed);
+            self.solve_friction(bodies);
         }
-        self.sudden = false;
-        self.normal * self.pressed + self.normal.perp() * self.rubbed.x
+        self.is_impact = false;
+        self.normal * self.normal_impulse + self.normal.perp() * self.tangent_impulse.x
     }
-}
 
-impl Touch {
-    /// Forgets the impulses that have passed, so that the next ones only push.
+    /// Forgets the normal impulse that has passed, so that the next only pushes.
     pub fn release(&mut self) {
-        self.pressed = 0.0;
+        self.normal_impulse = 0.0;
     }
 }

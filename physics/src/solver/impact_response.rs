@@ -1,140 +1,203 @@
-//! What a hit does: to the ball, to what it hits, and to the switch behind that.
+//! Impact response: what an impact does to the ball, to what it hits, and to the switch behind that.
 //!
-//! Refuses to know when the next hit is.
+//! Refuses to know when the next impact is.
 
-use crate::BALL_RADIUS_M;
-use crate::collision::time_of_impact::{keep_speed, ride};
-use crate::collision::world::Role;
-use crate::layout::{Material, PartId};
+use crate::ball::Ball;
+use crate::collision::obstacle::{Obstacle, ObstacleRole};
 use crate::mechanisms::captive_ball;
-use crate::mechanisms::state::Goal;
-use crate::part::event::{Contact, Event, EventKind};
-use crate::solver::contact_constraint::{BALL_FRICTION, Other, Touch};
-use crate::solver::sweep::{SLOW_M_S, Strike, Sweep, Target, bodies};
+use crate::part::PartId;
+use crate::part::event::{Contact, Event};
+use crate::part::material::Material;
+use crate::solver::contact_constraint::{ContactBody, ContactConstraint, Touching};
+use crate::solver::impact_candidate::{Collider, ImpactCandidate};
+use crate::solver::refinement;
+use crate::solver::step::{RESTITUTION_THRESHOLD_M_S, Step, StepTime};
+use crate::{BALL_MASS_KG, BALL_RADIUS_M};
 use geometry::DVec2;
 
-/// Restitution of two balls.
-const BALL_MATERIAL: Material = Material { restitution: 0.9, falloff_s_per_m: 0.02, friction: BALL_FRICTION };
+/// A ball that rides round the inside of a curve does so in chords whose middles are this far from it, m.
+const SAGITTA_M: f64 = 5e-6;
+/// An approach of no more than so many times the chord's own is a ride and no impact: nothing of the speed is lost.
+const RIDE_APPROACH: f64 = 4.0;
 
-impl Sweep<'_> {
-    /// The two that meet part, `left` of the step before its end; then what lies on what is found anew.
-    pub(crate) fn respond(&mut self, strike: &Strike, left: f64, duration: f64) {
-        let plan = self.plan;
-        let (part, material, other) = match strike.target {
-            Target::Obstacle(index) => {
-                let obstacle = &plan.obstacles[index];
-                (Some(obstacle.part), obstacle.material, Other::Fixed(DVec2::ZERO))
+/// What a ball has hit.
+struct Struck {
+    /// `None` for another ball.
+    part: Option<PartId>,
+    material: Material,
+    body: ContactBody,
+}
+
+/// The two that meet part. Returns the contact that the impact leaves.
+///
+/// 1. A flipper is given the speed that it has at this moment of the step, beside its mean.
+/// 2. The speed of approach along the normal decides: below the threshold nothing bounces, above it the material's
+///    coefficient of restitution at that speed holds.
+/// 3. Normal and tangential impulse act ([`ContactConstraint::solve_impact`]); round the inside of a curve the ball rides.
+/// 4. What was hit reacts: it kicks, falls, or its switch closes.
+pub(crate) fn respond(step: &mut Step, candidate: &ImpactCandidate, time: StepTime) -> ContactConstraint {
+    let struck = struck(step, candidate.collider);
+    let growth = approach_growth(step, candidate.ball, struck.body, time.duration);
+    let offset = refinement::flipper_speed_offset(step, candidate, time);
+    push_flipper(step, struck.body, offset);
+    let center = step.state.balls[candidate.ball].center;
+    let touching = Touching {
+        ball: candidate.ball,
+        body: struck.body,
+        normal: candidate.normal,
+        center,
+        friction: struck.material.friction,
+    };
+    let mut constraint = ContactConstraint::new(&touching, &step.bodies());
+    let approach = constraint.approach(&step.bodies());
+    let is_impact = approach > RESTITUTION_THRESHOLD_M_S + growth;
+    let restitution = if is_impact { struck.material.restitution_at(approach) } else { 0.0 };
+    if approach > 0.0 {
+        match chord_speed(step, candidate, approach) {
+            Some(chord) if restitution * approach < chord => {
+                ride(step, &mut constraint, Ride { approach, chord, bounce: restitution * approach });
             }
-            Target::Rod(index) => {
-                let rod = &self.state.mechanisms.rods[index];
-                let restitution = if rod.is_shooting() { 0.0 } else { plan.rod_material.restitution };
-                let material = Material { restitution, ..plan.rod_material };
-                (Some(plan.slides[index].part), material, Other::Fixed(plan.slides[index].velocity(rod)))
-            }
-            Target::Flipper(index) => {
-                (Some(plan.blades[index].part), plan.blades[index].flipper.material, Other::Flipper(index))
-            }
-            Target::Ball(index) if self.state.balls[index].is_held() => {
-                (None, BALL_MATERIAL, Other::Fixed(DVec2::ZERO))
-            }
-            Target::Ball(index) => (None, BALL_MATERIAL, Other::Ball(index)),
-        };
-        let sudden = match other {
-            Other::Flipper(index) if self.is_touching(strike.ball, other) => {
-                self.turning(index, strike.ball) * duration
-            }
-            _ => 0.0,
-        };
-        let ahead = self.ahead(strike, left, duration);
-        if let Other::Flipper(index) = other {
-            self.state.mechanisms.rotors[index].speed += ahead;
-        }
-        let mut all = bodies(plan, self.state);
-        let center = all.balls[strike.ball].center;
-        let mut touch = Touch::new(strike.ball, center, other, strike.normal, material.friction, &all);
-        let approach = touch.approach(&all);
-        let impact = approach > SLOW_M_S + sudden;
-        let mut restitution = if impact { material.restitution_at(approach) } else { 0.0 };
-        let ride = match strike.target {
-            Target::Obstacle(index) => ride(&plan.obstacles[index], &all.balls[strike.ball], approach),
-            _ => None,
-        };
-        if approach > 0.0 {
-            let bounce = restitution * approach;
-            match ride {
-                Some(chord) if bounce < chord => {
-                    restitution = chord / approach;
-                    let kept = if approach <= 4.0 * chord { approach } else { bounce };
-                    touch.strike(&mut all, restitution);
-                    keep_speed(&mut all.balls[strike.ball].velocity, strike.normal, chord, kept);
-                }
-                _ => {
-                    let impulse = touch.strike(&mut all, restitution);
-                    if impact {
-                        self.report(strike, part, approach, impulse);
-                    }
+            _ => {
+                let impulse = constraint.solve_impact(&mut step.bodies(), restitution);
+                if is_impact {
+                    report(step, candidate, struck.part, (approach, impulse));
                 }
             }
         }
-        if let Other::Flipper(index) = other {
-            self.state.mechanisms.rotors[index].speed -= ahead;
-        }
-        match strike.target {
-            Target::Obstacle(index) if approach > 0.0 => self.react(index, strike, approach),
-            Target::Rod(index) => self.state.mechanisms.rods[index].hit = true,
-            Target::Ball(other) => {
-                let pair = [&self.state.balls[strike.ball], &self.state.balls[other]];
-                captive_ball::meet(plan, pair, approach, self.events);
-            }
-            _ => {}
-        }
-        self.go_on(strike, touch, left);
     }
+    push_flipper(step, struck.body, -offset);
+    react(step, candidate, approach);
+    constraint
+}
 
-    fn is_touching(&self, ball: usize, other: Other) -> bool {
-        self.scratch.touches.iter().any(|touch| touch.ball == ball && touch.other == other)
-    }
-
-    fn report(&mut self, strike: &Strike, part: Option<u16>, approach: f64, impulse: DVec2) {
-        self.contacts.push(Contact {
-            time_s: self.elapsed,
-            part: part.map(PartId),
-            point: self.state.balls[strike.ball].center - strike.normal * BALL_RADIUS_M,
-            normal: strike.normal,
-            speed_m_s: approach,
-            impulse_n_s: impulse * crate::BALL_MASS_KG,
-        });
-    }
-
-    /// What a part does when it is hit, beside throwing the ball back.
-    fn react(&mut self, index: usize, strike: &Strike, approach: f64) {
-        let obstacle = &self.plan.obstacles[index];
-        let own = &mut self.state.mechanisms;
-        let closed = match obstacle.role {
-            Role::Kicker(index) => {
-                let kicker = &self.plan.kickers[index];
-                let ready = own.kickers_live && own.kickers[index] >= crate::mechanisms::state::KICKER_READY_TICKS;
-                let fires = ready && approach >= kicker.threshold;
-                if fires {
-                    own.kickers[index] = 0;
-                    let ball = &mut self.state.balls[strike.ball];
-                    ball.velocity += strike.normal * kicker.speed_at(ball.center);
-                }
-                fires
-            }
-            Role::Target(index) => approach >= self.plan.targets[index].threshold,
-            Role::Drop(index) => {
-                let falls = own.drops[index].goal == Goal::Up && approach >= self.plan.drops[index].threshold;
-                if falls {
-                    own.drops[index].goal = Goal::Down;
-                    own.drops[index].falling = false;
-                }
-                falls
-            }
-            Role::Still | Role::Gate(_) => false,
-        };
-        if closed {
-            self.events.push(Event { part: Some(PartId(obstacle.part)), kind: EventKind::Closed });
+fn struck(step: &Step, collider: Collider) -> Struck {
+    let (models, states) = (&step.model.mechanisms, &step.state.mechanisms);
+    match collider {
+        Collider::Obstacle(index) => {
+            let Obstacle { part, material, .. } = step.model.collision.obstacles[index];
+            Struck { part: Some(part), material, body: ContactBody::Fixed(DVec2::ZERO) }
         }
+        Collider::Rod(index) => {
+            let (model, rod) = (&models.rods[index], &states.rods[index]);
+            let body = ContactBody::Fixed(model.velocity(rod));
+            Struck { part: Some(model.part), material: model.material(rod), body }
+        }
+        Collider::Flipper(index) => {
+            let model = &models.flippers[index];
+            Struck { part: Some(model.part), material: model.flipper.material, body: ContactBody::Flipper(index) }
+        }
+        Collider::Ball(index) => {
+            let held = step.state.balls[index].is_held();
+            let body = if held { ContactBody::Fixed(DVec2::ZERO) } else { ContactBody::Ball(index) };
+            Struck { part: None, material: Material::BALL_ON_BALL, body }
+        }
+    }
+}
+
+/// How fast a ball that rests on a turning flipper may come to approach it within the step: that is no impact.
+fn approach_growth(step: &Step, ball: usize, body: ContactBody, duration: f64) -> f64 {
+    let rests = || step.buffers.constraints.iter().any(|own| own.ball == ball && own.body == body);
+    match body {
+        ContactBody::Flipper(index) if rests() => {
+            let speed = step.state.balls[ball].velocity.length();
+            let flipper = &step.state.mechanisms.flippers[index];
+            step.model.mechanisms.flippers[index].approach_growth(flipper, speed) * duration
+        }
+        _ => 0.0,
+    }
+}
+
+fn push_flipper(step: &mut Step, body: ContactBody, speed: f64) {
+    if let ContactBody::Flipper(index) = body {
+        step.state.mechanisms.flippers[index].speed += speed;
+    }
+}
+
+/// The speed away from the inside of a curve with which a ball that is pressed to it rides round in short chords, m/s;
+/// `None` where there is no curve to ride.
+///
+/// A chord of the circle of radius `R` whose middle is `s` away from it leaves it at the angle `sqrt(2 s / R)`.
+fn chord_speed(step: &Step, candidate: &ImpactCandidate, approach: f64) -> Option<f64> {
+    let Collider::Obstacle(index) = candidate.collider else { return None };
+    let (obstacle, ball) = (&step.model.collision.obstacles[index], &step.state.balls[candidate.ball]);
+    let normal = obstacle.shape.distance(ball.center).1;
+    let curve = obstacle.inner_curve(ball.center, normal)?;
+    if approach <= 0.0 {
+        return None;
+    }
+    let along = ball.velocity.dot(normal.perp()).abs();
+    Some(along * (2.0 * SAGITTA_M / curve.circle().radius).sqrt())
+}
+
+/// A ride round the inside of a curve: speeds along the normal, m/s.
+struct Ride {
+    approach: f64,
+    /// Away from the curve, into the next chord.
+    chord: f64,
+    /// Away from the curve, if the ball bounced.
+    bounce: f64,
+}
+
+/// The ball goes into its next chord, with friction; a smooth curve turns it without work.
+fn ride(step: &mut Step, constraint: &mut ContactConstraint, ride: Ride) {
+    let Ride { approach, chord, bounce } = ride;
+    let kept = if approach <= RIDE_APPROACH * chord { approach } else { bounce };
+    constraint.solve_impact(&mut step.bodies(), chord / approach);
+    keep_speed(&mut step.state.balls[constraint.ball].velocity, constraint.normal, chord, kept);
+}
+
+/// Gives back along the wall what a ride round a curve does not lose: the energy of `kept` along the normal, less that of
+/// `away`, which is still along it.
+fn keep_speed(velocity: &mut DVec2, normal: DVec2, away: f64, kept: f64) {
+    let along = velocity.dot(normal.perp());
+    let speed = (along * along + kept * kept - away * away).max(0.0).sqrt();
+    *velocity = normal * away + normal.perp() * speed.copysign(along);
+}
+
+fn report(step: &mut Step, candidate: &ImpactCandidate, part: Option<PartId>, (approach, impulse): (f64, DVec2)) {
+    step.contacts.push(Contact {
+        time_s: step.elapsed,
+        part,
+        point: step.state.balls[candidate.ball].center - candidate.normal * BALL_RADIUS_M,
+        normal: candidate.normal,
+        speed_m_s: approach,
+        impulse_n_s: impulse * BALL_MASS_KG,
+    });
+}
+
+/// What was hit does, beside throwing the ball back.
+fn react(step: &mut Step, candidate: &ImpactCandidate, approach: f64) {
+    match candidate.collider {
+        Collider::Obstacle(index) if approach > 0.0 => {
+            let obstacle = &step.model.collision.obstacles[index];
+            if closes(step, obstacle, candidate, approach) {
+                step.events.push(Event::closed(obstacle.part));
+            }
+        }
+        Collider::Rod(index) => step.state.mechanisms.rods[index].hit = true,
+        Collider::Ball(other) => {
+            let pair: [&Ball; 2] = [&step.state.balls[candidate.ball], &step.state.balls[other]];
+            captive_ball::hit(&step.model.mechanisms.captive_balls, pair, approach, step.events);
+        }
+        _ => {}
+    }
+}
+
+/// Whether the switch behind an obstacle closes: a kicker fires, a target is hit, a drop target falls.
+fn closes(step: &mut Step, obstacle: &Obstacle, candidate: &ImpactCandidate, approach: f64) -> bool {
+    let (models, own) = (&step.model.mechanisms, &mut step.state.mechanisms);
+    match obstacle.role {
+        ObstacleRole::Kicker(index) => {
+            let kicker = &models.kickers[index];
+            let fires = kicker.hit(&mut own.kicker_ticks[index], own.kickers_live, approach);
+            if fires {
+                let ball = &mut step.state.balls[candidate.ball];
+                ball.velocity += candidate.normal * kicker.speed_at(ball.center);
+            }
+            fires
+        }
+        ObstacleRole::Target(index) => approach >= models.targets[index].threshold,
+        ObstacleRole::DropTarget(index) => own.drop_targets[index].hit(&models.drop_targets[index], approach),
+        ObstacleRole::Static | ObstacleRole::Gate(_) => false,
     }
 }

@@ -1,89 +1,93 @@
-//! Balls that are jammed: what presses on each other finds its common speeds at once.
+//! Simultaneous impacts: balls that are jammed find their common speeds at once.
 //!
-//! Hit after hit would find them too, but in a narrow wedge it takes thousands, each no time after the one before, and
-//! time would not go on.
+//! Impact after impact would find them too, but in a narrow wedge it takes thousands, each no time after the last,
+//! and time would not go on (Zeno's paradox; Johansson, Egerstedt, Lygeros and Sastry, On the regularization of Zeno
+//! hybrid automata, 1999). So all approaches are ended together, without a bounce: each velocity goes to the nearest that
+//! its contacts allow, its projection onto their cone (Moreau, Unilateral contact and dry friction in finite freedom
+//! dynamics, 1988).
 
-use crate::solver::contact_constraint::Other;
-use crate::solver::sweep::{Sweep, bodies};
+use crate::solver::contact_constraint::{ContactBody, ContactConstraint};
+use crate::solver::step::{Step, StepBuffers};
 use geometry::DVec2;
 
 /// Rounds between the balls, at most; each is exact for what does not move.
-const ROUNDS: usize = 64;
-/// A round that changes no speed by more than this was the last.
-const SAME_M_S: f64 = 1e-10;
-/// A speed below this is no approach.
+const MAX_ROUNDS: usize = 64;
+/// A round that changes no speed by more than this was the last, m/s.
+const ROUND_TOLERANCE_M_S: f64 = 1e-10;
+/// A speed below this is no approach, m/s.
 const ROUNDING_M_S: f64 = 1e-12;
 
-/// A wall: a ball that touches it must go along `normal` at `least`, m/s, or faster.
+/// A half-plane of velocities: a ball that touches a wall must go along `normal` at `least`, m/s, or faster.
 #[derive(Clone, Copy, Debug)]
-struct Side {
+struct HalfPlane {
     normal: DVec2,
     least: f64,
 }
 
-impl Sweep<'_> {
-    /// Ends every approach of what touches, without a bounce; the balls' drive for what is `left` of the step goes into
-    /// that at once.
-    pub(crate) fn end_jam(&mut self, left: f64) {
-        for at in 0..self.scratch.touches.len() {
-            let touch = self.scratch.touches[at];
-            self.drive_at_once(touch.ball, left);
-            if let Other::Ball(other) = touch.other {
-                self.drive_at_once(other, left);
-            }
-        }
-        let sides: Vec<Vec<Side>> = (0..self.state.balls.len()).map(|ball| self.sides(ball)).collect();
-        let mut all = bodies(self.plan, self.state);
-        for _ in 0..ROUNDS {
-            let mut change: f64 = 0.0;
-            for touch in self.scratch.touches.iter_mut().filter(|touch| !matches!(touch.other, Other::Fixed(_))) {
-                touch.release();
-                change = change.max(touch.separate(&mut all, 0.0));
-            }
-            for (ball, sides) in all.balls.iter_mut().zip(&sides) {
-                let free = nearest(ball.velocity, sides);
-                change = change.max((free - ball.velocity).length());
-                ball.velocity = free;
-            }
-            if change < SAME_M_S {
-                break;
-            }
+/// Ends every approach in all contacts, without a bounce; the balls' step accelerations for what is `left` of the step
+/// go into that at once.
+pub(crate) fn solve(step: &mut Step, left: f64) {
+    for at in 0..step.buffers.constraints.len() {
+        let ContactConstraint { ball, body, .. } = step.buffers.constraints[at];
+        accelerate_at_once(step, ball, left);
+        if let ContactBody::Ball(other) = body {
+            accelerate_at_once(step, other, left);
         }
     }
-
-    fn drive_at_once(&mut self, ball: usize, left: f64) {
-        let motion = &mut self.scratch.motions[ball];
-        let drive = std::mem::take(&mut motion.drive);
-        motion.settled = true;
-        self.state.balls[ball].velocity += drive.velocity * left;
-        self.state.balls[ball].spin += drive.spin * left;
-    }
-
-    fn sides(&self, ball: usize) -> Vec<Side> {
-        let own = self.scratch.touches.iter().filter(|touch| touch.ball == ball);
-        let side = |touch: &crate::solver::contact_constraint::Touch| match touch.other {
-            Other::Fixed(velocity) => Some(Side { normal: touch.normal, least: velocity.dot(touch.normal) }),
-            _ => None,
-        };
-        own.filter_map(side).collect()
+    let walls: Vec<Vec<HalfPlane>> = (0..step.state.balls.len()).map(|ball| walls_of(step.buffers, ball)).collect();
+    let (buffers, mut bodies) = step.split();
+    for _ in 0..MAX_ROUNDS {
+        let mut change: f64 = 0.0;
+        let moving = |constraint: &&mut ContactConstraint| !matches!(constraint.body, ContactBody::Fixed(_));
+        for constraint in buffers.constraints.iter_mut().filter(moving) {
+            constraint.release();
+            change = change.max(constraint.solve_normal(&mut bodies, 0.0));
+        }
+        for (ball, walls) in bodies.balls.iter_mut().zip(&walls) {
+            let free = nearest(ball.velocity, walls);
+            change = change.max((free - ball.velocity).length());
+            ball.velocity = free;
+        }
+        if change < ROUND_TOLERANCE_M_S {
+            break;
+        }
     }
 }
 
-/// The velocity nearest to `velocity` that leads into no side: itself, one along a side, or the corner of two.
-fn nearest(velocity: DVec2, sides: &[Side]) -> DVec2 {
-    let clear = |one: DVec2| sides.iter().all(|side| one.dot(side.normal) >= side.least - ROUNDING_M_S);
-    if clear(velocity) {
+fn accelerate_at_once(step: &mut Step, ball: usize, left: f64) {
+    let motion = &mut step.buffers.motions[ball];
+    let acceleration = std::mem::take(&mut motion.acceleration);
+    motion.resting = true;
+    step.state.balls[ball].velocity += acceleration.linear * left;
+    step.state.balls[ball].spin += acceleration.angular * left;
+}
+
+fn walls_of(buffers: &StepBuffers, ball: usize) -> Vec<HalfPlane> {
+    let own = buffers.constraints.iter().filter(|constraint| constraint.ball == ball);
+    let wall = |constraint: &ContactConstraint| match constraint.body {
+        ContactBody::Fixed(velocity) => {
+            Some(HalfPlane { normal: constraint.normal, least: velocity.dot(constraint.normal) })
+        }
+        _ => None,
+    };
+    own.filter_map(wall).collect()
+}
+
+/// The velocity nearest to `velocity` that leads into no wall: itself, along a wall, or the corner of two.
+fn nearest(velocity: DVec2, walls: &[HalfPlane]) -> DVec2 {
+    let is_free = |one: DVec2| walls.iter().all(|wall| one.dot(wall.normal) >= wall.least - ROUNDING_M_S);
+    if is_free(velocity) {
         return velocity;
     }
-    let along = |side: &Side| velocity + side.normal * (side.least - velocity.dot(side.normal));
-    let corner = |a: &Side, b: &Side| {
+    let along = |wall: &HalfPlane| velocity + wall.normal * (wall.least - velocity.dot(wall.normal));
+    let corner = |a: &HalfPlane, b: &HalfPlane| {
         let turn = a.normal.perp_dot(b.normal);
         let meet = (b.normal.perp() * -a.least + a.normal.perp() * b.least) / turn;
         meet.is_finite().then_some(meet)
     };
     let corners =
-        sides.iter().enumerate().flat_map(|(index, a)| sides[..index].iter().filter_map(move |b| corner(a, b)));
-    let all = sides.iter().map(along).chain(corners).filter(|one| clear(*one));
+        walls.iter().enumerate().flat_map(|(index, a)| walls[..index].iter().filter_map(move |b| corner(a, b)));
+    let all = walls.iter().map(along).chain(corners).filter(|one| is_free(*one));
     all.min_by(|a, b| a.distance_squared(velocity).total_cmp(&b.distance_squared(velocity))).unwrap_or(DVec2::ZERO)
 }
 
@@ -91,21 +95,21 @@ fn nearest(velocity: DVec2, sides: &[Side]) -> DVec2 {
 mod tests {
     use super::*;
 
-    fn side(x: f64, y: f64, least: f64) -> Side {
-        Side { normal: DVec2::new(x, y).normalize(), least }
+    fn wall(x: f64, y: f64, least: f64) -> HalfPlane {
+        HalfPlane { normal: DVec2::new(x, y).normalize(), least }
     }
 
     #[test]
     fn a_velocity_is_turned_aside_by_a_wall_and_ended_by_a_corner() {
         let down = DVec2::new(1.0, 2.0);
-        let floor = side(0.0, -1.0, 0.0);
+        let floor = wall(0.0, -1.0, 0.0);
         assert_eq!(nearest(DVec2::new(1.0, -2.0), &[floor]), DVec2::new(1.0, -2.0));
         assert!(nearest(down, &[floor]).distance(DVec2::new(1.0, 0.0)) < 1e-12);
-        assert!(nearest(down, &[side(1.0, -0.1, 0.0), side(-1.0, -0.1, 0.0)]).length() < 1e-12);
-        let moving = [side(1.0, 0.0, 3.0), side(0.0, -1.0, -0.5)];
+        assert!(nearest(down, &[wall(1.0, -0.1, 0.0), wall(-1.0, -0.1, 0.0)]).length() < 1e-12);
+        let moving = [wall(1.0, 0.0, 3.0), wall(0.0, -1.0, -0.5)];
         assert!(nearest(down, &moving).distance(DVec2::new(3.0, 0.5)) < 1e-12);
-        let lifted = [side(1.0, -0.1, 0.0), side(-1.0, -0.1, 0.2)];
+        let lifted = [wall(1.0, -0.1, 0.0), wall(-1.0, -0.1, 0.2)];
         let up = nearest(down, &lifted);
-        assert!(lifted.iter().all(|side| (up.dot(side.normal) - side.least).abs() < 1e-12), "{up}");
+        assert!(lifted.iter().all(|wall| (up.dot(wall.normal) - wall.least).abs() < 1e-12), "{up}");
     }
 }

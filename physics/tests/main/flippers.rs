@@ -249,9 +249,9 @@ fn an_early_flip_sends_the_ball_back_up_its_inlane() {
 }
 
 /// A ball that rolls down the resting flipper and is shot when it has come some way.
-fn shot(divisions: u32, wait: usize) -> DVec2 {
+fn shot(substeps: u32, wait: usize) -> DVec2 {
     let (layout, start, _) = seam();
-    let mut machine = machine(layout).substepped(divisions);
+    let mut machine = machine(layout).substepped(substeps);
     machine.put_ball(start, v(0.0, 0.0), [0.0; 3]);
     machine.tick(Controls::default(), &[Command::SetFlippers(true)]);
     (0..wait).for_each(|_| machine.tick(Controls::default(), &[]));

@@ -13,6 +13,7 @@ mod arc;
 mod bounds;
 mod circle;
 mod ray;
+pub mod rng;
 mod segment;
 mod shape;
 mod taper;

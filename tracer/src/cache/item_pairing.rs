@@ -78,7 +78,7 @@ fn sort_ids<T: Item>(items: &[T], ids: &mut Vec<ItemId>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::Random;
+    use geometry::rng::SplitMix64;
 
     fn ids(numbers: &[u32]) -> Vec<ItemId> {
         numbers.iter().map(|&number| ItemId(number)).collect()
@@ -105,7 +105,7 @@ mod tests {
     /// Each item of both lists is told of once, and those that are kept have the same id and the same order.
     #[test]
     fn every_item_is_told_of_once() {
-        let mut random = Random(5);
+        let mut random = SplitMix64::new(5);
         for _ in 0..2_000 {
             let mut list = || {
                 let mut all: Vec<u32> = (0..9).collect();

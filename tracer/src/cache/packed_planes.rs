@@ -178,8 +178,8 @@ pub(crate) type Baseline = Plain;
 mod tests {
     use super::*;
     use crate::SimdLevel;
-    use crate::scenes::Random;
     use crate::simd::dispatch::InstructionSet;
+    use geometry::rng::SplitMix64;
 
     /// Every set multiplies and adds as it is written, up to the largest numbers.
     #[test]
@@ -192,8 +192,8 @@ mod tests {
         fn wide(sums: &mut [i32; LANES], words: &[u32; LANES], weights: u32) {
             Wide::madd(sums, words, weights);
         }
-        let mut random = Random(7);
-        let mut number = |most: f64| random.between(0.0, most + 0.999) as u32;
+        let mut random = SplitMix64::new(7);
+        let mut number = |most: f64| random.uniform(0.0, most + 0.999) as u32;
         for round in 0..2_000 {
             let most = f64::from(PLANE_MAX);
             let words: [u32; LANES] = std::array::from_fn(|_| match round {

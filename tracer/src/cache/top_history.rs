@@ -124,8 +124,9 @@ fn stands(old: &Top, new: &Top) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{self, Random};
+    use crate::scenes;
     use crate::{Outline, View};
+    use geometry::rng::SplitMix64;
     use geometry::{DVec2, Shape};
 
     /// Whatever comes, goes and changes places, every top is in a slot of its own, and one that stands keeps its slot; one
@@ -135,7 +136,7 @@ mod tests {
         let view = View::fit(16, 32, scenes::SIZE_MM);
         let props = scenes::props(&view);
         let all = scenes::table(view, &props).tops;
-        let (mut random, mut history) = (Random(3), TopHistory::default());
+        let (mut random, mut history) = (SplitMix64::new(3), TopHistory::default());
         let (mut moved, mut relit) = (Vec::new(), Vec::new());
         let mut before: Vec<(Top, usize)> = Vec::new();
         for round in 0..300 {
@@ -144,7 +145,7 @@ mod tests {
                 let (a, b) = ((random.unit() * tops.len() as f64) as usize, (random.unit() * 9.0) as usize);
                 tops.swap(a, b);
             }
-            let disc = Shape::disc(random.within(DVec2::splat(300.0)), 9.0);
+            let disc = Shape::disc(random.point_within(DVec2::splat(300.0)), 9.0);
             tops[round % 20].outline = Outline::Shape(disc);
             history.advance(&tops, &mut moved, &mut relit);
             assert_eq!(history.order().len(), tops.len());

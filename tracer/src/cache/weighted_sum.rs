@@ -165,16 +165,16 @@ fn sum_lanes<M: Madd>(sum: &WeightedSum, albedo: &AlbedoTile, onto: bool, out: &
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::Random;
+    use geometry::rng::SplitMix64;
 
     /// However many factors there are and however different, none is too large, nor are all together, and each is
     /// within a step; in another order they are the same.
     #[test]
     fn factors_fit_into_their_steps() {
-        let mut random = Random(3);
+        let mut random = SplitMix64::new(3);
         for count in (1..40).chain([400, 1_500]) {
             let most = if count % 2 == 0 { 10.0 } else { -29.5 };
-            let mut factor = || [(); 3].map(|()| libm::exp2(random.between(-30.0, most)) as f32);
+            let mut factor = || [(); 3].map(|()| libm::exp2(random.uniform(-30.0, most)) as f32);
             let mut factors: Vec<Rgb> = (0..count).map(|_| factor()).collect();
             let steps = Quantizer::of(factors.iter().copied());
             let mut total = [0; 3];

@@ -1,7 +1,14 @@
-//! Bloom: what a bright lamp spills over its neighbourhood in the eye.
+//! Bloom: light that the eye scatters from bright lamps over their neighbourhood.
 //!
-//! The picture is taken down to a quarter and from there by halves; every level is smoothed and added to the level
-//! above on the way back. Wide, soft and cheap: the levels together are a twelfth of the picture.
+//! A mip chain, as in J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014, with
+//! the cheapest filters that show no blocks:
+//! 1. Down: the finest level is the mean of 4 x 4 pixels, each further level the mean of 2 x 2 cells.
+//! 2. Each level is smoothed by the binomial filter 1 2 1 in both directions.
+//! 3. Up: from the coarsest level on, a level is stretched to twice its size, bilinearly (9/16, 3/16, 3/16, 1/16), and added
+//!    to the next finer one.
+//!
+//! Bloom is linear, and the weights of the levels sum to 1: it moves light and makes none. The levels together have a
+//! twelfth of the picture's pixels.
 
 use crate::simd::dispatch::{LANES, SimdLevel, max, multiversion};
 use crate::tile::planes::TILE;
@@ -19,7 +26,7 @@ const ROWS_PER_TASK: usize = 32;
 /// Levels, the finest first.
 const LEVELS: usize = 5;
 
-/// What the finest level, the next, ... add to the bloom.
+/// The weight of each level, the finest first; their sum is 1. Art direction: a narrow core, a long tail.
 const WEIGHTS: [f32; LEVELS] = [0.34, 0.26, 0.19, 0.13, 0.08];
 
 /// The bloom of a picture.
@@ -202,6 +209,14 @@ fn tent_filter_row(around: &[f32], &MipLevel { width, stride, .. }: &MipLevel, w
     }
 }
 
+/// Bilinear weights of stretching by two: a cell's centre lies a quarter of a coarse cell from the nearest coarse centre,
+/// so the weights are 3/4 and 1/4 in each direction.
+const NEAR_NEAR: f32 = 9.0 / 16.0;
+/// One direction near, the other far.
+const NEAR_FAR: f32 = 3.0 / 16.0;
+/// Both far.
+const FAR_FAR: f32 = 1.0 / 16.0;
+
 multiversion! {
     /// Adds the coarser level, stretched to twice its size, to row `y`.
     fn upsample(source: &[f32], coarse: &MipLevel, y: usize, width: usize, out: &mut [f32]) = upsample_row;
@@ -213,7 +228,7 @@ fn upsample_row(source: &[f32], coarse: &MipLevel, y: usize, width: usize, out: 
     let (near, far) = (&source[near * coarse.stride..], &source[far * coarse.stride..]);
     for (x, out) in out[1..=width].iter_mut().enumerate() {
         let (a, b) = neighbours(x);
-        *out += 0.5625 * near[a] + 0.1875 * (near[b] + far[a]) + 0.0625 * far[b];
+        *out += NEAR_NEAR * near[a] + NEAR_FAR * (near[b] + far[a]) + FAR_FAR * far[b];
     }
 }
 

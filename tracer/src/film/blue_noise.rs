@@ -10,7 +10,17 @@ pub(crate) const MATRIX_SIDE: usize = 64;
 
 const MATRIX_CELLS: usize = MATRIX_SIDE * MATRIX_SIDE;
 
-/// How far a cell's influence is followed.
+/// The standard deviation of the Gaussian that measures crowding, cells: Ulichney's 1.5.
+const CROWDING_SIGMA: f32 = 1.5;
+
+/// The part of the cells that the first pattern fills: Ulichney's tenth.
+const FIRST_PATTERN: usize = 10;
+
+/// Any seed but 0 of the xorshift generator (G. Marsaglia, 2003) that makes the first pattern; another would give another
+/// array, as good, and other pixels.
+const FIRST_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// How far a cell's influence is followed, cells: 4.7 standard deviations.
 const KERNEL_REACH: isize = 7;
 
 /// Thresholds in (-0.5, 0.5), evenly spread, row by row.
@@ -25,7 +35,7 @@ pub(crate) fn thresholds() -> &'static [f32; MATRIX_CELLS] {
     })
 }
 
-/// A pattern of cells and how crowded each place is.
+/// A binary pattern of cells, and how crowded each place is.
 struct Pattern {
     set: Vec<bool>,
     crowding: Vec<f32>,
@@ -38,7 +48,7 @@ impl Pattern {
         let kernel = (0..side * side)
             .map(|at| {
                 let (x, y) = ((at % side - KERNEL_REACH) as f32, (at / side - KERNEL_REACH) as f32);
-                libm::expf(-(x * x + y * y) / (2.0 * 1.5 * 1.5))
+                libm::expf(-(x * x + y * y) / (2.0 * CROWDING_SIGMA * CROWDING_SIGMA))
             })
             .collect();
         Pattern { set: vec![false; MATRIX_CELLS], crowding: vec![0.0; MATRIX_CELLS], kernel }
@@ -58,7 +68,7 @@ impl Pattern {
         }
     }
 
-    /// The most crowded cell that is set, or the emptiest place that is not.
+    /// The tightest cluster, a cell that is set, or the largest void, one that is not.
     fn extreme(&self, present: bool) -> usize {
         let mut best = 0;
         let mut most = f32::MIN;
@@ -75,8 +85,8 @@ impl Pattern {
 /// The order in which the cells of the array are filled.
 fn ranks() -> Vec<usize> {
     let mut pattern = Pattern::new();
-    let first = MATRIX_CELLS / 10;
-    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let first = MATRIX_CELLS / FIRST_PATTERN;
+    let mut state = FIRST_SEED;
     let mut placed = 0;
     while placed < first {
         state ^= state << 13;

@@ -7,4 +7,5 @@ pub(crate) mod display_buffer;
 pub(crate) mod frame;
 pub(crate) mod frame_id;
 pub(crate) mod radiance;
+pub mod srgb;
 pub mod tone_map;

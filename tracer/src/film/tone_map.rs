@@ -1,17 +1,19 @@
-//! From light to the pixels of a screen.
+//! The tone map: from linear radiance to the pixels of a screen.
 //!
-//! Exposure, bloom, a filmic curve that keeps the hue, the sRGB transfer curve, and blue noise before the rounding. The
-//! curve looks at the strongest channel and scales all three alike, so that a red lamp stays red however bright; only
-//! far beyond white does it pale.
+//! 1. Exposure and bloom: `exposure ((1 - b) light + b bloom)`, where b is [`BLOOM_STRENGTH`].
+//! 2. A filmic curve ([`filmic_curve`]).
+//! 3. The sRGB transfer curve ([`crate::film::srgb`]).
+//! 4. Dithering: blue noise of one level's width before the rounding, so that dark gradients have no bands.
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel, READ_AHEAD_CELLS};
 use crate::film::blue_noise;
+use crate::film::srgb::encode_fast;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, clamp, max, multiversion};
 use crate::tile::planes::{BLACK, RgbTile, TILE};
 use crate::{Frame, Radiance};
 use rayon::prelude::*;
 
-/// How much of the light the eye scatters.
+/// The part of the light that goes into bloom: art direction.
 const BLOOM_STRENGTH: f32 = 0.09;
 
 /// Cells of bloom that a tile's pixels lie between, along a side.
@@ -106,7 +108,7 @@ fn tone_map_lanes(
         let mut blue = expose(&light[2][row], &stretched[2], near, part, gain);
         for i in 0..LANES {
             let [r, g, b] = filmic_curve([red[i], green[i], blue[i]]);
-            (red[i], green[i], blue[i]) = (srgb(r), srgb(g), srgb(b));
+            (red[i], green[i], blue[i]) = (encode_fast(r), encode_fast(g), encode_fast(b));
         }
         let noise = |channel: usize| {
             let line = (y + row + 21 * channel) % blue_noise::MATRIX_SIDE * blue_noise::MATRIX_SIDE;
@@ -163,29 +165,40 @@ fn round_to_byte(value: f32) -> u32 {
     (clamp(value, 0.0, 255.0) + 8_388_608.0).to_bits() & 0xff
 }
 
-/// Light, unbounded, to light on a screen, 0 to 1: a toe, a straight middle and a long shoulder.
+/// Scales light before the filmic curve: art direction, a little brighter than the 0.6 with which Narkowicz matches ACES.
+const FILMIC_GAIN: f32 = 0.72;
+
+/// K. Narkowicz, "ACES filmic tone mapping curve", 2016: x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), a fit of the ACES reference
+/// transform.
+const ACES: [f32; 5] = [2.51, 0.03, 2.43, 0.59, 0.14];
+
+/// Scaled light at which half of the bleaching is reached: art direction.
+const BLEACH_HALF: f32 = 14.0;
+
+/// The part of its saturation that an infinitely bright colour loses: art direction.
+const BLEACH_MOST: f32 = 0.7;
+
+/// Less light than this in the strongest channel is as dark: keeps the division finite.
+const DARKEST: f32 = 1e-5;
+
+/// The filmic curve: unbounded light to light on a screen, 0 to 1, with a toe, a straight middle and a long shoulder.
 ///
-/// The curve is K. Narkowicz's fit of the ACES reference transform (2016), on the strongest channel.
+/// 1. The curve is taken of the strongest channel alone, and all channels are scaled alike: hue and saturation stay, so a
+///    red lamp stays red however bright it is.
+/// 2. Beyond white, colours bleach, as film's do: with m the scaled light, a part `BLEACH_MOST m / (m + BLEACH_HALF)` of
+///    the colour is replaced by grey of the curve's value.
 #[inline(always)]
 fn filmic_curve([r, g, b]: [f32; 3]) -> [f32; 3] {
-    let strongest = max(max(r, g), max(b, 1e-5));
-    let m = strongest * 0.72;
-    let (above, below) = (m * (2.51 * m + 0.03), m * (2.43 * m + 0.59) + 0.14);
-    let white = m + 14.0;
-    // One division for three: over the curve, over the strongest and over where light pales.
+    let strongest = max(max(r, g), max(b, DARKEST));
+    let m = strongest * FILMIC_GAIN;
+    let [a1, a0, b2, b1, b0] = ACES;
+    let (above, below) = (m * (a1 * m + a0), m * (b2 * m + b1) + b0);
+    let white = m + BLEACH_HALF;
+    // One division for three: that of the curve, that by the strongest channel and that of the bleaching.
     let over = 1.0 / (below * white * strongest);
     let scale = above * white * over;
     let curve = scale * strongest;
-    let pale = 0.7 * m * (below * strongest * over);
+    let pale = BLEACH_MOST * m * (below * strongest * over);
     let (kept, bleached) = (scale - scale * pale, curve * pale);
     [r * kept + bleached, g * kept + bleached, b * kept + bleached]
-}
-
-/// The sRGB transfer curve, to a ninth of an 8-bit level: a polynomial in the square root.
-#[inline(always)]
-pub(crate) fn srgb(linear: f32) -> f32 {
-    let s = max(linear, 0.0).sqrt();
-    let curved = ((((-0.761_408 * s + 2.801_746) * s - 4.212_598) * s + 3.406_116) * s - 1.746_204) * s;
-    let curved = (curved + 1.553_333) * s - 0.041_132;
-    if linear <= 0.003_130_8 { 12.92 * linear } else { curved }
 }

@@ -76,18 +76,19 @@ fn extent_of_arc(arc: &Arc, axis: DVec2) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{Random, any_shape};
+    use crate::scenes::any_shape;
     use geometry::Ray;
+    use geometry::rng::SplitMix64;
 
     /// A ray between the point and the chord never meets a shape that is called apart.
     #[test]
     fn what_is_called_apart_is_never_met() {
-        let (mut random, size) = (Random(5), DVec2::splat(160.0));
+        let (mut random, size) = (SplitMix64::new(5), DVec2::splat(160.0));
         let (mut apart, mut met) = (0, 0);
         for round in 0..20_000 {
             let shape = any_shape(&mut random, size, round);
-            let [point, a] = [(); 2].map(|()| random.within(size));
-            let b = a + random.within(size * 0.2) - size * 0.1;
+            let [point, a] = [(); 2].map(|()| random.point_within(size));
+            let b = a + random.point_within(size * 0.2) - size * 0.1;
             let may_meet = CullingTriangle::new(point, a, b).may_meet(&shape);
             let hit = (0..=16).any(|step| {
                 let target = a + (b - a) * (f64::from(step) / 16.0);

@@ -6,6 +6,7 @@
 //! edges and points by themselves; a difference of both counts more than one of either.
 
 use crate::Frame;
+use crate::film::srgb::decode_f64;
 use rayon::prelude::*;
 
 /// Pixels in a degree of the eye's view: a 4K screen 0.7 m wide, seen from 0.7 m.
@@ -74,12 +75,9 @@ impl Seen {
     }
 }
 
-/// The linear light of an sRGB pixel (IEC 61966-2-1).
+/// The linear light of an sRGB pixel.
 fn linear(pixel: u32) -> Triple {
-    [16, 8, 0].map(|shift| {
-        let encoded = f64::from(pixel >> shift & 0xff) / 255.0;
-        if encoded <= 0.04045 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
-    })
+    [16, 8, 0].map(|shift| decode_f64(f64::from(pixel >> shift & 0xff) / 255.0))
 }
 
 /// CIE XYZ from linear sRGB.

@@ -1,13 +1,14 @@
 //! Monte Carlo integration, the reference: shadow rays to random points of a lamp's chord, in double precision, against
 //! the scene's own shapes.
 //!
-//! Random numbers are named by lamp, pixel and sample: the same picture on any number of threads. A ray is cast against
+//! SplitMix64 numbers are named by lamp, pixel and sample: the same picture on any number of threads. A ray is cast against
 //! every shape that may meet the triangle of the point and the chord, and no shape is thought of as anything but what
 //! [`geometry::Shape::cast`] says it is.
 
-use crate::reference::monte_carlo::rays::{Name, Near, Rays};
+use crate::reference::monte_carlo::rays::{Near, Rays};
 use crate::{Group, Lamp, Rgb, Scene};
 use geometry::DVec2;
+use geometry::rng::Key;
 
 mod airborne;
 mod picture;
@@ -31,8 +32,8 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
     for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
         let rest = lamp.rest(point_mm);
         if rest > 0.0 {
-            let name = Name::new(sampling.seed, u64::from(lamp.id.0)).at(point_mm);
-            let rays = Rays { sampling, name, point: point_mm };
+            let key = Key::new(sampling.seed, u64::from(lamp.id.0)).with_point(point_mm);
+            let rays = Rays { sampling, key, point: point_mm };
             let seen = rays.arriving(scene, lamp, exclude, &mut near).seen;
             let open = rays.unoccluded_fraction(&scene.balls, lamp, exclude);
             let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;

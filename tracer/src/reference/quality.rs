@@ -6,13 +6,14 @@
 use crate::film::tone_map;
 use crate::reference::flip;
 use crate::reference::monte_carlo::{self, Sampling};
-use crate::scenes::{Random, white};
+use crate::scenes::white;
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::scalar;
 use crate::visibility::sphere_shadow::unoccluded_fraction;
 use crate::{Ball, Frame, Lamp, Radiance, Renderer, Scene};
 use geometry::DVec2;
+use geometry::rng::SplitMix64;
 use rayon::prelude::*;
 
 /// Shadow rays to each lamp from each point.
@@ -104,10 +105,10 @@ fn look(scene: &Scene, sampling: Sampling) -> f64 {
 
 /// Pixels of the scene: half of them anywhere, half where it is hard, as far as there are such.
 fn choose(scene: &Scene, count: usize, seed: u64) -> Vec<(usize, usize)> {
-    let mut random = Random(seed);
+    let mut random = SplitMix64::new(seed);
     let (width, height) = (scene.view.width, scene.view.height);
     let mut pixel = || {
-        let place = random.within(DVec2::new(width as f64, height as f64));
+        let place = random.point_within(DVec2::new(width as f64, height as f64));
         (place.x as usize, place.y as usize)
     };
     let mut pixels: Vec<(usize, usize)> = (0..count / 2).map(|_| pixel()).collect();

@@ -2,9 +2,10 @@
 //!
 //! What is added stands where chance puts it, in the same places every time.
 
-use super::{Random, SIZE_MM};
+use super::SIZE_MM;
 use crate::{Ball, Group, ItemId, Lamp, Occluder, Scene};
 use geometry::Shape;
+use geometry::rng::SplitMix64;
 
 /// The radius of a post, mm.
 const POST_MM: f64 = 2.0;
@@ -15,19 +16,19 @@ const BALL_MM: f64 = 13.5;
 /// Leaves the first `count` lamps of the generated table; or adds copies of them, somewhere on it, until there are as
 /// many. A scene without lamps stays without.
 pub fn with_lamps(scene: &mut Scene, count: usize) {
-    let mut random = Random(11);
+    let mut random = SplitMix64::new(11);
     let first = scene.lamps.clone();
     let copies = (free_id(first.iter().map(|lamp| lamp.id))..).zip(first.iter().cycle());
-    let more = copies.map(|(id, lamp)| Lamp { id: ItemId(id), center_mm: random.within(SIZE_MM), ..*lamp });
+    let more = copies.map(|(id, lamp)| Lamp { id: ItemId(id), center_mm: random.point_within(SIZE_MM), ..*lamp });
     scene.lamps = first.iter().copied().chain(more).take(count).collect();
 }
 
 /// Adds `count` posts of 2 mm to what stands there already.
 pub fn with_posts(scene: &mut Scene, count: u16) {
-    let mut random = Random(12);
+    let mut random = SplitMix64::new(12);
     let free = free_id(scene.occluders.iter().map(|occluder| occluder.id));
     let post = |at: u16| {
-        let shape = Shape::disc(random.within(SIZE_MM), POST_MM);
+        let shape = Shape::disc(random.point_within(SIZE_MM), POST_MM);
         Occluder::opaque(ItemId(free + u32::from(at)), shape, Group(2000 + at))
     };
     scene.occluders.extend((0..count).map(post));
@@ -35,12 +36,12 @@ pub fn with_posts(scene: &mut Scene, count: u16) {
 
 /// Puts `count` balls somewhere, in place of those that are there.
 pub fn with_balls(scene: &mut Scene, count: u16) {
-    let mut random = Random(13);
+    let mut random = SplitMix64::new(13);
     let groups: Vec<Group> = scene.balls.drain(..).map(|ball| ball.group).collect();
     scene.occluders.retain(|occluder| !groups.contains(&occluder.group));
     let free = free_id(scene.occluders.iter().map(|occluder| occluder.id));
     for at in 0..count {
-        let (center_mm, group) = (random.within(SIZE_MM), Group(1000 + at));
+        let (center_mm, group) = (random.point_within(SIZE_MM), Group(1000 + at));
         scene.balls.push(Ball {
             id: ItemId(at.into()),
             center_mm,

@@ -11,6 +11,7 @@ mod jumble;
 pub use growth::{lift, with_balls, with_lamps, with_posts};
 pub use jumble::{any_shape, floating_jumble, jumble, mixed_jumble};
 
+use geometry::rng::SplitMix64;
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};
 
 /// The size of the generated table, mm.
@@ -25,33 +26,9 @@ pub struct Props {
     pub inserts: Vec<(Mask, Rgb)>,
 }
 
-/// A random number generator for scenes (SplitMix64).
-#[derive(Clone, Debug)]
-pub struct Random(pub u64);
-
-impl Random {
-    /// A number in [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// A number in [`low`, `high`).
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    /// A point of a rectangle from the origin to `size`.
-    pub fn within(&mut self, size: DVec2) -> DVec2 {
-        DVec2::new(self.between(0.0, size.x), self.between(0.0, size.y))
-    }
-}
-
 /// A portrait table as big as a real one: 16 lamps, some 250 pieces of wall, 80 tops, three balls, glowing inserts.
 pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
-    let mut builder = Builder { occluders: Vec::new(), tops: Vec::new(), group: 1, random: Random(7) };
+    let mut builder = Builder { occluders: Vec::new(), tops: Vec::new(), group: 1, random: SplitMix64::new(7) };
     builder.outer_walls();
     builder.lanes();
     builder.posts();
@@ -196,7 +173,7 @@ struct Builder {
     occluders: Vec<Occluder>,
     tops: Vec<Top>,
     group: u16,
-    random: Random,
+    random: SplitMix64,
 }
 
 impl Builder {
@@ -264,7 +241,7 @@ impl Builder {
 
     fn posts(&mut self) {
         for _ in 0..36 {
-            let center = DVec2::new(self.random.between(40.0, 450.0), self.random.between(320.0, 740.0));
+            let center = DVec2::new(self.random.uniform(40.0, 450.0), self.random.uniform(320.0, 740.0));
             if center.distance(DVec2::new(257.0, 350.0)) < 150.0 {
                 continue;
             }
@@ -302,11 +279,11 @@ impl Builder {
 
     fn wires(&mut self) {
         for _ in 0..3 {
-            let mut at = DVec2::new(self.random.between(60.0, 400.0), self.random.between(450.0, 600.0));
-            let mut angle = self.random.between(0.0, 6.0);
+            let mut at = DVec2::new(self.random.uniform(60.0, 400.0), self.random.uniform(450.0, 600.0));
+            let mut angle = self.random.uniform(0.0, 6.0);
             let mut points = vec![at];
             for _ in 0..14 {
-                angle += self.random.between(-0.4, 0.5);
+                angle += self.random.uniform(-0.4, 0.5);
                 at += trig::direction(angle) * 9.0;
                 points.push(at);
             }

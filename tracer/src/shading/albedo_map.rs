@@ -1,5 +1,6 @@
 //! Art in sRGB bytes as the reflectance that light works with.
 
+use crate::film::srgb::decode_fast;
 use crate::shading::surface::Normals;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, multiversion};
 use crate::tile::planes::{AREA, AlbedoTile, BLACK, Plane, RgbTile, TILE};
@@ -194,14 +195,6 @@ fn read_lanes<const OPAQUE: bool>(
 #[inline(always)]
 fn read_channel<const SHIFT: u32>(packed: &[i32; LANES], scale: &Lanes, out: &mut Lanes) {
     for i in 0..LANES {
-        out[i] = linear(((packed[i] >> SHIFT) & 255) as f32 * scale[i]);
+        out[i] = decode_fast(((packed[i] >> SHIFT) & 255) as f32 * scale[i]);
     }
-}
-
-/// The inverse of the sRGB transfer curve, to a twentieth of an 8-bit level.
-#[inline(always)]
-pub(crate) fn linear(encoded: f32) -> f32 {
-    let t = (encoded + 0.055) * (1.0 / 1.055);
-    let curved = ((((1.243444 * t - 4.204595) * t + 5.699062) * t - 4.112618) * t + 2.155841) * t + 0.218865;
-    if encoded <= 0.040_45 { encoded * (1.0 / 12.92) } else { curved * t * t }
 }

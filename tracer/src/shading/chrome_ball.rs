@@ -1,8 +1,9 @@
-//! A chrome ball, seen from straight above: a mirror with the whole table in it.
+//! The chrome ball, seen from straight above: a mirror with the whole table in it.
 //!
-//! Every pixel of the ball sends the eye's ray on in the mirrored direction. Rays that go down meet the floor, which is
-//! lit already; rays that go up meet the lamps, or the room that the machine stands in, so that a ball has a bright spot
-//! and a rim even where no lamp reaches it. Scratches turn with the ball.
+//! For each pixel the eye's ray is reflected at the sphere. A reflected ray that goes down meets the floor, which is lit
+//! already; a ray that goes up meets the lamps ([`Highlight`]) or the environment ([`environment`]), so that a ball has a
+//! bright spot and a rim even where no lamp reaches it. Scratches turn with the ball. The numbers of its look are art
+//! direction where no other reason is given.
 
 use crate::film::bloom::{CELL_PX, MipLevel};
 use crate::shading::environment;
@@ -16,11 +17,45 @@ use crate::{Ball, Filter, Lamp, Overhang, Rgb, View};
 use geometry::DVec2;
 use rayon::prelude::*;
 
-/// What chrome mirrors of each colour.
+/// The reflectance of chrome at normal incidence, a little brighter than the metal's 0.55: a polished ball on a dark table.
 const CHROME: Rgb = [0.86, 0.88, 0.90];
 
-/// A lamp's highlight is at most this often its colour.
-const GLINT: f32 = 14.0;
+/// The radiance of a lamp's mirror image over the lamp's colour: as far beyond white as the tone map still tells apart.
+const HIGHLIGHT_GAIN: f32 = 14.0;
+
+/// The least blur of a highlight, pixels: a mirror image smaller than a pixel would flicker as the ball rolls.
+const HIGHLIGHT_BLUR_PX: f32 = 1.6;
+
+/// Where a highlight ends: at the square root of this many blurred radii.
+const HIGHLIGHT_EXTENT: f32 = 3.0;
+
+/// The least radius of a lamp in a highlight, mm: point lamps are seen too.
+const LEAST_LAMP_RADIUS_MM: f32 = 1.0;
+
+/// The outermost normals of the ball: pixels of its edge are shaded just inside it, where the normal still looks up.
+const RIM: f64 = 0.995;
+
+/// The radiance of a scratch, which is matt: a part of the irradiance, with ambient light counted so often, and what it has
+/// in the dark.
+const SCRATCH_DIFFUSE: [f32; 3] = [0.25, 2.0, 0.02];
+
+/// How much of the mirror image a scratch takes away.
+const SCRATCH_HIDES: f32 = 0.8;
+
+/// The strength of the rim light, which sets a ball off from a dark floor.
+const RIM_LIGHT: f32 = 0.20;
+
+/// The part of the light on the table that the cabinet's walls throw back.
+const WALL_BOUNCE: f32 = 0.35;
+
+/// How far a reflected ray runs before the floor has given way to the environment, mm: half a table.
+const FLOOR_FADES_MM: f32 = 500.0;
+
+/// How much darker the floor beyond the picture's edge becomes with each mm: black after 20 mm.
+const OUTSIDE_FADE_PER_MM: f64 = 0.05;
+
+/// The width of a scratch: pixels, and at least so much of the ball's radius.
+const SCRATCH_WIDTH: (f32, f32) = (1.2, 0.05);
 
 /// A lamp as a ball mirrors it.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +81,7 @@ impl Highlight {
         let along = tube.map_or(DVec2::ZERO, |tube| tube / half);
         Highlight {
             place: [from_ball.x as f32, from_ball.y as f32, lamp.height_mm as f32],
-            radius: if tube.is_some() { TUBE_RADIUS_MM } else { max(lamp.radius_mm() as f32, 1.0) },
+            radius: if tube.is_some() { TUBE_RADIUS_MM } else { max(lamp.radius_mm() as f32, LEAST_LAMP_RADIUS_MM) },
             along: [along.x as f32, along.y as f32],
             half: half as f32,
             color: [0, 1, 2].map(|channel: usize| lamp.color[channel] * fraction[channel] as f32),
@@ -204,32 +239,35 @@ impl MirrorShader<'_> {
             return [0.0; 4];
         }
         // The pixels of the edge take the light just inside it.
-        let on_ball = from_middle * (0.995 / (distance / radius).max(0.995) / radius);
+        let on_ball = from_middle * (RIM / (distance / radius).max(RIM) / radius);
         let (nx, ny) = (on_ball.x as f32, on_ball.y as f32);
         let nz = max(1.0 - nx * nx - ny * ny, 0.0).sqrt();
         let normal = [nx, ny, nz];
+        // The reflected direction 2 (n . v) n - v, with the eye at v = (0, 0, 1).
         let out = [2.0 * nz * nx, 2.0 * nz * ny, 2.0 * nz * nz - 1.0];
-        let mut light = self.surroundings(normal, out);
+        let mut light = self.reflected(normal, out);
         for highlight in self.highlights {
-            self.add_glint(highlight, normal, out, &mut light);
+            self.add_highlight(highlight, normal, out, &mut light);
         }
         let scratch = self.scratches(normal);
+        // Fresnel: C. Schlick's approximation (1994) with the third power for the fifth, for a wider rim.
         let grazing = (1.0 - nz) * (1.0 - nz) * (1.0 - nz);
         let mut pixel = [0.0, 0.0, 0.0, coverage];
         for channel in 0..3 {
-            let mirrors = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
-            let matt = 0.25 * (self.irradiance[channel] + 2.0 * self.table.ambient[channel]) + 0.02;
-            let rim = 0.20 * grazing * (1.0 + self.irradiance[channel]);
-            pixel[channel] = light[channel] * mirrors * (1.0 - 0.8 * scratch) + matt * scratch * nz + rim;
+            let reflectance = CHROME[channel] + (1.0 - CHROME[channel]) * grazing;
+            let [direct, ambient, least] = SCRATCH_DIFFUSE;
+            let diffuse = direct * (self.irradiance[channel] + ambient * self.table.ambient[channel]) + least;
+            let rim = RIM_LIGHT * grazing * (1.0 + self.irradiance[channel]);
+            let mirror = light[channel] * reflectance * (1.0 - SCRATCH_HIDES * scratch);
+            pixel[channel] = mirror + diffuse * scratch * nz + rim;
         }
         pixel
     }
 
-    /// The floor below or the room above, in the direction `out`.
-    fn surroundings(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
-        // The cabinet's walls throw back some of what falls on the table.
-        let sky = environment::radiance(out, self.irradiance.map(|light| 0.35 * light));
-        if out[2] >= -0.02 {
+    /// The radiance from the direction `out`: the floor below or the environment above.
+    fn reflected(&self, normal: [f32; 3], out: [f32; 3]) -> Rgb {
+        let sky = environment::radiance(out, self.irradiance.map(|light| WALL_BOUNCE * light));
+        if out[2] >= -environment::HORIZON {
             return sky;
         }
         let radius = self.ball.radius_mm as f32;
@@ -238,18 +276,18 @@ impl MirrorShader<'_> {
         let x = normal[0] * radius + out[0] * run;
         let y = normal[1] * radius + out[1] * run;
         let floor = self.floor(self.ball.center_mm + DVec2::new(f64::from(x), f64::from(y)));
-        // Far away, just below the horizon, the floor gives way to the room.
-        let far = clamp(run * (1.0 / 500.0), 0.0, 1.0);
+        // Far away, just below the horizon, the floor gives way to the environment.
+        let far = clamp(run * (1.0 / FLOOR_FADES_MM), 0.0, 1.0);
         [0, 1, 2].map(|channel| floor[channel] + (sky[channel] - floor[channel]) * far * far)
     }
 
-    /// The light of the floor at a point, between the four nearest cells.
+    /// The radiance of the floor at a point, bilinear between the four nearest cells.
     fn floor(&self, point_mm: DVec2) -> Rgb {
         let TableImage { view, level, planes, .. } = self.table;
         let place = view.screen_from_table(point_mm) * (1.0 / CELL_PX as f64) - DVec2::splat(0.5);
         let (right, bottom) = ((level.width - 1) as f64, (level.height - 1) as f64);
         let outside = (-place.x).max(place.x - right).max(-place.y).max(place.y - bottom).max(0.0);
-        let fade = (1.0 - outside * CELL_PX as f64 * view.mm_per_px * 0.05).max(0.0) as f32;
+        let fade = (1.0 - outside * CELL_PX as f64 * view.mm_per_px * OUTSIDE_FADE_PER_MM).max(0.0) as f32;
         let (x, y) = (place.x.clamp(0.0, right), place.y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
         let (across, down) = ((x - left as f64) as f32, (y - top as f64) as f32);
@@ -268,9 +306,15 @@ impl MirrorShader<'_> {
         })
     }
 
-    /// A lamp's mirror image: a disc of its angle, no smaller than what one pixel sees; of a segment, the disc round its
-    /// point that is nearest to the mirrored ray.
-    fn add_glint(&self, highlight: &Highlight, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
+    /// A lamp's mirror image: a soft disc of the lamp's angular radius, widened to what a pixel sees. A tube's is the disc
+    /// round its point that is nearest to the reflected ray.
+    ///
+    /// 1. (x, y, z): the vector from the point of the sphere to the lamp's centre.
+    /// 2. The point of the tube's line nearest to the ray in the direction `out` minimises their distance; with t the
+    ///    tube's direction it is ((t . out) (c . out) - c . t) / (1 - (t . out)^2) along t.
+    /// 3. sin^2 of the angle between ray and lamp is 1 - (c . out)^2 / c^2; sin^2 of the lamp's radius is r^2 / c^2.
+    /// 4. An image widened from r to b is dimmed by r / b. Energy would ask for r^2 / b^2, but small lamps must stay seen.
+    fn add_highlight(&self, highlight: &Highlight, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
         let radius = self.ball.radius_mm as f32;
         let x = highlight.place[0] - normal[0] * radius;
         let y = highlight.place[1] - normal[1] * radius;
@@ -288,19 +332,21 @@ impl MirrorShader<'_> {
         }
         let off_square = max(1.0 - along * along / square, 0.0);
         let lamp_square = highlight.radius * highlight.radius / square;
-        let pixel = 1.6 * self.table.view.mm_per_px as f32 / radius;
+        let pixel = HIGHLIGHT_BLUR_PX * self.table.view.mm_per_px as f32 / radius;
         let blurred = lamp_square + pixel * pixel;
-        let edge = max(1.0 - off_square / (3.0 * blurred), 0.0);
-        let strength = GLINT * edge * edge * edge * (lamp_square / blurred).sqrt();
+        let edge = max(1.0 - off_square / (HIGHLIGHT_EXTENT * blurred), 0.0);
+        let strength = HIGHLIGHT_GAIN * edge * edge * edge * (lamp_square / blurred).sqrt();
         for channel in 0..3 {
             light[channel] += highlight.color[channel] * strength;
         }
     }
 
-    /// How scratched the ball is where its normal is this.
+    /// How scratched the ball is at a normal, 0 to 1: great circles, half circles and a dot in the ball's own frame, laid out
+    /// by eye so that some scratch is always in sight.
     fn scratches(&self, normal: [f32; 3]) -> f32 {
         let [x, y, z] = unrotated(self.ball.rotation, normal);
-        let width = max(1.2 * self.table.view.mm_per_px as f32 / self.ball.radius_mm as f32, 0.05);
+        let (width_px, least) = SCRATCH_WIDTH;
+        let width = max(width_px * self.table.view.mm_per_px as f32 / self.ball.radius_mm as f32, least);
         let line = |off: f32| max(1.0 - off.abs() / width, 0.0);
         let ring = line(z) * 0.55;
         let half_ring = if y > 0.0 { line(0.8 * x + 0.6 * z) * 0.4 } else { 0.0 };

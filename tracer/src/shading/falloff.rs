@@ -1,4 +1,8 @@
-//! How much of a lamp's light arrives at points of a tile that see all of it, and from where.
+//! The falloff of a lamp: the irradiance at points that see all of it, and the direction that it comes from.
+//!
+//! The inverse square law over the distance in space, times a window that brings it to 0 at the lamp's reach: the square of
+//! `1 - (d / reach)^2`. (Real-Time Rendering, 4th ed., section 5.2.2, has the same window with the fourth power of the
+//! distance.) [`Lamp::falloff`] is the scalar form in double precision.
 
 use crate::Lamp;
 use crate::simd::atan2::angle;

@@ -78,18 +78,38 @@ multiversion! {
 /// What brings a lamp's light to its colour at the reference distance.
 const REFERENCE_SQUARE_MM2: f32 = (Lamp::REFERENCE_MM * Lamp::REFERENCE_MM) as f32;
 
-/// How much of the way to a lamp counts as its height: lamps far away are not quite in the horizon, or a lean of one
-/// degree would be night.
+/// Lifts lamps for the shading of normals: height^2 is height_mm^2 + HEIGHT_LIFT distance^2. Art direction: at the true
+/// elevation of a lamp half a table away, a slope of one degree would be black.
 const HEIGHT_LIFT: f32 = 0.3;
 
-/// How a leaning surface answers a lamp.
+/// The part of its diffuse reflection that a top of gloss 1 loses to its specular one: art direction.
+const GLOSS_DARKENS: f32 = 0.4;
+
+/// The specular strength of a top of gloss 1: art direction, a highlight that outshines the art under it.
+const TOP_SPECULAR: f32 = 2.5;
+
+/// The colour of a clear coat's highlight on a top of gloss 0: white, at this reflectance. From there to gloss 1 it goes
+/// over to the albedo, as a metal's does: art direction, after the dielectric and metal of the trade's shading models
+/// (Real-Time Rendering, 4th ed., section 9.5.2).
+const COAT_REFLECTANCE: f32 = 0.3;
+
+/// The part of light from below that comes through white ink once instead of twice: art direction.
+const INK_TRANSMITS: f32 = 0.3;
+
+/// The BRDF of a surface with a normal, in the direction of an eye straight above.
 struct BrdfResponse {
-    /// Times what a flat floor scatters: 1 for a flat one.
+    /// The Lambert cosine over that of a flat surface: 1 for a flat one.
     diffuse: f32,
     /// The cosine of the angle between normal and half vector (J. Blinn, 1977), squared.
     cosine_square: f32,
 }
 
+/// The response to a lamp in the direction l, with the eye in the direction v = (0, 0, 1) and the normal n:
+/// 1. l is (ux, uy, up) / length, where up is the lifted height.
+/// 2. Lambert: n . l over the l.z of a flat surface is (n.x ux + n.y uy + n.z up) / up.
+/// 3. The half vector h (J. Blinn, "Models of light reflection for computer synthesized pictures", 1977) is the direction
+///    of l + v, so of (ux, uy, up + length), whose squared length is 2 length (length + up).
+/// 4. (n . h)^2 is the square of n . (ux, uy, up + length) over that: no square root.
 #[inline(always)]
 fn brdf_response(incident: &IncidentLight, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> BrdfResponse {
     let (ux, uy, square) = (incident.x[i], incident.y[i], incident.square[i]);
@@ -104,7 +124,7 @@ fn brdf_response(incident: &IncidentLight, i: usize, height_square: f32, [nx, ny
     }
 }
 
-/// To the 16th.
+/// The 16th power: with a squared cosine, a Blinn exponent of 32.
 #[inline(always)]
 fn power_16(x: f32) -> f32 {
     let x2 = x * x;
@@ -113,10 +133,11 @@ fn power_16(x: f32) -> f32 {
     x8 * x8
 }
 
-/// How bright the gloss of a floor of gloss 1 is, seen straight on.
+/// The specular strength of a floor of gloss 1 at the centre of a highlight: art direction.
 const COAT_STRENGTH: f32 = 1.6;
 
-/// From here on down, the square of the cosine between normal and half vector leaves no shine on the floor.
+/// Below this (n . h)^2 the floor has no highlight. With x = (n . h)^2, x^32 (a Blinn exponent of 64) has the slope 32 at
+/// x = 1, and so has the sixth power of a line that reaches 0 here: as narrow, but it ends, so most tiles have none.
 const COAT_END_COSINE_SQUARE: f32 = 1.0 - 6.0 / 32.0;
 
 #[inline(always)]
@@ -143,7 +164,7 @@ fn floor_irradiance_lanes(
         if has_normals {
             for i in 0..LANES {
                 let response = brdf_response(&incident, i, falloff.height_square, [nx[i], ny[i], nz[i]]);
-                // A coat of lacquer: near its middle as narrow as the 64th power of the cosine, but it ends.
+                // The lobe of the lacquer: see COAT_END_COSINE_SQUARE.
                 let near =
                     max(response.cosine_square - COAT_END_COSINE_SQUARE, 0.0) * (1.0 / (1.0 - COAT_END_COSINE_SQUARE));
                 let lobe = near * near * near;
@@ -198,8 +219,8 @@ fn shade_top_lanes(
         for i in 0..LANES {
             let irradiance = weight[i] * (REFERENCE_SQUARE_MM2 * incident.irradiance[i] * seen[i]);
             let response = brdf_response(&incident, i, falloff.height_square, [nx[i], ny[i], nz[i]]);
-            above[i] = (1.0 - through) * (1.0 - 0.4 * gloss) * irradiance * response.diffuse;
-            specular[i] = 2.5 * gloss * irradiance * power_16(response.cosine_square);
+            above[i] = (1.0 - through) * (1.0 - GLOSS_DARKENS * gloss) * irradiance * response.diffuse;
+            specular[i] = TOP_SPECULAR * gloss * irradiance * power_16(response.cosine_square);
             below[i] = through * irradiance;
         }
         for (channel, out) in out.iter_mut().enumerate() {
@@ -207,9 +228,9 @@ fn shade_top_lanes(
             for i in 0..LANES {
                 let albedo = own * art[i];
                 // Polished metal mirrors in its own colour and scatters little; anything else has a white coat.
-                let tint = 0.3 + (albedo - 0.3) * gloss;
+                let tint = COAT_REFLECTANCE + (albedo - COAT_REFLECTANCE) * gloss;
                 // Light from below passes the ink, light from above meets it and comes back through it.
-                let ink = albedo * (0.3 + 0.7 * albedo);
+                let ink = albedo * (INK_TRANSMITS + (1.0 - INK_TRANSMITS) * albedo);
                 out[block][i] = albedo * above[i] + tint * specular[i] + ink * below[i];
             }
         }
@@ -242,7 +263,7 @@ multiversion! {
 #[inline(always)]
 fn shade_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambient: [f32; 3], out: &mut RgbTile) {
     let gloss = clamp(finish.gloss, 0.0, 1.0);
-    // The room is in the light from everywhere: where there is none, there is no room that could be mirrored.
+    // The environment is lit as the table is: without ambient light there is nothing to be mirrored.
     let mirrors = ambient.map(|ambient| ENVIRONMENT_GAIN * gloss * gloss * ambient);
     for block in 0..blocks {
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
@@ -255,10 +276,11 @@ fn shade_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambien
         }
         for channel in 0..3 {
             let (own, emission) = (finish.albedo[channel], finish.emission[channel]);
-            let scattered = (1.0 - 0.4 * gloss) * own * ambient[channel];
+            let scattered = (1.0 - GLOSS_DARKENS * gloss) * own * ambient[channel];
             let (art, room) = (&top.albedo[channel][block], &room[channel]);
             for i in 0..LANES {
-                let tint = 0.3 + (own * art[i] - 0.3) * gloss;
+                let tint = COAT_REFLECTANCE + (own * art[i] - COAT_REFLECTANCE) * gloss;
+                // Hemispherical ambient light: a surface that leans sees less of the ceiling.
                 let light = art[i] * (scattered * (0.5 + 0.5 * nz[i]) + emission) + tint * room[i];
                 out[channel][block][i] = weight[i] * light;
             }
@@ -266,5 +288,5 @@ fn shade_top_ambient_lanes(blocks: usize, top: &Surface, finish: &Finish, ambien
     }
 }
 
-/// How bright the room is in polished tops, in light from everywhere.
+/// The radiance of the environment in polished tops, per ambient light: art direction.
 const ENVIRONMENT_GAIN: f32 = 4.0;

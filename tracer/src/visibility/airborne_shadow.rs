@@ -1,14 +1,17 @@
-//! What a floating ball hides of a lamp from the points of a tile.
+//! The shadow of an airborne ball: which fraction of a lamp a sphere hides from the points of a tile.
 //!
-//! Seen from a point of the floor, a ball of radius R whose middle is z above the floor and d aside lies in a cone, and
-//! that cuts the plane of a lamp of height H in an ellipse: with q = z^2 - R^2 its middle is d z H / q aside, it is
-//! B = H R / sqrt(q) wide to each side, and sqrt(1 + d^2 / q) as long as wide. Only what is beyond the sphere is hidden,
-//! or inside of it: of a ball that reaches above the lamp that is less, and nothing once its lowest point is as high as
-//! the lamp, so its shadow fades as it rises past the lamp.
+//! 1. Seen from a point of the floor, a sphere of radius R whose centre is z above the floor and d across fills a cone: the
+//!    directions x with (x . m)^2 >= |x|^2 (|m|^2 - R^2), where m = (d, 0, z).
+//! 2. The plane of a lamp of height H cuts the cone in an ellipse. With x = (X, Y, H) and q = z^2 - R^2, completing the
+//!    square gives its centre X = d z H / q, its half width B = H R / sqrt(q) in Y, and its half length B sqrt(1 + d^2 / q)
+//!    in X.
+//! 3. Only the part of the lamp's plane beyond the sphere is hidden, or inside it. A ball that reaches above the lamp hides
+//!    less, and nothing once its lowest point is as high as the lamp: its shadow fades as it rises past the lamp.
+//! 4. The hidden part is convex, so it covers one interval of any line. A tube is one line. A disc is cut into strips,
+//!    across the ellipse's edge; their places cos(i pi / (n + 1)) and weights sin^2 are those of the Gauss-Chebyshev rule
+//!    of the second kind (Abramowitz and Stegun, 25.4.40), whose weight function is a disc's width.
 //!
-//! What is hidden is convex, so it covers one interval of any line. A segment that shines is one line. A disc is cut into
-//! strips, across what hides it, whose places and weights are those of the Gauss-Chebyshev rule of the second kind. The
-//! slow twin is [`crate::sphere`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
+//! The slow twin is [`crate::visibility::sphere_shadow`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
 //! larger ones by up to a sixtieth.
 
 use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
@@ -22,10 +25,10 @@ use lines::{Lines, View};
 
 mod lines;
 
-/// Into how many strips a lamp's disc is cut.
+/// The strips of a lamp's disc: the nodes of the quadrature.
 const DISC_STRIPS: usize = 16;
 
-/// Less of a lamp is nothing.
+/// A smaller visible fraction is 0, so that rounding does not light an umbra.
 const MIN_VISIBLE: f32 = 1e-6;
 
 /// A ball that may hide a lamp.

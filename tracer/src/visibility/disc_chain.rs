@@ -1,29 +1,29 @@
 //! Occluders as chains of discs: the form in which their shadows are found.
 //!
-//! From any point outside it, the hull of two discs covers the hull of what the two discs cover, so a capsule or a
-//! taper is two discs, and a wall of many capsules is one chain whose links need no light between them. A thick arc is
-//! a chain too, of short pieces; between the two discs of a piece, the arc's outer circle bulges out. This module knows
-//! no lamp.
+//! Seen from a point outside it, the convex hull of two discs spans from the outermost tangent of the two discs to the
+//! other outermost. So a capsule or a taper is two discs, and a wall of many capsules is one chain of discs without gaps
+//! between its links. A thick arc is a chain too, of short pieces; between the two discs of a piece, the arc's outer circle
+//! bulges out. This module knows no lamp.
 
 use crate::scene::validation;
 use crate::{Group, Occluder};
 use geometry::{Arc, Circle, Core, DVec2, Shape};
 use std::ops::Range;
 
-/// The widest angle of one piece of an arc, radians.
+/// The widest angle of one piece of an arc, radians (20 degrees).
 const PIECE_RAD: f64 = 0.35;
 
-/// How far the chord of one fine piece of an arc may be from the arc, mm.
+/// The largest sagitta of a fine piece of an arc, mm: less than a tenth of a pixel at any size that is played.
 const FINE_SAGITTA_MM: f64 = 0.008;
 
-/// Walls are cut into pieces of this length, mm: the ends of a short one are more often both between a lamp and a tile,
-/// which makes it one of an easy chain.
+/// Walls are cut into pieces of this length, mm: both ends of a short piece are more often between a lamp and a tile, and
+/// then the cheap path of [`crate::visibility::blockers`] takes it.
 const PIECE_MM: f64 = 50.0;
 
-/// A wall is not cut into more pieces for that.
+/// A wall is not cut into more pieces than this for the cheap path's sake.
 const MOST_PIECES: f64 = 64.0;
 
-/// The longest piece of a wall, mm.
+/// The longest piece of a wall, mm: single precision resolves a micrometre of it.
 const LONGEST_MM: f64 = 1e4;
 
 /// One disc of a chain.
@@ -35,14 +35,14 @@ pub(crate) struct Disc {
     pub radius: f64,
     /// What the occluder belongs to.
     pub group: Group,
-    /// How the disc hangs on the one before it.
+    /// How the disc is linked to the disc before it.
     pub link: Link,
 }
 
-/// How a disc hangs on the one before it.
+/// How a disc is linked to the disc before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Link {
-    /// It does not: a chain starts here.
+    /// Not at all: a chain starts here.
     Start,
     /// The hull of both discs is filled.
     Straight,
@@ -77,7 +77,7 @@ pub(crate) struct DiscChains {
     pub coarse: usize,
     /// The bulges of the arcs.
     pub bulges: Vec<Bulge>,
-    /// Fine chains that wait to be put behind the others.
+    /// Fine chains, until all coarse ones are there.
     waiting: Vec<Disc>,
 }
 

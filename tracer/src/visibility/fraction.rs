@@ -1,10 +1,22 @@
 //! The visible fraction of a lamp, point by point.
 //!
-//! From a point P the lamp is its chord: the diameter that is perpendicular to the way from P to the lamp's middle.
-//! Each occluder covers an interval of the chord, and the visible fraction is one minus the length of the intervals'
-//! union. Intervals are kept as slopes across the way to the lamp, so that the chord is [-r/d, r/d]. A segment that shines
-//! is its own chord, wherever P is: there the way goes to the foot of the perpendicular on the segment's line, and the
-//! ends of the intervals are weighed by what arrives at P before their union is measured.
+//! Everything lies in the plane of the floor, where occluders are areas and a lamp is a line. From a point P a disc lamp
+//! is its *chord*: the diameter that is perpendicular to the line from P to the disc's centre. A tube is its own chord,
+//! wherever P is. A convex occluder between P and the chord covers one interval of the chord, bounded by the occluder's two
+//! tangents through P. The visible fraction is one minus the length of the intervals' union
+//! ([`crate::visibility::interval_union`]). Linear lamps were first treated so, with the visible parts of the line found for
+//! each point, by T. Nishita, I. Okamura, E. Nakamae, "Shading models for point and linear sources", ACM TOG 4(2), 1985.
+//!
+//! The frame of all formulas below:
+//! - the origin is P;
+//! - u is the vector from P to the chord's line, at right angles to it, of length d; it is not normalised, which saves a
+//!   square root and a division;
+//! - the vector c has the coordinates (ahead, aside) = (c . u, u x c), so each is in mm times d;
+//! - a direction is its slope, aside / ahead. The ray of slope s meets the chord's line s d from the foot of u, so
+//!   intervals of slopes are intervals of the chord, and the chord of a disc of radius r is [-r/d, r/d].
+//!
+//! For a tube the ends of the intervals are weighed by the irradiance from their part of the line before their union is
+//! measured ([`ProjectedChord::measure`]). `docs/exact_visibility.md` derives the whole method.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
 use crate::tile::planes::Plane;
@@ -12,10 +24,10 @@ use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::interval_union::{uncovered, uncovered_many};
 use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};
 
-/// A slope that stands for "straight across".
+/// A slope that stands for infinity: a direction parallel to the chord. Its square is finite in single precision.
 const STEEP: f32 = 1e18;
 
-/// Room for the ends of the intervals that one block of points sees.
+/// Scratch memory for the ends of the intervals that one block of points sees, as slopes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct IntervalScratch {
     low: Vec<Lanes>,
@@ -50,7 +62,7 @@ fn visible_fraction_lanes(
     scratch: &mut IntervalScratch,
     fraction: &mut Plane,
 ) {
-    // What hid the lamp from the last points may well hide it from the next: it is asked first.
+    // Coherence: the occluder that hid the lamp from the last points is tested first for the next.
     let mut first = 0;
     for block in set_bits(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
@@ -90,7 +102,7 @@ fn interval<S: ProjectedChord>(
     }
 }
 
-/// The visible part of a lamp with a size. Intervals that no lane's chord meets are not kept.
+/// The visible fraction of a lamp with a size. Intervals that no lane's chord meets are not kept.
 #[inline(always)]
 fn soft_shadow<S: ProjectedChord>(
     x: &Lanes,
@@ -107,7 +119,7 @@ fn soft_shadow<S: ProjectedChord>(
     }
     let mut count = 0;
     for turn in 0..blockers.intervals() {
-        // The first one, then those before it, then those after it.
+        // The order: `first`, those before it, those after it.
         let at = if turn == 0 { *first } else { turn - usize::from(turn <= *first) };
         let (begin, end) = (&mut scratch.low[count], &mut scratch.high[count]);
         interval(x, y, emitter, blockers, at, begin, end);
@@ -142,7 +154,7 @@ fn soft_shadow<S: ProjectedChord>(
     }
 }
 
-/// Visible or not: for a lamp without size.
+/// The visible fraction of a lamp without size: 0 or 1.
 #[inline(always)]
 fn hard_shadow(x: &Lanes, y: &Lanes, emitter: ProjectedDisc, blockers: &Blockers, out: &mut Lanes) {
     *out = [1.0; LANES];
@@ -156,7 +168,17 @@ fn hard_shadow(x: &Lanes, y: &Lanes, emitter: ProjectedDisc, blockers: &Blockers
     }
 }
 
-/// The interval of a chain that lies between the points and the lamp's chord.
+/// The interval of a chain that lies, for every point of the block, between the point and the lamp's chord.
+///
+/// From outside, the hull of two discs spans the same directions as the two discs together and whatever lies between
+/// them, and the links of a chain leave no gap: its interval goes from its discs' lowest tangent to their highest.
+///
+/// The tangents of a disc, with c the vector from P to its centre, R its radius and t = sqrt(c^2 - R^2) the distance to
+/// the points of tangency:
+/// 1. They are c turned by plus and minus the angle whose sine is R / |c| and whose cosine is t / |c|.
+/// 2. In the frame their directions are (ahead t + aside R, aside t - ahead R) and (ahead t - aside R, aside t + ahead R).
+/// 3. Each slope, expanded by the other direction's `ahead` and divided by c^2, is
+///    (ahead aside -+ R d^2 t) / (ahead^2 - R^2 d^2): one division serves both.
 #[inline(always)]
 fn cover_chain<S: ProjectedChord>(
     x: &Lanes,
@@ -199,27 +221,29 @@ fn cover_chain<S: ProjectedChord>(
     (*low, *high) = (lowest, highest);
 }
 
-/// A disc seen from a point: everything in the frame whose first axis is the way to the lamp, times that way's length.
+/// The tangents of a disc from a point, in the frame of the module: coordinates in mm times d.
 struct Tangents {
-    /// The disc's middle.
+    /// The vector c to the disc's centre.
     center: [f32; 2],
-    /// Unnormalised directions of the tangents.
+    /// The direction of the lower tangent: step 2 of [`cover_chain`].
     lower: [f32; 2],
-    /// The other one.
+    /// The direction of the upper tangent.
     upper: [f32; 2],
-    /// How far away the tangents touch, and the square of the middle's distance: their quotient takes a tangent's
-    /// direction to the point where it touches.
+    /// The distance t to the points of tangency, mm.
     tangent: f32,
+    /// c^2, mm^2. A direction times t / c^2 is the point of tangency.
     square: f32,
     /// Whether the point is inside the disc.
     inside: bool,
 }
 
+/// A vector in the frame of the module: (v . u, u x v).
 #[inline(always)]
 fn in_frame(v: [f32; 2], ux: f32, uy: f32) -> [f32; 2] {
     [v[0] * ux + v[1] * uy, v[1] * ux - v[0] * uy]
 }
 
+/// The tangents of a disc, given by its centre and radius, from (x, y).
 #[inline(always)]
 fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tangents {
     let (cx, cy) = (qx - x, qy - y);
@@ -237,7 +261,7 @@ fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tan
     }
 }
 
-/// The slope of a direction, or `behind` for one that does not point towards the lamp.
+/// The slope of a direction, or `behind` for a direction that points away from the lamp.
 #[inline(always)]
 fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
     let forward = ahead > 0.0;
@@ -245,7 +269,11 @@ fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
     if forward { quotient } else { behind }
 }
 
-/// Whether the tangent touches the circle within the cap; `least` is the cap's, times the square of the way's length.
+/// Whether a tangent of the cap's circle touches it within the cap; `least` is the cap's, times d^2.
+///
+/// 1. The point of tangency is direction t / c^2, so from the circle's centre it is n = direction t / c^2 - center.
+/// 2. The cap is where n . middle >= least. Both vectors are in the frame, so their product carries d^2, and multiplied
+///    by c^2 the comparison needs no division.
 #[inline(always)]
 fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) -> bool {
     let nx = direction[0] * seen.tangent - seen.center[0] * seen.square;
@@ -253,7 +281,13 @@ fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) ->
     (nx * middle[0] + ny * middle[1] >= least * seen.square) & !seen.inside
 }
 
-/// The interval of any hull of two discs, wherever it lies.
+/// The interval of the hull of two discs, wherever it lies: round the point, behind it, across the chord.
+///
+/// 1. The extreme tangents are those of either disc, or of the cap that bulges out of an arc's piece.
+/// 2. A hull whose two extreme tangents both point away from the lamp is behind the point: no interval.
+/// 3. A point inside the hull sees nothing: the interval is everything.
+/// 4. Where an extreme tangent touches beyond the chord (`CLIPPED`), the hull's part before the chord ends on the chord's
+///    line: the interval's end is where the outline crosses that line.
 #[inline(always)]
 fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
@@ -269,7 +303,7 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
         let (ux, uy, square) = emitter.way(x[i], y[i]);
         let a = tangents(x[i], y[i], piece.a, ux, uy);
         let b = tangents(x[i], y[i], piece.b, ux, uy);
-        // Directions are compared by the turn from one to the other, not by slope: a hull may go round behind the point.
+        // Directions are compared by the sign of their cross product, not by slope: a hull may reach round the point.
         let b_lowest = cross(b.lower, a.lower) > 0.0;
         let b_highest = cross(a.upper, b.upper) > 0.0;
         let mut lower = Touch::pick(b_lowest, &b, b.lower, &Touch::of(&a, a.lower));
@@ -283,11 +317,11 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
             lower = Touch::pick(lowest, &ends, ends.lower, &lower);
             upper = Touch::pick(highest, &ends, ends.upper, &upper);
         }
-        // Less than half a turn that begins and ends behind the point is all behind it.
+        // Step 2: the hull spans less than half a turn, so both ends behind means all behind.
         let behind = (lower.direction[0] <= 0.0) & (upper.direction[0] <= 0.0);
         let (mut lowest, mut highest) = (slope(lower.direction, -STEEP), slope(upper.direction, STEEP));
-        // Seen from outside, a hull spans less than half a turn: from the tangent at the disc on one side to the
-        // tangent at the disc on the other.
+        // Step 3: from outside, the turn from the lower tangent of one disc to the upper tangent of the other is less than
+        // half a turn; from within the hull it is more.
         let b_above_a = cross(a.center, b.center) >= 0.0;
         let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
         let inside = a.inside | b.inside | (hull & (span < 0.0));
@@ -312,7 +346,7 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     }
 }
 
-/// Where a tangent touches: its direction, and what takes that to the point.
+/// A point of tangency: the direction of the tangent, and t and c^2, whose quotient takes the direction to the point.
 #[derive(Clone, Copy)]
 struct Touch {
     direction: [f32; 2],
@@ -338,10 +372,10 @@ impl Touch {
         }
     }
 
-    /// Whether the point lies beyond the lamp's chord; `way` is the square of the way to the lamp.
+    /// Whether the point of tangency lies beyond the chord's line, where `ahead` is d^2: direction t / c^2 > d^2.
     #[inline(always)]
-    fn is_beyond(&self, way: f32) -> bool {
-        self.direction[0] * self.tangent > way * self.square
+    fn is_beyond(&self, square: f32) -> bool {
+        self.direction[0] * self.tangent > square * self.square
     }
 }
 
@@ -350,7 +384,12 @@ fn cross(a: [f32; 2], b: [f32; 2]) -> f32 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// The slopes between which a hull crosses the line of the lamp's chord; turned round if it does not.
+/// The slopes between which the hull's outline crosses the chord's line, where `ahead` is d^2 (`square`); in the wrong
+/// order if it does not cross.
+///
+/// In the frame, a circle of radius R has the radius R d. It crosses the line at `center.aside -+ half`, where
+/// half^2 = (R d)^2 - (d^2 - center.ahead)^2. A straight side crosses where it is cut in the proportion of its ends'
+/// distances from the line. On the line the slope is aside / d^2.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 fn across_chord(
@@ -386,7 +425,8 @@ fn across_chord(
     (bottom / square, top / square)
 }
 
-/// The slopes at which the piece of a circle crosses the line of the lamp's chord; turned round where it does not.
+/// The slopes at which the piece of a circle crosses the chord's line, as in [`across_chord`]; in the wrong order where it
+/// does not cross.
 #[inline(always)]
 fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32, square: f32) -> [(f32, f32); 2] {
     let off = square - center[0];

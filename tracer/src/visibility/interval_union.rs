@@ -1,15 +1,20 @@
-//! What intervals leave uncovered.
+//! The interval union: which part of a chord is covered by no interval (Klee's measure problem in one dimension; V. Klee,
+//! 1977).
 //!
-//! The union of any number of intervals needs their ends sorted, but not their pairs kept: a place that no interval
-//! covers, where k have begun, is one where k have ended, so it lies between the k-th end and the next beginning. The
-//! gaps are `max(0, begin[k + 1] - end[k])`, and ends and beginnings are sorted by themselves, with `min` and `max`.
+//! 1. A point of the chord is uncovered if as many intervals have ended before it as have begun.
+//! 2. So where k have begun, it lies between the k-th smallest end and the (k + 1)-th smallest beginning.
+//! 3. The uncovered length is the sum of `max(0, begin[k + 1] - end[k])`, with the chord's own ends at both sides.
+//!
+//! Which end belongs to which beginning does not matter. So ends and beginnings are sorted independently, by a network of
+//! compare-exchange steps, each a `min` and a `max` (D. Knuth, The Art of Computer Programming 3, section 5.3.4): no branch,
+//! 16 points at a time.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min};
 
-/// The least and the most that an interval of each lane can reach.
+/// The ends of the chord, lane by lane.
 type Limits<'a> = (&'a Lanes, &'a Lanes);
 
-/// One minus the union of `N` intervals, in registers.
+/// The uncovered fraction of the chord under `N` intervals, in registers.
 #[inline(always)]
 pub(crate) fn uncovered<const N: usize>((least, most): Limits, low: &[Lanes], high: &[Lanes], out: &mut Lanes) {
     for i in 0..LANES {
@@ -33,7 +38,7 @@ pub(crate) fn uncovered<const N: usize>((least, most): Limits, low: &[Lanes], hi
     }
 }
 
-/// One minus the union of any number of intervals, sorted in place.
+/// The uncovered fraction of the chord under any number of intervals, sorted in place.
 #[inline(always)]
 pub(crate) fn uncovered_many((least, most): Limits, low: &mut [Lanes], high: &mut [Lanes], out: &mut Lanes) {
     sort(low);
@@ -53,7 +58,7 @@ pub(crate) fn uncovered_many((least, most): Limits, low: &mut [Lanes], high: &mu
     }
 }
 
-/// Sorts each lane by itself.
+/// Sorts each lane independently: the same network as in [`uncovered`].
 #[inline(always)]
 fn sort(rows: &mut [Lanes]) {
     for last in (1..rows.len()).rev() {

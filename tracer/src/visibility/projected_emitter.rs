@@ -1,11 +1,19 @@
-//! What of a lamp shines, as the points of one tile see it: its chord, and what each part of the chord counts.
+//! The projected emitter: a lamp as the points of one tile see it. It is a chord in the plane of the floor, and a measure
+//! on that chord: how much of the lamp's irradiance each part of it gives.
+//!
+//! - A disc is projected on its diameter across the line of sight; each part of the diameter counts alike. (A disc's own
+//!   measure would be the length of the disc across the chord; the even one is the design's choice, and the reference
+//!   samples the same.)
+//! - A tube is its own chord. Its element dt at t along its line, seen from q off the line, gives dt / (t^2 + q^2), whose
+//!   integral is atan(t / q) / q: a part counts the angle that it subtends (Nishita, Okamura, Nakamae 1985, without their
+//!   cosine, which [`Lamp`] has not either).
 
 use crate::Lamp;
 use crate::simd::atan2::angle;
 use crate::simd::dispatch::{LANES, Lanes, max, min};
 use geometry::DVec2;
 
-/// How near a point may be to the line of a segment that shines, mm: nearer ones are taken to be so far from it.
+/// The least distance of a point from a tube's line, mm: nearer points are moved off the line, so that slopes stay finite.
 const LEAST_OFF_MM: f32 = 1e-3;
 
 /// A lamp, in mm from the tile's middle.
@@ -15,7 +23,7 @@ pub(crate) enum ProjectedEmitter {
     Tube(ProjectedTube),
 }
 
-/// A disc.
+/// A disc lamp.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProjectedDisc {
     /// Across.
@@ -26,7 +34,7 @@ pub(crate) struct ProjectedDisc {
     pub radius: f32,
 }
 
-/// A segment; the first axis is its normal, the second points along it.
+/// A tube, in a frame whose first axis is its normal and whose second axis is its direction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProjectedTube {
     axis: [f32; 2],
@@ -61,16 +69,16 @@ impl ProjectedEmitter {
     }
 }
 
-/// A form that shines and has a size, seen from a point.
+/// The chord of a lamp with a size, seen from a point.
 pub(crate) trait ProjectedChord: Copy {
-    /// The way to the line of the chord, at right angles to it, and the square of its length: never zero, so that there
-    /// is a direction.
+    /// The vector u from the point to the chord's line, at right angles to it, and d^2, the square of its length: never
+    /// zero, so that there is a direction.
     fn way(self, x: f32, y: f32) -> (f32, f32, f32);
 
     /// The slopes of the chord's ends.
     fn limits(self, x: f32, y: f32) -> (f32, f32);
 
-    /// Turns slopes into what counts, for the limits and for the ends of the intervals within them.
+    /// Turns slopes into the chord's measure, for the chord's ends and for the ends of the intervals within them.
     fn measure(
         self,
         x: &Lanes,
@@ -136,8 +144,12 @@ impl ProjectedChord for ProjectedTube {
         (min(one, other), max(one, other))
     }
 
-    /// Light from a place that is `t` along the line counts dt / (t^2 + q^2), so a stretch counts the angle between its
-    /// ends as seen from a point that is `q` off the line.
+    /// The measure of the part from the chord's first end to a slope s is the angle between both as seen from q off the
+    /// line, where q^2 = d^2 + height^2:
+    /// 1. With a and b along the line, the vectors (q, a) and (q, b) have the dot product q^2 + a b and the cross product
+    ///    q (b - a).
+    /// 2. Places are slopes times d: a b is s s0 d^2 and q (b - a) is (s - s0) d q.
+    /// 3. The angle is atan2(cross, dot).
     #[inline(always)]
     fn measure(
         self,

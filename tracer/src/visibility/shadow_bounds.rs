@@ -1,8 +1,13 @@
-//! Where shadows of what has moved may fall: so much of a tile has to be looked at again, and no more.
+//! Shadow bounds: which rows of a tile the shadow of a moved occluder may fall on, umbra and penumbra; only those are
+//! computed again.
 //!
-//! A thing casts no shadow on a point if a straight line has the thing on one side and the lamp and the point on the
-//! other. Of each thing some such lines are kept, tangent to it, and asked row by row. Every answer is on the safe
-//! side.
+//! An occluder casts no shadow on a point if a line separates it from the lamp and the point. The kept lines are:
+//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes of
+//!    the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm using
+//!    graphics hardware", SIGGRAPH 2003.
+//! 2. A tangent of the occluder on the lamp's side, across: what is nearer to the lamp than all of the occluder is lit.
+//!
+//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is conservative.
 
 use crate::simd::dispatch::LANES;
 use crate::tile::planes::{RowMask, TILE};
@@ -12,32 +17,32 @@ use crate::visibility::shaft::SHAFT_MARGIN_MM;
 use crate::{Ball, Group, Lamp};
 use geometry::DVec2;
 
-/// Lines that are kept of one thing.
+/// Separating lines that are kept of one occluder.
 const MAX_LINES: usize = 4;
 
-/// Things of more discs are taken to shadow everything.
+/// An occluder of more discs is taken to shadow everything: its bounds would cost more than they save.
 const MAX_DISCS: usize = 8;
 
-/// Room for rounding in what a floating ball hides, mm.
+/// A margin for rounding in the shadow of an airborne ball, mm.
 const AIRBORNE_MARGIN_MM: f64 = 0.05;
 
-/// A thing is where `normal . x <= offset`, the lamp where it is more.
+/// A separating line: the occluder is where `normal . x <= offset`, the lamp where it is more.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     normal: DVec2,
     offset: f64,
 }
 
-/// Where one thing may shadow a lamp: not beyond any of its lines.
+/// Where one occluder may shadow a lamp: not beyond any of its separating lines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowBounds {
-    /// What the thing belongs to.
+    /// The group of the occluder.
     pub group: Group,
     lines: [Option<Line>; MAX_LINES],
 }
 
 impl ShadowBounds {
-    /// Puts those of all `things`, but for what the lamp is inside of, into `shadow_bounds`.
+    /// Puts the bounds of all `things`, but for the group that the lamp is inside of, into `shadow_bounds`.
     pub fn of_all(lamp: &Lamp, things: &DiscChains, shadow_bounds: &mut Vec<ShadowBounds>) {
         shadow_bounds.clear();
         let chains = things.discs[..things.coarse].chunk_by(|_, next| next.link != Link::Start);
@@ -62,7 +67,7 @@ impl ShadowBounds {
             let offset =
                 chain.iter().map(|disc| normal.dot(disc.center) + disc.radius + swell).fold(f64::MIN, f64::max);
             let before_lamp = normal.dot(lamp.center_mm) - lamp_radius - normal.dot(half).abs() + 1e-9;
-            // What is a tangent of one disc only cuts through the thing.
+            // A tangent of one disc may cut through the others, or through the lamp: it separates nothing.
             if before_lamp >= offset
                 && let Some(line) = room.next()
             {
@@ -74,20 +79,31 @@ impl ShadowBounds {
             for disc in chain {
                 let way = *end - disc.center;
                 let part = (lamp_radius + disc.radius + swell) / way.length();
+                // The tangent that has lamp and disc on different sides: its normal n has
+                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine of
+                // that over the distance.
                 if part < 1.0 {
                     let (ahead, aside) = (way.normalize(), (1.0 - part * part).sqrt());
                     [aside, -aside].into_iter().for_each(|aside| add(ahead * part + ahead.perp() * aside));
                 }
             }
         }
-        // What is nearer to the lamp than all of the thing.
+        // The tangent across, on the side of the lamp.
         let middle = chain.iter().map(|disc| disc.center).sum::<DVec2>() / chain.len() as f64;
         (lamp.center_mm - middle).try_normalize().into_iter().for_each(add);
         bounds
     }
 
-    /// That of a ball that floats: of one that is all below the lamp a box round its shadow, else what the shadow of a
-    /// column would be, since whatever meets the ball meets the column.
+    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line from
+    /// the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since whatever
+    /// ray meets the ball meets the column.
+    ///
+    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below` down to
+    /// the ball's centre and `off` across to it:
+    /// 1. The last stopped ray is the tangent of a circle of radius R: with t its run per unit of descent,
+    ///    (off - t below)^2 = R^2 (1 + t^2).
+    /// 2. The larger root is t = (off below + R sqrt(off^2 + below^2 - R^2)) / (below^2 - R^2).
+    /// 3. It meets the floor at `height` t.
     pub fn of_airborne(lamp: &Lamp, ball: &Ball) -> ShadowBounds {
         let (height, radius) = (lamp.height_mm(), ball.radius_mm + AIRBORNE_MARGIN_MM);
         let below = height - (ball.radius_mm + ball.lift_mm());
@@ -101,7 +117,6 @@ impl ShadowBounds {
         let ahead = from_lamp.try_normalize().unwrap_or(DVec2::X);
         let line = |normal: DVec2| {
             let room = lamp.tube().map_or(lamp.radius_mm(), |half| normal.dot(half).abs());
-            // Seen along the floor the ball is a circle, and the last ray that it stops its tangent.
             let off = normal.dot(from_lamp) + room;
             let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
             let margin = AIRBORNE_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
@@ -138,7 +153,7 @@ impl ShadowBounds {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{Random, any_shape};
+    use crate::scenes::any_shape;
     use crate::tile::packed_samples::PackedSamples;
     use crate::tile::planes::ALL_ROWS;
     use crate::visibility::airborne_shadow::AirborneShadow;
@@ -146,26 +161,27 @@ mod tests {
     use crate::visibility::scalar;
     use crate::visibility::sphere_shadow;
     use crate::{Emitter, ItemId, Occluder, SimdLevel, View};
+    use geometry::rng::SplitMix64;
 
     /// A lamp somewhere, a disc or a segment.
-    fn any_lamp(random: &mut Random, size: DVec2) -> Lamp {
+    fn any_lamp(random: &mut SplitMix64, size: DVec2) -> Lamp {
         let emitter = match random.unit() {
-            kind if kind < 0.5 => Emitter::Disc { radius_mm: random.between(0.0, 8.0) },
-            _ => Emitter::Segment { half_mm: random.within(size * 0.2) - size * 0.1 },
+            kind if kind < 0.5 => Emitter::Disc { radius_mm: random.uniform(0.0, 8.0) },
+            _ => Emitter::Segment { half_mm: random.point_within(size * 0.2) - size * 0.1 },
         };
-        let center_mm = random.within(size);
+        let center_mm = random.point_within(size);
         Lamp { id: ItemId(0), center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }
     }
 
     /// Nor does a ball in the air.
     #[test]
     fn rows_that_are_left_alone_are_below_no_floating_ball() {
-        let (mut random, size) = (Random(10), DVec2::splat(160.0));
+        let (mut random, size) = (SplitMix64::new(10), DVec2::splat(160.0));
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
-            let lamp = Lamp { height_mm: random.between(5.0, 150.0), ..any_lamp(&mut random, size) };
-            let (center_mm, radius_mm) = (random.within(size), random.between(1.0, 20.0));
-            let height_mm = random.between(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
+            let lamp = Lamp { height_mm: random.uniform(5.0, 150.0), ..any_lamp(&mut random, size) };
+            let (center_mm, radius_mm) = (random.point_within(size), random.uniform(1.0, 20.0));
+            let height_mm = random.uniform(0.11, if round % 3 == 0 { 2.0 } else { 0.9 * lamp.height_mm });
             let ball = Ball {
                 id: ItemId(0),
                 center_mm,
@@ -175,8 +191,8 @@ mod tests {
                 group: Group(1),
                 rotation: [0.0; 4],
             };
-            let near = center_mm + (random.within(size) - size * 0.5) * 0.6;
-            let view = View { origin_mm: near, mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
+            let near = center_mm + (random.point_within(size) - size * 0.5) * 0.6;
+            let view = View { origin_mm: near, mm_per_px: random.uniform(0.3, 2.0), width: 16, height: 16 };
             let rect = TileRect::new(&view, 0, 0);
             let bounds = ShadowBounds::of_airborne(&lamp, &ball);
             let reaches = bounds.may_reach(rect.middle_mm, rect.half_mm);
@@ -200,13 +216,17 @@ mod tests {
     /// A thing takes no light from a pixel of a row that its shadow is said not to fall on.
     #[test]
     fn rows_that_are_left_alone_are_in_no_shadow() {
-        let (mut random, size) = (Random(9), DVec2::splat(160.0));
+        let (mut random, size) = (SplitMix64::new(9), DVec2::splat(160.0));
         let (mut left_alone, mut dark) = (0, 0);
         for round in 0..3_000 {
             let lamp = any_lamp(&mut random, size);
             let occluder = Occluder::opaque(ItemId(0), any_shape(&mut random, size, round), Group(1));
-            let view =
-                View { origin_mm: random.within(size), mm_per_px: random.between(0.3, 2.0), width: 16, height: 16 };
+            let view = View {
+                origin_mm: random.point_within(size),
+                mm_per_px: random.uniform(0.3, 2.0),
+                width: 16,
+                height: 16,
+            };
             let rect = TileRect::new(&view, 0, 0);
             let mut disc_chains = DiscChains::default();
             disc_chains.set(&[occluder]);

@@ -1,12 +1,14 @@
-//! The space between a lamp and a part of the floor, and how discs lie to it.
+//! The shaft: the convex hull of a lamp and a part of the floor, and how discs lie to it. (E. Haines, J. Wallace, "Shaft
+//! culling for efficient ray-traced radiosity", 1991, in two dimensions.)
 //!
-//! Every test is conservative: what it calls outside casts no shadow there.
+//! Every ray from the part of the floor to the lamp lies in the shaft. A disc outside casts no shadow there; a chain of
+//! discs that crosses it from side to side leaves the whole part in umbra. Every test is conservative.
 
 use crate::Lamp;
 use crate::simd::dispatch::{SimdLevel, max, multiversion};
 use geometry::DVec2;
 
-/// Room for rounding in single precision, mm.
+/// A margin for rounding in single precision, mm: some units in the last place of a coordinate of 5 m.
 pub(crate) const SHAFT_MARGIN_MM: f32 = 2e-3;
 
 /// The disc lies beyond one side of the space between tile and lamp.

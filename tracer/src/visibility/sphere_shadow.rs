@@ -1,8 +1,8 @@
 //! A floating ball as a sphere in space: what it hides of a lamp from a point of the floor, in double precision, where
 //! [`crate::floating`] is fast.
 //!
-//! Here nothing is projected: rays are rays, and the tangent cone is where `(x . m)^2 = |x|^2 (|m|^2 - r^2)`, with the
-//! point as the origin and `m` the sphere's middle.
+//! Nothing is projected here: rays are rays in space, and the tangent cone is where `(x . m)^2 = |x|^2 (|m|^2 - r^2)`, with
+//! the point as the origin and `m` the sphere's centre. On a line x = middle + s along, that is a quadratic equation in s.
 
 use crate::scene::validation;
 use crate::{Ball, Group, Lamp};
@@ -102,7 +102,8 @@ impl Sphere {
                 part = Some(part.map_or((low, high), |(least, most)| (low.min(least), high.max(most))));
             }
         };
-        // Within the cone, and beyond where it touches the sphere.
+        // 1. Within the cone: (start + s step)^2 >= (|middle|^2 + 2 s middle . along + s^2) tangent^2, a s^2 + 2 b s + c >= 0.
+        // 2. Beyond the circle where the cone touches the sphere: x . m >= tangent^2.
         let a = step * step - tangent_square;
         let b = start * step - dot(middle, along) * tangent_square;
         let c = start * start - dot(middle, middle) * tangent_square;
@@ -115,7 +116,7 @@ impl Sphere {
                 _ => {}
             }
         }
-        // Within the sphere.
+        // 3. Within the sphere itself.
         let from_middle = [0, 1, 2].map(|axis: usize| middle[axis] - self.middle[axis]);
         let inside = dot(from_middle, from_middle) - self.radius * self.radius;
         between_roots(1.0, dot(from_middle, along), inside).into_iter().for_each(add);

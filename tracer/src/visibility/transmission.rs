@@ -1,16 +1,21 @@
-//! Light through translucent things, exactly.
+//! Transmission: light through translucent occluders (filters), exactly, whatever of filters, walls and penumbrae overlap.
 //!
-//! What a point sees of a lamp through filters is a sum over the sets of filters that are taken away: with `U(R)` the
-//! visible fraction without the filters of `R`, and the others as opaque as walls, the light that passes is the sum of
-//! `U(R) * (product of the tints in R) * (product of 1 - tint of the others)`. That is inclusion and exclusion, put in
-//! order, and as exact as `U` for any overlap of filters, walls and shadow bounds.
+//! 1. One ray: its transmittance is the product of the tints of the filters that it meets, or 0 where it meets a wall.
+//! 2. Read a tint as a chance: each filter is away with the probability `tint`, and as opaque as a wall otherwise. The
+//!    expectation of a ray's visibility is the product of step 1. (E. Enderton, E. Sintorn, P. Shirley, D. Luebke,
+//!    "Stochastic transparency", 2010, sample this expectation.)
+//! 3. The expectation of the visible fraction is the sum over all sets R of filters that are away: `U(R)`, the visible
+//!    fraction without the filters of R, times the chance of R, which is the product of the tints in R and of `1 - tint` of
+//!    the others. Multiplied out, it is inclusion and exclusion.
+//!
+//! The sum has 2^n terms, and each is as exact as the visible fraction is.
 
 use crate::{Filter, Group, Rgb};
 
-/// Filters that are told apart on one way from a lamp; further ones are opaque there.
+/// The most filters between one lamp and one tile; further ones are opaque there. Sixteen visibility queries are enough.
 pub(crate) const MAX_FILTERS: usize = 4;
 
-/// The filters on a way.
+/// The filters between a lamp and a point or a tile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OnPath {
     filters: [Filter; MAX_FILTERS],
@@ -54,7 +59,7 @@ pub(crate) fn each_subset(on_path: &[Filter], mut work: impl FnMut(&[Group], Rgb
     }
 }
 
-/// What passes of each channel; `seen` is the visible fraction without some groups.
+/// The transmitted fraction of each channel; `seen` is the visible fraction without some groups.
 pub(crate) fn transmitted(on_path: &[Filter], mut seen: impl FnMut(&[Group]) -> f64) -> [f64; 3] {
     let mut sum = [0.0; 3];
     each_subset(on_path, |away, part| {

@@ -1,5 +1,6 @@
 //! Numbers that nobody means: whatever a scene says, a picture is numbers, and it is done in time.
 
+use geometry::rng::SplitMix64;
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper};
 use proptest::prelude::*;
 use tracer::monte_carlo::{self, Sampling};
@@ -220,10 +221,10 @@ fn compare(scene: &Scene) {
 fn thousands_of_lamps_add_up() {
     let floor = scenes::white(SIDE, SIDE);
     for (count, reach_mm) in [(5000, 6.0), (2000, 500.0)] {
-        let mut random = scenes::Random(8);
+        let mut random = SplitMix64::new(8);
         let lamp = |id| Lamp {
             id: ItemId(id),
-            center_mm: random.within(DVec2::splat(SIDE as f64)),
+            center_mm: random.point_within(DVec2::splat(SIDE as f64)),
             emitter: Emitter::Disc { radius_mm: 1.0 },
             height_mm: 20.0,
             reach_mm,

@@ -1,7 +1,8 @@
 //! What is remembered of tiles, against pictures that are made from nothing.
 
 use geometry::DVec2;
-use tracer::scenes::{self, Props, Random};
+use geometry::rng::SplitMix64;
+use tracer::scenes::{self, Props};
 use tracer::{
     DisplayBuffer, Finish, Frame, ItemId, Lamp, Radiance, Renderer, Revision, Rgb, Scene, SimdLevel, View, tone_map,
 };
@@ -185,8 +186,8 @@ impl Twins {
 /// moves some or calls some by another name gets the picture that is made of that scene from nothing.
 #[test]
 fn any_order_and_any_names_give_the_picture_that_is_made_from_nothing() {
-    fn shuffle<T>(random: &mut Random, list: &mut [T]) {
-        let pick = |random: &mut Random| (random.unit() * list.len() as f64) as usize;
+    fn shuffle<T>(random: &mut SplitMix64, list: &mut [T]) {
+        let pick = |random: &mut SplitMix64| (random.unit() * list.len() as f64) as usize;
         let (a, b) = (pick(random), pick(random));
         if !list.is_empty() {
             list.swap(a, b);
@@ -194,7 +195,7 @@ fn any_order_and_any_names_give_the_picture_that_is_made_from_nothing() {
     }
     let props = props();
     let whole = scenes::table(view(), &props);
-    let (mut twins, mut scene, mut random) = (Twins::new(), whole.clone(), Random(21));
+    let (mut twins, mut scene, mut random) = (Twins::new(), whole.clone(), SplitMix64::new(21));
     for frame in 0..48 {
         match frame % 12 {
             0 => scene.lamps.reverse(),

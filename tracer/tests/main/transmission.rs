@@ -1,8 +1,9 @@
 //! Coloured shadows: light through translucent things.
 
+use geometry::rng::SplitMix64;
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::scenes::{self, Random};
+use tracer::scenes;
 use tracer::{Filter, Group, ItemId, Occluder, Radiance, Renderer, Scene, SimdLevel, scalar};
 
 const SIDE: usize = 160;
@@ -16,14 +17,14 @@ fn anew(scene: &Scene) -> Radiance {
 /// The generated jumbles, some of whose shapes are of coloured glass; shapes that overlap belong to one pane or to two.
 fn stained(seed: u64, floor: &tracer::Floor) -> Scene<'_> {
     let mut scene = scenes::mixed_jumble(seed, floor);
-    let mut random = Random(seed + 77);
+    let mut random = SplitMix64::new(seed + 77);
     for number in 0..3 {
         let tint = [0, 1, 2].map(|_| random.unit() as f32);
         scene.filters.push(Filter { group: Group(200 + number), tint });
         for _ in 0..2 {
-            let at = random.within(DVec2::splat(SIDE as f64));
-            let to = at + DVec2::new(random.between(-30.0, 30.0), random.between(-30.0, 30.0));
-            let shape = Shape::capsule(at, to, random.between(0.5, 4.0));
+            let at = random.point_within(DVec2::splat(SIDE as f64));
+            let to = at + DVec2::new(random.uniform(-30.0, 30.0), random.uniform(-30.0, 30.0));
+            let shape = Shape::capsule(at, to, random.uniform(0.5, 4.0));
             let id = ItemId(scene.occluders.len() as u32 + 1000);
             scene.occluders.push(Occluder::opaque(id, shape, Group(200 + number)));
         }

@@ -1,8 +1,9 @@
 //! Lamps that are lines: known answers, and the fast light against its slow twins.
 
+use geometry::rng::SplitMix64;
 use geometry::{Arc, Circle, Core, DVec2, Shape, trig};
 use tracer::monte_carlo::{self, Sampling};
-use tracer::scenes::{self, Random};
+use tracer::scenes;
 use tracer::{Emitter, Floor, Group, ItemId, Lamp, Occluder, Radiance, Renderer, Scene, SimdLevel, View, scalar};
 
 const SIDE: usize = 96;
@@ -50,12 +51,12 @@ fn added_up(lamp: &Lamp, half: DVec2, point: DVec2) -> f64 {
 
 #[test]
 fn the_closed_form_is_the_integral() {
-    let mut random = Random(3);
+    let mut random = SplitMix64::new(3);
     let floor = scenes::white(SIDE, SIDE);
     let mut scene = lone_tube(&floor);
     for _ in 0..40 {
-        let half_mm = trig::direction(random.between(0.0, 7.0)) * random.between(0.02, 90.0);
-        let height_mm = random.between(1.0, 40.0);
+        let half_mm = trig::direction(random.uniform(0.0, 7.0)) * random.uniform(0.02, 90.0);
+        let height_mm = random.uniform(1.0, 40.0);
         scene.lamps[0] = Lamp { emitter: Emitter::Segment { half_mm }, height_mm, ..scene.lamps[0] };
         let radiance = rendered(&scene);
         for _ in 0..8 {

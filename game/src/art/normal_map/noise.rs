@@ -1,11 +1,10 @@
 //! Chance that a place has: the same at every size of the picture, on every machine.
 
-/// An integer that looks like chance, from two others (the finalizer of MurmurHash3, Appleby 2011).
+use geometry::rng::mix32;
+
+/// A hash of a place.
 pub(super) fn hash(x: i32, y: i32) -> u32 {
-    let mut bits = (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77).rotate_left(13);
-    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
-    bits ^ (bits >> 16)
+    mix32((x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77).rotate_left(13))
 }
 
 /// A number from 0 to just below 1.

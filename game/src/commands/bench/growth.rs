@@ -82,7 +82,7 @@ pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Fail
     Ok(rows)
 }
 
-/// A quarter as many pixels, as many, and four times as many where a picture may be so large.
+/// A quarter as many pixels, as many, and four times as many where a frame may be so large.
 fn sizes(size: Size) -> impl Iterator<Item = Size> {
     let scaled = move |by: usize| Size { width: size.width * by / 2, height: size.height * by / 2 };
     [1, 2, 4].into_iter().map(scaled).filter(|size| size.is_drawable())

@@ -2,13 +2,13 @@
 
 use super::Row;
 use super::clock::{quantile, time_ms};
-use crate::bot::Bot;
 use crate::commands::parallel;
 use crate::frame_composer::{FrameComposer, Interpolation, LightResolution};
 use crate::hud::UiState;
 use crate::screen::Size;
+use crate::session::LiveGame;
 use crate::storage::tables;
-use crate::{Failure, Simulation, Snapshot, Table};
+use crate::{Buttons, Failure, Snapshot, Table};
 use std::sync::Arc;
 use tracer::monte_carlo::Sampling;
 
@@ -20,6 +20,9 @@ const FRAMES: usize = 120;
 
 /// How long the bot has played before the first frame, ticks.
 const PLAYED: u64 = 12_000;
+
+/// From one frame to the next, ticks.
+const APART: u64 = 17;
 
 /// The games whose balls are on the table.
 const SEEDS: [u64; 3] = [1, 2, 3];
@@ -56,18 +59,17 @@ pub(super) fn moments(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>,
 
 /// What the bot's game looks like, a 60th of a second apart, while a ball is in play.
 fn game(table: &Arc<Table>, seed: u64, count: usize) -> Result<Vec<Snapshot>, Failure> {
-    let mut simulation = Simulation::new(table.clone(), seed)?;
-    let mut bot = Bot::new(seed);
-    let mut moments = Vec::new();
-    while moments.len() < count {
-        let buttons = bot.buttons(&simulation);
-        simulation.tick(buttons);
-        let moment = simulation.ticks() >= PLAYED && simulation.ticks().is_multiple_of(17);
-        if moment && simulation.pose().balls.len() == 1 {
-            moments.push(simulation.snapshot());
+    let mut game = LiveGame::unrecorded(table.clone(), seed, true)?;
+    game.play(PLAYED / APART * APART, Buttons::NONE);
+    let mut snapshots = Vec::new();
+    while snapshots.len() < count {
+        game.play(APART, Buttons::NONE);
+        let (_, current) = game.snapshots();
+        if current.pose.balls.len() == 1 {
+            snapshots.push(Snapshot::clone(current));
         }
     }
-    Ok(moments)
+    Ok(snapshots)
 }
 
 fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<usize>) -> Result<Vec<Row>, Failure> {

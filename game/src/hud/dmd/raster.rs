@@ -26,12 +26,12 @@ type Cell = (Option<u8>, u32);
 const ACROSS: i32 = DMD_COLUMNS as i32 + 2;
 const DOWN: i32 = DMD_ROWS as i32 + 2;
 
-/// What stands on the picture: only places that change are drawn again.
+/// What stands on the frame: only places that change are drawn again.
 pub struct DmdRaster {
     pitch: i32,
     sprite: Vec<u32>,
     colors: Vec<Color>,
-    /// As they stand on the picture.
+    /// As they stand on the frame.
     cells: Vec<Cell>,
 }
 

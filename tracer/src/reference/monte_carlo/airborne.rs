@@ -38,9 +38,9 @@ impl Rays {
             return lamp.center_mm + half * (2.0 * self.place(sample) - 1.0);
         }
         let turn = if self.sampling.stratified {
-            self.name.unit() + f64::from(sample) * GOLDEN
+            self.key.unit() + f64::from(sample) * GOLDEN
         } else {
-            self.name.next(u64::from(sample)).next(1).unit()
+            self.key.with(u64::from(sample)).with(1).unit()
         };
         let around = trig::direction(std::f64::consts::TAU * (turn - turn.floor()));
         lamp.center_mm + around * (lamp.radius_mm() * self.place(sample).sqrt())

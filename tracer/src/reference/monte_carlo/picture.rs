@@ -8,13 +8,14 @@ use crate::realtime::direct_light::{LampOnTile, add};
 use crate::realtime::frame_context::{ActiveLamp, FrameContext};
 use crate::realtime::tile_renderer::TileRenderer;
 use crate::reference::monte_carlo::Sampling;
-use crate::reference::monte_carlo::rays::{Name, Near, Rays};
+use crate::reference::monte_carlo::rays::{Near, Rays};
 use crate::simd::dispatch::LANES;
 use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::{ALL_ROWS, BLACK, Plane, RgbTile, TILE};
 use crate::tile::rect::TileRect;
 use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
 use geometry::DVec2;
+use geometry::rng::Key;
 
 impl Renderer {
     /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
@@ -115,7 +116,7 @@ impl Look<'_> {
     /// nothing: nobody looks at them.
     fn seen(&self, points: &PackedSamples, own: Option<Group>) -> Seen {
         let (scene, lamp) = (self.frame.scene, &self.lamp.lamp);
-        let of_lamp = Name::new(self.sampling.seed, 0).at(lamp.center_mm);
+        let of_lamp = Key::new(self.sampling.seed, 0).with_point(lamp.center_mm);
         let mut near = Near::default();
         let mut seen = [[[0.0; LANES]; TILE]; 3];
         let mut tinted = false;
@@ -127,8 +128,8 @@ impl Look<'_> {
             }
             let (block, lane) = (point / LANES, point % LANES);
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
-            let name = of_lamp.next((y as u64) << 32 | x as u64);
-            let rays = Rays { sampling: self.sampling, name, point: self.rect.middle_mm + offset };
+            let key = of_lamp.with((y as u64) << 32 | x as u64);
+            let rays = Rays { sampling: self.sampling, key, point: self.rect.middle_mm + offset };
             let arriving = rays.arriving(scene, lamp, own, &mut near);
             let open = rays.unoccluded_fraction(&scene.balls, lamp, own) as f32;
             tinted |= !near.panes.is_empty();

@@ -4,6 +4,7 @@ use crate::reference::culling_triangle::CullingTriangle;
 use crate::reference::monte_carlo::Sampling;
 use crate::scene::validation;
 use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene};
+use geometry::rng::Key;
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
 
@@ -49,7 +50,7 @@ impl<'a> Near<'a> {
 /// The rays from one point to one lamp.
 pub(super) struct Rays {
     pub sampling: Sampling,
-    pub name: Name,
+    pub key: Key,
     pub point: DVec2,
 }
 
@@ -138,7 +139,7 @@ impl Rays {
 
     /// Where on the chord a sample is, 0 to 1.
     pub fn place(&self, sample: u32) -> f64 {
-        let random = self.name.next(u64::from(sample)).unit();
+        let random = self.key.with(u64::from(sample)).unit();
         if self.sampling.stratified {
             (f64::from(sample) + random) / f64::from(self.sampling.samples.max(1))
         } else {
@@ -157,31 +158,5 @@ impl Rays {
         let found = near.iter().position(|shape| hides(shape));
         *last = found.unwrap_or(*last);
         found.is_some()
-    }
-}
-
-/// A chain of numbers that names a random number. The mixing is that of SplitMix64 (G. Steele, D. Lea, C. Flood, 2014).
-#[derive(Clone, Copy)]
-pub(super) struct Name(u64);
-
-impl Name {
-    pub fn new(seed: u64, number: u64) -> Name {
-        Name(seed).next(number)
-    }
-
-    pub fn at(self, place: DVec2) -> Name {
-        self.next(place.x.to_bits()).next(place.y.to_bits())
-    }
-
-    pub fn next(self, number: u64) -> Name {
-        let mut bits = (self.0 ^ number.wrapping_mul(0xff51_afd7_ed55_8ccd)).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        Name(bits ^ (bits >> 31))
-    }
-
-    /// In [0, 1).
-    pub fn unit(self) -> f64 {
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }

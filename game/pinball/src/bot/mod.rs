@@ -19,7 +19,7 @@ mod tour;
 pub mod trial;
 mod worth;
 
-pub(crate) use chance::Chance;
+pub use chance::Chance;
 pub use random::Random;
 pub use tour::Tour;
 

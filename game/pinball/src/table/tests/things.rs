@@ -319,7 +319,7 @@ fn solids_stand_below_flippers_below_plastics_and_groups_hold_together() {
 
 #[test]
 fn the_page_about_drawing_knows_every_word() {
-    let page = include_str!("../../../../assets/tables/README.md");
+    let page = include_str!("../../../../../assets/tables/README.md");
     for class in crate::table::class::Class::ALL {
         let mut words = vec![class.word().to_string()];
         words.extend(class.data().map(|data| format!("data-{data}")));

@@ -1,7 +1,7 @@
 //! The rules of a table: a script that turns events into points, lamps, messages and balls.
 //!
 //! The script is called when something happens and at no other time. What it remembers is plain data ([`Value`]), what
-//! it may do is [`host`], and a script that fails or does not end is cut short with a sentence while the game goes on.
+//! it may do is `host`, and a script that fails or does not end is cut short with a sentence while the game goes on.
 //! Refuses to know how balls move and how light falls.
 
 mod desk;
@@ -10,7 +10,6 @@ mod literals;
 mod memory;
 mod names;
 mod program;
-mod random;
 mod score;
 mod search;
 mod switches;

@@ -1,10 +1,10 @@
 //! What a script's calls work on: the score, the display, the timers, and the orders to the machine.
 
-use super::random::Random;
 use super::score::Score;
 use super::switches::Switches;
 use super::timers::Timers;
 use crate::simulation::Display;
+use geometry::rng::SplitMix64;
 use physics::{Command, Event, EventKind, PartId};
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +27,7 @@ pub struct Desk {
     /// What the script wants to be told later.
     pub timers: Timers,
     /// The script's random numbers.
-    pub random: Random,
+    pub random: SplitMix64,
     /// The switches that are closed.
     pub switches: Switches,
     /// Balls in play at the start of the call, without those that are owed.
@@ -64,7 +64,7 @@ impl Message {
 impl Desk {
     /// The desk of a machine that has just been switched on.
     pub fn new(seed: u64) -> Desk {
-        Desk { random: Random::new(seed), ..Desk::default() }
+        Desk { random: SplitMix64::new(seed), ..Desk::default() }
     }
 
     /// Queues an order for the next tick. False if too many wait already.

@@ -44,9 +44,9 @@ pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
 /// Spectrum, the project's own table.
 pub(crate) fn spectrum() -> Table {
     let [svg, toml, rules] = [
-        include_str!("../../../assets/tables/spectrum/table.svg"),
-        include_str!("../../../assets/tables/spectrum/table.toml"),
-        include_str!("../../../assets/tables/spectrum/rules.rhai"),
+        include_str!("../../../../assets/tables/spectrum/table.svg"),
+        include_str!("../../../../assets/tables/spectrum/table.toml"),
+        include_str!("../../../../assets/tables/spectrum/rules.rhai"),
     ];
     read_files(svg, toml, rules).unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
 }
