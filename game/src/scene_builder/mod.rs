@@ -2,8 +2,8 @@
 //!
 //! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
 //! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
-//! picture, always under the same ids ([`ids`]), so that a renderer can tell what has changed. It refuses to know what a
-//! pixel, a window, a rule or a clock is.
+//! picture, always under the same ids (`ids.rs`), so that a renderer can tell what has changed. It refuses to know what
+//! a pixel, a window, a rule or a clock is.
 
 mod blend;
 mod ids;

@@ -191,6 +191,38 @@ impl Glow<'_> {
     }
 }
 
+impl<'a> Scene<'a> {
+    /// All of a floor in the dark, with nothing on it.
+    pub fn new(view: View, floor: &'a Floor) -> Scene<'a> {
+        Scene {
+            view,
+            lamps: Vec::new(),
+            occluders: Vec::new(),
+            filters: Vec::new(),
+            overhangs: Vec::new(),
+            tops: Vec::new(),
+            balls: Vec::new(),
+            glows: Vec::new(),
+            floor,
+            ambient: [0.0; 3],
+        }
+    }
+
+    /// Adds a solid: an opaque occluder and its top, both under the same id.
+    pub fn add_solid(&mut self, id: ItemId, shape: Shape, group: Group, finish: Finish) {
+        self.occluders.push(Occluder::opaque(id, shape, group));
+        self.tops.push(Top { id, outline: Outline::Shape(shape), group, finish });
+    }
+}
+
+impl Finish {
+    /// Solid and matt, with an edge that is rounded over 2 mm.
+    pub fn matte(albedo: Rgb) -> Finish {
+        let (profile, emission) = (Profile::Bevel(2.0), [0.0; 3]);
+        Finish { albedo, profile, gloss: 0.0, art: false, emission, opacity: 1.0, translucency: 0.0 }
+    }
+}
+
 impl Occluder {
     /// A piece of a wall, a post: light does not pass it.
     pub fn opaque(id: ItemId, shape: Shape, group: Group) -> Occluder {
@@ -222,6 +254,12 @@ impl Mask {
 }
 
 impl Floor {
+    /// A flat, matt floor of one sRGB colour, without art above it.
+    pub fn plain(width: usize, height: usize, [red, green, blue]: [u8; 3]) -> Floor {
+        let (floor, tops) = (vec![[red, green, blue, 255]; width * height], vec![[0; 4]; width * height]);
+        Floor { revision: Revision::fresh(), width, height, floor, tops, ..Floor::default() }
+    }
+
     /// Whether the art is of the size of the scene's view, with every pixel there.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
         let pixels = self.width * self.height;

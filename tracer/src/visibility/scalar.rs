@@ -1,6 +1,8 @@
-//! The same visible fraction, one point at a time, in double precision: short and plain, where the lanes are fast.
+//! The scalar twin of the visible fraction: one point at a time, in double precision, plain where
+//! `crate::visibility::fraction` is fast.
 //!
-//! Intervals are found as angles round the point, and pieces of an arc are cut so finely that chords will do.
+//! It takes another way where it can: a hull's interval comes from the extreme points of its part before the chord, the
+//! union from a sweep over sorted pairs, and pieces of an arc are cut so finely that their chords will do.
 
 use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
 use crate::visibility::potential_occluders::PotentialOccluders;
@@ -9,10 +11,10 @@ use crate::visibility::transmission;
 use crate::{Group, Lamp, Rgb, Scene};
 use geometry::{Circle, DVec2, Taper, trig};
 
-/// A point no deeper than this in a shape only touches it, mm: turning the axes has rounded it there.
+/// A point no deeper than this in a shape only touches it, mm: the rotation of the axes rounds by as much.
 const TOUCHING_MM: f64 = 1e-9;
 
-/// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
+/// The parts of a fine piece of an arc where the chord goes through it.
 const ARC_PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; what is of the group `exclude` casts no shadow.

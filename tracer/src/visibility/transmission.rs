@@ -1,18 +1,20 @@
-//! Transmission: light through translucent occluders (filters), exactly, whatever of filters, walls and penumbrae overlap.
+//! Transmission: light through translucent occluders (filters), exactly, whatever of filters, walls and penumbrae
+//! overlap.
 //!
 //! 1. One ray: its transmittance is the product of the tints of the filters that it meets, or 0 where it meets a wall.
 //! 2. Read a tint as a chance: each filter is away with the probability `tint`, and as opaque as a wall otherwise. The
 //!    expectation of a ray's visibility is the product of step 1. (E. Enderton, E. Sintorn, P. Shirley, D. Luebke,
 //!    "Stochastic transparency", 2010, sample this expectation.)
 //! 3. The expectation of the visible fraction is the sum over all sets R of filters that are away: `U(R)`, the visible
-//!    fraction without the filters of R, times the chance of R, which is the product of the tints in R and of `1 - tint` of
-//!    the others. Multiplied out, it is inclusion and exclusion.
+//!    fraction without the filters of R, times the chance of R, which is the product of the tints in R and of `1 -
+//!    tint` of the others. Multiplied out, it is inclusion and exclusion.
 //!
 //! The sum has 2^n terms, and each is as exact as the visible fraction is.
 
 use crate::{Filter, Group, Rgb};
 
-/// The most filters between one lamp and one tile; further ones are opaque there. Sixteen visibility queries are enough.
+/// The most filters between one lamp and one tile; further ones are opaque there. Sixteen visibility queries are
+/// enough.
 pub(crate) const MAX_FILTERS: usize = 4;
 
 /// The filters between a lamp and a point or a tile.
