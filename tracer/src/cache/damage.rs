@@ -10,7 +10,7 @@ use crate::cache::validity::Event;
 use crate::scene::id::Item;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
-use crate::{Ball, Filter, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
+use crate::{Ball, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
@@ -114,7 +114,6 @@ pub(crate) struct Damage {
     balls: Vec<Ball>,
     overhangs: Vec<Overhang>,
     ambient: Rgb,
-    filters: Vec<Filter>,
     view: Option<View>,
     art: ArtKey,
     /// The lamps and the inserts of this frame, kept for the next.
@@ -140,11 +139,10 @@ impl Damage {
     pub fn advance(&mut self, scene: &Scene, buffer_is_last: bool, number: impl FnMut(&Lamp) -> usize) {
         let art = ArtKey::of(scene.floor);
         self.events = SceneEvents {
-            art_changed: self.art != art || self.view != Some(scene.view) || self.filters != scene.filters,
+            art_changed: self.art != art || self.view != Some(scene.view),
             ambient_changed: self.ambient != scene.ambient,
             buffer_replaced: !buffer_is_last,
         };
-        self.filters.clone_from(&scene.filters);
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
         self.compare_lamps(scene, number);
         self.compare_glows(scene);
@@ -157,7 +155,7 @@ impl Damage {
         self.overhangs.clone_from(&scene.overhangs);
     }
 
-    /// Whether the art is another, or the view, or what passes through filters.
+    /// Whether the art is another, or the view.
     pub fn art_changed(&self) -> bool {
         self.events.art_changed
     }

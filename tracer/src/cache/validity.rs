@@ -37,7 +37,7 @@ pub(crate) enum CachedItem {
 pub(crate) enum Event {
     /// The view is another.
     ViewChanged,
-    /// The floor's art is another, or what passes through filters.
+    /// The floor's art is another.
     ArtChanged,
     /// A top came, went or moved in the tile.
     TopMoved,

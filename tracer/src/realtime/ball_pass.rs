@@ -17,7 +17,7 @@ pub(crate) fn render_balls(frame: &FrameContext, sprites: &mut Vec<BallSprite>, 
         let table = TableImage { view, level, planes, ambient, overhangs };
         sprites.par_iter_mut().zip(&scene.balls).for_each(|(sprite, ball)| {
             let lamps = frame.lamps.list.iter().map(|active| (&active.lamp, &active.occluders));
-            sprite.find_highlights(frame.simd, ball, lamps, &scene.filters, frame.disc_chains);
+            sprite.find_highlights(frame.simd, ball, lamps, frame.tinted, frame.disc_chains);
             sprite.render(ball, table);
         });
     }

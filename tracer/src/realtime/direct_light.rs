@@ -14,7 +14,7 @@ use crate::visibility::blockers::{Blockers, VisibilityClass};
 use crate::visibility::fraction::IntervalScratch;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::query::VisibilityQuery;
-use crate::visibility::transmission::{self, MAX_FILTERS};
+use crate::visibility::transmission::{self, MAX_TINTED, TintedGroup};
 use crate::{Group, Rgb};
 
 /// What a lamp lights of a tile.
@@ -22,7 +22,7 @@ use crate::{Group, Rgb};
 pub(crate) enum Lit {
     /// Nothing; which group hides the lamp, if it is one group alone.
     Nothing { hidden_by: Option<Group> },
-    /// Bare floor in light that no filter tints, of this visibility: the floor's planes of [`LampLight`] hold it.
+    /// Bare floor in light that nothing tints, of this visibility: the floor's planes of [`LampLight`] hold it.
     Floor(VisibilityClass),
     /// Anything: [`LampLight::radiance`] holds it.
     Rgb,
@@ -54,7 +54,7 @@ pub(crate) struct LightScratch {
     intervals: IntervalScratch,
     /// A layer's light at its samples.
     pub packed: RgbTile,
-    /// The sum over the sets of filters.
+    /// The sum over the sets of tinted groups.
     sum: RgbTile,
 }
 
@@ -96,7 +96,7 @@ impl<'a> LampOnTile<'a> {
         scratch: &mut LightScratch,
         out: &mut LampLight,
     ) -> Lit {
-        let on_path = transmission::on_path(&self.frame.scene.filters, |group| occluders.casts(group));
+        let on_path = transmission::on_path(self.frame.tinted, |group| occluders.casts(group));
         let obstacles = Obstacles { occluders, without: &[] };
         if !on_path.as_slice().is_empty() {
             return self.light_through(on_path.as_slice(), occluders, rows, scratch, out);
@@ -110,10 +110,10 @@ impl<'a> LampOnTile<'a> {
         if self.light_past(obstacles, rows, scratch, out) { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
     }
 
-    /// [`LampOnTile::light`] through filters: the sum over the sets of filters that may be taken away.
+    /// [`LampOnTile::light`] through tinted groups: the sum over the sets of them that may be taken away.
     fn light_through(
         &self,
-        filters: &[crate::Filter],
+        tinted: &[TintedGroup],
         occluders: &PotentialOccluders,
         rows: RowMask,
         scratch: &mut LightScratch,
@@ -121,7 +121,7 @@ impl<'a> LampOnTile<'a> {
     ) -> Lit {
         let mut lit = false;
         scratch.sum = BLACK;
-        transmission::each_subset(filters, |without, part| {
+        transmission::each_subset(tinted, |without, part| {
             let obstacles = Obstacles { occluders, without };
             if part != [0.0; 3] && self.light_past(obstacles, rows, scratch, out) {
                 lit = true;
@@ -129,7 +129,7 @@ impl<'a> LampOnTile<'a> {
             }
         });
         out.radiance = scratch.sum;
-        // What hides the lamp with every filter away is more than one group can be blamed for.
+        // What hides the lamp with every tinted group away is more than one group can be blamed for.
         if lit { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
     }
 
@@ -249,7 +249,7 @@ impl<'a> LampOnTile<'a> {
             Some(top) => (&top.points, top.points.blocks_in(rows)),
             None => (self.g_buffer.floor_samples(self.frame), self.g_buffer.floor_blocks(rows)),
         };
-        let mut without = [Group(0); MAX_FILTERS + 1];
+        let mut without = [Group(0); MAX_TINTED + 1];
         let away = obstacles.without.len();
         let count = away + own.iter().len();
         without[..away].copy_from_slice(obstacles.without);

@@ -10,6 +10,7 @@ use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::shadow_bounds::ShadowBounds;
+use crate::visibility::transmission::TintedGroup;
 use crate::{Lamp, Rgb, Scene};
 use geometry::{Bounds, DVec2};
 
@@ -19,6 +20,8 @@ pub(crate) struct FrameContext<'a> {
     pub scene: &'a Scene<'a>,
     pub simd: SimdLevel,
     pub disc_chains: &'a DiscChains,
+    /// The groups that light passes, tinted.
+    pub tinted: &'a [TintedGroup],
     pub lamps: &'a ActiveLamps,
     pub tops: &'a TopHistory,
     /// Where tops came, went or moved.

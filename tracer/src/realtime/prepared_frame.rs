@@ -15,12 +15,14 @@ use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::visibility::sphere_shadow::occluding_balls;
+use crate::visibility::transmission::{self, TintedGroup};
 use geometry::Bounds;
 use rayon::prelude::*;
 
 /// What all tiles of a frame share. Kept from frame to frame, so that nothing is allocated once it is warm.
 pub(crate) struct PreparedFrame {
     pub disc_chains: DiscChains,
+    tinted: Vec<TintedGroup>,
     pub lamps: ActiveLamps,
     tops: TopHistory,
     moved_tops: Vec<Bounds>,
@@ -35,6 +37,7 @@ impl Default for PreparedFrame {
     fn default() -> PreparedFrame {
         PreparedFrame {
             disc_chains: DiscChains::default(),
+            tinted: Vec::new(),
             lamps: ActiveLamps::default(),
             tops: TopHistory::default(),
             moved_tops: Vec::new(),
@@ -53,6 +56,7 @@ impl PreparedFrame {
             scene,
             simd,
             disc_chains: &self.disc_chains,
+            tinted: &self.tinted,
             lamps: &self.lamps,
             tops: &self.tops,
             moved_tops: &self.moved_tops,
@@ -72,6 +76,7 @@ impl PreparedFrame {
         buffer_is_last: bool,
     ) -> bool {
         self.disc_chains.set(&scene.occluders);
+        transmission::find_tinted(&scene.occluders, &mut self.tinted);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         history.advance(scene, bands, tiles);

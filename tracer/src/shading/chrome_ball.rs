@@ -12,8 +12,8 @@ use crate::tile::planes::{RgbTile, TILE};
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
 use crate::visibility::scalar;
-use crate::visibility::transmission;
-use crate::{Ball, Filter, Lamp, Overhang, Rgb, View};
+use crate::visibility::transmission::{self, TintedGroup};
+use crate::{Ball, Lamp, Overhang, Rgb, View};
 use geometry::DVec2;
 use rayon::prelude::*;
 
@@ -126,7 +126,7 @@ impl BallSprite {
         simd: SimdLevel,
         ball: &Ball,
         lamps: impl Iterator<Item = (&'a Lamp, &'a PotentialOccluders)>,
-        filters: &[Filter],
+        tinted: &[TintedGroup],
         all: &DiscChains,
     ) {
         self.highlights.clear();
@@ -137,9 +137,9 @@ impl BallSprite {
                 continue;
             }
             potential_occluders.narrow(simd, &Shaft::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
-            let met = transmission::on_path(filters, |group| self.near.group.contains(&group));
+            let met = transmission::on_path(tinted, |group| self.near.group.contains(&group));
             let seen = transmission::transmitted(met.as_slice(), |away| {
-                let mut without = [ball.group; transmission::MAX_FILTERS + 1];
+                let mut without = [ball.group; transmission::MAX_TINTED + 1];
                 without[1..=away.len()].copy_from_slice(away);
                 let (without, place) = (&without[..=away.len()], ball.center_mm);
                 scalar::visible_fraction_of(all, &self.near, lamp, place, without, &mut self.intervals)

@@ -1,10 +1,10 @@
 //! The Monte Carlo picture: a loop of its own over tiles and lamps, with shadow rays for visibility.
 //!
 //! Surfaces and what they make of irradiance are the realtime renderer's, so nothing but visibility differs from
-//! [`Renderer::render_uncached`].
+//! [`crate::Renderer::render_uncached`].
 
-use crate::film::tone_map;
 use crate::realtime::direct_light::{LampOnTile, add};
+use crate::realtime::exact_renderer::ExactRenderer;
 use crate::realtime::frame_context::{ActiveLamp, FrameContext};
 use crate::realtime::tile_renderer::TileRenderer;
 use crate::reference::monte_carlo::Sampling;
@@ -13,25 +13,14 @@ use crate::simd::dispatch::LANES;
 use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::{ALL_ROWS, BLACK, Plane, RgbTile, TILE};
 use crate::tile::rect::TileRect;
-use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
+use crate::{Group, Radiance, Rgb, Scene, SimdLevel};
 use geometry::DVec2;
 use geometry::rng::Key;
 
-impl Renderer {
-    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
-    /// from [`Renderer::render_uncached`].
-    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        self.render_with(scene, radiance, |tile, frame, rect, out| render_sampled(tile, frame, rect, sampling, out));
-    }
-
-    /// [`Renderer::render_monte_carlo`], tone-mapped.
-    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, display: &mut DisplayBuffer) {
-        let mut radiance = Radiance::default();
-        self.render_monte_carlo(scene, sampling, &mut radiance);
-        display.resize(radiance.width(), radiance.height());
-        tone_map::map(&radiance, exposure, &mut display.frame);
-        display.source = None;
-    }
+/// Renders `scene` with sampled shadows, on the threads of the current rayon pool: the same bits on any number.
+pub(crate) fn render(scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
+    let mut renderer = ExactRenderer::on(SimdLevel::best());
+    renderer.render_with(scene, radiance, |tile, frame, rect, out| render_sampled(tile, frame, rect, sampling, out));
 }
 
 /// The tile under all lamps.

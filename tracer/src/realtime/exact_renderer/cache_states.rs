@@ -6,8 +6,9 @@ use crate::cache::tile_cache::TileCache;
 use crate::cache::validity::{CachedItem, Effect, Event, Validity, effect};
 use crate::realtime::block_context::BlockContext;
 use crate::realtime::schedule::each_tile;
+use crate::scene::NO_FLOOR;
 use crate::scenes::{white, white_view};
-use crate::{Ball, Emitter, Filter, Finish, Floor, Glow, Group, Lamp, Mask, Occluder, Outline, Profile, Revision, Top};
+use crate::{Ball, Emitter, Finish, Floor, Glow, Group, ItemId, Lamp, Mask, Occluder, Outline, Profile, Revision, Top};
 use geometry::{DVec2, Shape};
 
 /// Pixels along the picture's side, a millimetre each.
@@ -60,12 +61,16 @@ fn disc(x: f64) -> Outline {
     Outline::Shape(Shape::disc(DVec2::new(x, 8.0), 4.0))
 }
 
+fn draw(renderer: &mut ExactRenderer, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
+    renderer.draw_timed(scene, exposure, display, &mut |_| {});
+}
+
 fn move_post(scene: &mut Scene, by_mm: f64) {
     scene.occluders[0].shape = Shape::disc(POST_MM + DVec2::new(by_mm, 0.0), 2.0);
 }
 
 /// The caches of a frame's first band when its events have met them, and before anything is made anew.
-fn after_events(renderer: &mut Renderer, scene: &Scene, buffer_is_last: bool) -> Vec<TileCache> {
+fn after_events(renderer: &mut ExactRenderer, scene: &Scene, buffer_is_last: bool) -> Vec<TileCache> {
     assert!(renderer.prepare(scene, buffer_is_last), "the frame is cached");
     renderer.frame.leave_still_balls();
     let frame = renderer.frame.context(renderer.simd, scene);
@@ -79,7 +84,7 @@ fn after_events(renderer: &mut Renderer, scene: &Scene, buffer_is_last: bool) ->
 }
 
 /// What is left of the items of a tile, of which the first lamp's layer is one.
-fn states(cache: &mut TileCache, renderer: &Renderer, scene: &Scene) -> [(CachedItem, Validity); 5] {
+fn states(cache: &mut TileCache, renderer: &ExactRenderer, scene: &Scene) -> [(CachedItem, Validity); 5] {
     let lamp = renderer.frame.lamps.list[0].number;
     [
         (CachedItem::GBuffer, cache.g_buffer.validity),
@@ -103,7 +108,7 @@ fn assert_as_told(event: Event, states: [(CachedItem, Validity); 5]) {
 
 fn assert_has_the_bits_of_one_from_nothing(event: Event, scene: &Scene, exposure: f32, display: &DisplayBuffer) {
     let mut from_nothing = DisplayBuffer::default();
-    Renderer::new().draw(scene, exposure, &mut from_nothing);
+    draw(&mut ExactRenderer::on(SimdLevel::best()), scene, exposure, &mut from_nothing);
     assert!(display.frame() == from_nothing.frame(), "{event:?}: the frame has other bits");
 }
 
@@ -115,19 +120,19 @@ fn check(event: Event, changes: &[&dyn Fn(&mut Scene)], last_exposure: f32) {
     let mask = |at: usize| Mask { revision: Revision::fresh(), x: at, y: at, width: 6, coverage: vec![200; 36] };
     let masks = [mask(2), mask(80)];
     let mut scene = scene(&floor, &masks);
-    let (mut renderer, mut display) = (Renderer::new(), DisplayBuffer::default());
-    let (mut looker, mut looked) = (Renderer::new(), DisplayBuffer::default());
+    let (mut renderer, mut display) = (ExactRenderer::on(SimdLevel::best()), DisplayBuffer::default());
+    let (mut looker, mut looked) = (ExactRenderer::on(SimdLevel::best()), DisplayBuffer::default());
     let (last, earlier) = changes.split_last().expect("a change");
     let nothing: &dyn Fn(&mut Scene) = &|_| {};
     for change in [nothing].iter().chain(earlier) {
         change(&mut scene);
-        renderer.draw(&scene, 1.0, &mut display);
-        looker.draw(&scene, 1.0, &mut looked);
+        draw(&mut renderer, &scene, 1.0, &mut display);
+        draw(&mut looker, &scene, 1.0, &mut looked);
     }
     last(&mut scene);
     let mut caches = after_events(&mut looker, &scene, last_exposure == 1.0);
     assert_as_told(event, states(&mut caches[0], &looker, &scene));
-    renderer.draw(&scene, last_exposure, &mut display);
+    draw(&mut renderer, &scene, last_exposure, &mut display);
     assert_has_the_bits_of_one_from_nothing(event, &scene, last_exposure, &display);
     let made = states(&mut renderer.history.bands[0][0].clone(), &renderer, &scene);
     assert_eq!(made.map(|(_, state)| state), [Validity::Valid; 5], "{event:?}: all is made anew");
@@ -136,7 +141,7 @@ fn check(event: Event, changes: &[&dyn Fn(&mut Scene)], last_exposure: f32) {
 #[test]
 fn a_change_of_a_scene_leaves_valid_what_the_state_table_says() {
     check(Event::ViewChanged, &[&|scene| scene.view.origin_mm.x += 1.0], 1.0);
-    check(Event::ArtChanged, &[&|scene| scene.filters.push(Filter { group: Group(9), tint: [0.5; 3] })], 1.0);
+    check(Event::ArtChanged, &[&|scene| scene.floor = &NO_FLOOR], 1.0);
     check(Event::TopMoved, &[&|scene| scene.tops[0].outline = disc(9.0)], 1.0);
     check(Event::EmissionChanged, &[&|scene| scene.tops[0].finish.emission = [0.2; 3]], 1.0);
     check(Event::AmbientChanged, &[&|scene| scene.ambient = [0.2; 3]], 1.0);
@@ -168,15 +173,15 @@ fn bloom_from_afar_clears_the_display_alone() {
     let masks = [mask(2), mask(80)];
     let mut scene = scene(&floor, &masks);
     scene.balls.clear();
-    let (mut renderer, mut display) = (Renderer::new(), DisplayBuffer::default());
-    renderer.draw(&scene, 1.0, &mut display);
+    let (mut renderer, mut display) = (ExactRenderer::on(SimdLevel::best()), DisplayBuffer::default());
+    draw(&mut renderer, &scene, 1.0, &mut display);
     scene.glows[1].color = [90.0; 3];
     display.set_scissor(SIDE_PX - 16, SIDE_PX - 16, 16, 16);
-    renderer.draw(&scene, 1.0, &mut display);
+    draw(&mut renderer, &scene, 1.0, &mut display);
     let cache = &renderer.history.bands[0][0];
     assert!(!cache.redrawn, "the insert is far away");
     assert_as_told(Event::BloomChanged, states(&mut cache.clone(), &renderer, &scene));
     display.set_scissor(0, 0, SIDE_PX, SIDE_PX);
-    renderer.draw(&scene, 1.0, &mut display);
+    draw(&mut renderer, &scene, 1.0, &mut display);
     assert_has_the_bits_of_one_from_nothing(Event::BloomChanged, &scene, 1.0, &display);
 }

@@ -12,16 +12,20 @@ use crate::realtime::passes::{compose_tiles, render_tiles, tone_map_tiles, updat
 use crate::realtime::prepared_frame::PreparedFrame;
 use crate::realtime::schedule::tile_at;
 use crate::realtime::tile_renderer::TileRenderer;
-use crate::scene::validation;
+use crate::scene::validation::{self, CheckScratch};
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::SimdLevel;
 use crate::tile::planes::RgbTile;
 use crate::tile::rect::TileRect;
-use crate::{DisplayBuffer, ItemId, Radiance, RenderStage, Scene, View};
+use crate::{DisplayBuffer, Radiance, RenderStage, Scene, View};
 use std::borrow::Cow;
 
-/// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
-pub struct Renderer {
+#[cfg(test)]
+mod cache_states;
+
+/// Renders scenes in exact direct light. Keep one from frame to frame: it allocates only when a scene has more in it than
+/// before.
+pub(crate) struct ExactRenderer {
     simd: SimdLevel,
     frame: PreparedFrame,
     history: FrameHistory,
@@ -31,41 +35,27 @@ pub struct Renderer {
     /// The light of uncached frames that are tone-mapped.
     radiance: Radiance,
     /// Room to check a scene in.
-    pub(crate) ids: Vec<ItemId>,
+    scratch: CheckScratch,
 }
 
-#[cfg(test)]
-mod cache_states;
-
-impl Default for Renderer {
-    fn default() -> Renderer {
-        Renderer::new()
-    }
-}
-
-impl Renderer {
-    /// A renderer for this machine's best instruction set.
-    pub fn new() -> Renderer {
-        Renderer::on(SimdLevel::best())
-    }
-
+impl ExactRenderer {
     /// A renderer on a chosen instruction set: the same bits on each.
-    pub fn on(simd: SimdLevel) -> Renderer {
-        Renderer {
+    pub fn on(simd: SimdLevel) -> ExactRenderer {
+        ExactRenderer {
             simd,
             frame: PreparedFrame::default(),
             history: FrameHistory::default(),
             id: FrameId::of_new_renderer(),
             sprites: Vec::new(),
             radiance: Radiance::default(),
-            ids: Vec::new(),
+            scratch: CheckScratch::default(),
         }
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
     /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.source == Some(self.id)) {
             return self.render_prepared(scene, radiance, TileRenderer::render_uncached);
@@ -81,13 +71,9 @@ impl Renderer {
         radiance.source = Some(self.id.advance());
     }
 
-    /// Renders `scene` and tone-maps it ([`crate::tone_map::map`]) in one go: the same pixels, several times as fast, since
-    /// no tile leaves the processor's cache in between. Tiles that still show what they should are left as they are.
-    pub fn draw(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_timed(scene, exposure, display, &mut |_| {});
-    }
-
-    /// [`Renderer::draw`] for somebody with a clock: calls `done` after each stage.
+    /// Renders `scene` and tone-maps it in one go: the same pixels, several times as fast, since no tile leaves the
+    /// processor's cache in between. Tiles that still show what they should are left as they are. Calls `done` after each
+    /// stage.
     pub fn draw_timed(
         &mut self,
         scene: &Scene,
@@ -95,7 +81,7 @@ impl Renderer {
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, display.source == Some((self.id, exposure))) {
             return self.draw_uncached(scene, exposure, display);
@@ -120,7 +106,7 @@ impl Renderer {
         display.source = Some((self.id.advance(), exposure));
     }
 
-    /// Renders `scene` with nothing cached and nothing quantized: the slow twin of [`Renderer::render`].
+    /// Renders `scene` with nothing cached and nothing quantized: the slow twin of [`ExactRenderer::render`].
     pub fn render_uncached(&mut self, scene: &Scene, radiance: &mut Radiance) {
         self.render_with(scene, radiance, TileRenderer::render_uncached);
     }
@@ -132,15 +118,12 @@ impl Renderer {
         radiance: &mut Radiance,
         render: impl Fn(&mut TileRenderer, &FrameContext, &TileRect, &mut RgbTile) + Sync,
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_prepared(scene, radiance, render);
     }
 
     /// Makes every tile anew in the next frame, with the same bits.
-    ///
-    /// No frame needs it: what changes is known by ids and revisions. It is there to measure what a frame from nothing
-    /// costs.
     pub fn invalidate(&mut self) {
         self.history = FrameHistory::default();
         self.frame.damage = Damage::default();
@@ -184,8 +167,8 @@ impl Renderer {
     }
 }
 
-/// The renderer's frame as a layer of another one: [`crate::HalfRenderer`] puts frames together from several.
-impl Renderer {
+/// The renderer's frame as a layer of another one: [`crate::realtime::half_resolution::HalfRenderer`] puts frames together from several.
+impl ExactRenderer {
     /// Renders `scene` without the balls themselves, though with their shadows, and without bloom: of that, only the
     /// means of cells are written.
     pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {
@@ -227,11 +210,11 @@ impl Renderer {
     }
 }
 
-/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing. `ids` is room to work in.
-pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>, ids: &mut Vec<ItemId>) -> Option<Cow<'b, Scene<'a>>> {
+/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing. `scratch` is room to work in.
+pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>, scratch: &mut CheckScratch) -> Option<Cow<'b, Scene<'a>>> {
     let empty = scene.view.width == 0 || scene.view.height == 0;
     if empty || validation::wrong_with_view(&scene.view).is_some() {
         return None;
     }
-    Some(if scene.check_in(ids).is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
+    Some(if scene.check_in(scratch).is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
 }
