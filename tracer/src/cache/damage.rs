@@ -2,14 +2,14 @@
 //! are.
 //!
 //! Every answer is on the safe side: a tile that is drawn again for nothing has the same bits as before. What moves
-//! between a lamp and a tile is not known here but to [`crate::past`].
+//! between a lamp and a tile is not known here but to [`crate::cache::frame_history`].
 
 use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileMemory;
 use crate::scene::id::Item;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
-use crate::{Ball, Filter, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
+use crate::{Ball, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
@@ -99,7 +99,6 @@ pub(crate) struct Changes {
     balls: Vec<Ball>,
     overhangs: Vec<Overhang>,
     ambient: Rgb,
-    filters: Vec<Filter>,
     view: Option<View>,
     art: ArtKey,
     /// The lamps and the glows of this picture, kept for the next.
@@ -108,7 +107,7 @@ pub(crate) struct Changes {
     pairing: ItemPairing,
     /// Whether all is different.
     pub everything: bool,
-    /// Whether the art is another, or what passes through filters: nothing that was seen holds.
+    /// Whether the art is another, or the view: nothing that was seen holds.
     pub repainted: bool,
     /// Whether the light from everywhere is another.
     dawned: bool,
@@ -131,8 +130,7 @@ impl Changes {
     /// `number` gives the number by which the tiles' memory knows a lamp.
     pub fn turn_page(&mut self, scene: &Scene, number: impl FnMut(&Lamp) -> usize) {
         let art = ArtKey::of(scene.floor);
-        self.repainted = self.art != art || self.view != Some(scene.view) || self.filters != scene.filters;
-        self.filters.clone_from(&scene.filters);
+        self.repainted = self.art != art || self.view != Some(scene.view);
         self.dawned = self.ambient != scene.ambient;
         self.everything = self.repainted || self.dawned;
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));

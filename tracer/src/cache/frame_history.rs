@@ -62,7 +62,15 @@ impl Past {
             }
         }
         let Past { occluders: old, airborne, next, known, pairing, .. } = self;
-        pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        pairing.each_change(old, occluders, |moved| {
+            // How a tile is lit past tinted groups depends on which of them may be in the way at all, which reaches farther
+            // than their shadows.
+            let everywhere = moved.material.transmittance().is_some();
+            for known in known.iter_mut() {
+                known.lost |= everywhere;
+                known.moved.push(*moved);
+            }
+        });
         next.clear();
         let is_airborne = |ball: &&Ball| ball.is_airborne();
         next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));

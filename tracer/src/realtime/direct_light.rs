@@ -34,7 +34,7 @@ impl Workspace {
     pub(crate) fn light(&mut self, stage: &Stage, at: usize, rect: &TileRect, layers: usize, rows: RowMask) -> Lighted {
         self.look_at(stage, at, rect);
         let near = &self.near[at];
-        let met = transmission::on_path(&stage.scene.filters, |group| near.casts(group));
+        let met = transmission::on_path(stage.tinted, |group| near.casts(group));
         if met.as_slice().is_empty() {
             if layers == 0 {
                 let verdict = self.light_floor_past(stage, at, rect, &[], rows);
@@ -201,7 +201,7 @@ impl Workspace {
         away: &[Group],
         rows: RowMask,
     ) -> VisibilityClass {
-        let mut without = [Group(0); transmission::MAX_FILTERS + 1];
+        let mut without = [Group(0); transmission::MAX_TINTED + 1];
         without[..away.len()].copy_from_slice(away);
         let mut own = None;
         let (points, blocks) = if let Some(layer) = layer {

@@ -1,18 +1,20 @@
 //! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
 //!
 //! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
-//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
-//! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
+//! resolution by [`crate::realtime::joint_upsampling`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! [`crate::Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
+use crate::realtime::exact_renderer::{ExactRenderer, drawable};
 use crate::realtime::joint_upsampling::{Guides, Print};
-use crate::realtime::renderer::drawable;
 use crate::realtime::schedule::write_planes;
+use crate::scene::NO_FLOOR;
+use crate::scene::validation::CheckScratch;
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::planes::{BLACK, RgbTile, TILE};
-use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
+use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Scene, View};
 use rayon::prelude::*;
 
 mod lists;
@@ -21,7 +23,7 @@ use lists::{Lists, add_lamps};
 
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
 /// in it than before.
-pub struct HalfRenderer {
+pub(crate) struct HalfRenderer {
     simd: SimdLevel,
     /// All light but what surfaces have of their own, at half the resolution, without the balls.
     lamps: Layer,
@@ -35,7 +37,7 @@ pub struct HalfRenderer {
     lists: Lists,
     tiles: Vec<Tile>,
     /// Room to check a scene in.
-    ids: Vec<ItemId>,
+    scratch: CheckScratch,
 }
 
 /// A tile of the picture.
@@ -50,7 +52,7 @@ struct Tile {
 
 /// A picture that only what has changed is made anew of.
 struct Layer {
-    renderer: Renderer,
+    renderer: ExactRenderer,
     radiance: Radiance,
     /// Whether any tile of the last one was made anew.
     fresh: bool,
@@ -69,21 +71,10 @@ impl Layer {
     }
 }
 
-impl Default for HalfRenderer {
-    fn default() -> HalfRenderer {
-        HalfRenderer::new()
-    }
-}
-
 impl HalfRenderer {
-    /// A renderer for this machine's best instruction set.
-    pub fn new() -> HalfRenderer {
-        HalfRenderer::on(SimdLevel::best())
-    }
-
     /// A renderer on a chosen instruction set: the same bits on each.
     pub fn on(simd: SimdLevel) -> HalfRenderer {
-        let layer = || Layer { renderer: Renderer::on(simd), radiance: Radiance::default(), fresh: true };
+        let layer = || Layer { renderer: ExactRenderer::on(simd), radiance: Radiance::default(), fresh: true };
         HalfRenderer {
             simd,
             lamps: layer(),
@@ -92,45 +83,39 @@ impl HalfRenderer {
             glows: layer(),
             lists: Lists::default(),
             tiles: Vec::new(),
-            ids: Vec::new(),
+            scratch: CheckScratch::default(),
         }
     }
 
-    /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// Renders `scene`, whose art at [`View::halved`] is [`Scene::half_floor`], on the threads of the current rayon pool: the same bits on
     /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
-    pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+    pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         let known = radiance.source == Some(self.lamps.renderer.picture());
-        self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
+        self.find_light(scene, known, &mut radiance.bloom, &mut |_| {});
         self.compose(radiance);
         radiance.source = Some(self.lamps.renderer.picture());
     }
 
-    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go.
-    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_watched(scene, half, exposure, display, &mut |_| {});
-    }
-
-    /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
+    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go. Calls `done` after each step.
     pub fn draw_watched(
         &mut self,
         scene: &Scene,
-        half: &Floor,
         exposure: f32,
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         let known = display.source == Some((self.lamps.renderer.picture(), exposure));
-        self.find_light(scene, half, known, &mut display.bloom, done);
+        self.find_light(scene, known, &mut display.bloom, done);
         self.develop(exposure, display);
         done(RenderStage::Developed);
         display.source = Some((self.lamps.renderer.picture(), exposure));
     }
 
-    /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
+    /// Forgets what earlier pictures showed, as [`crate::Renderer::forget`] does.
     pub fn forget(&mut self) {
         let HalfRenderer { lamps, guides, marks, glows, .. } = self;
         for layer in [lamps, glows].into_iter().chain(guides).chain(marks) {
@@ -142,12 +127,11 @@ impl HalfRenderer {
     fn find_light(
         &mut self,
         scene: &Scene,
-        half: &Floor,
         known: bool,
         bloom: &mut BloomPyramid,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        self.render_layers(scene, half, done);
+        self.render_layers(scene, done);
         let changed = self.look_for_stale(&scene.view, known);
         if changed {
             self.take_means(bloom);
@@ -162,8 +146,9 @@ impl HalfRenderer {
     }
 
     /// Makes every layer true: each is a picture of a scene of its own, with a part of what is in `scene`.
-    fn render_layers(&mut self, scene: &Scene, half: &Floor, done: &mut (dyn FnMut(RenderStage) + Send)) {
-        let (full, half) = ((scene.floor, scene.view), (half, scene.view.halved()));
+    fn render_layers(&mut self, scene: &Scene, done: &mut (dyn FnMut(RenderStage) + Send)) {
+        let half_floor = scene.half_floor.unwrap_or(&NO_FLOOR);
+        let (full, half) = ((scene.floor, scene.view), (half_floor, scene.view.halved()));
         let mut layer = self.lists.surfaces_of(scene);
         self.glows.render(&layer);
         layer.glows.clear();

@@ -3,10 +3,10 @@
 
 pub(crate) mod compose;
 pub(crate) mod direct_light;
+pub(crate) mod exact_renderer;
 pub(crate) mod g_buffer_fetch;
 pub(crate) mod half_resolution;
 pub(crate) mod joint_upsampling;
-pub(crate) mod renderer;
 pub(crate) mod schedule;
 pub(crate) mod stage_timing;
 pub(crate) mod tile_renderer;

@@ -29,6 +29,7 @@ use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::fraction::IntervalScratch;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::shadow_bounds::ShadowBounds;
+use crate::visibility::transmission::TintedGroup;
 use crate::{Lamp, Rgb, Scene};
 use geometry::{Bounds, DVec2};
 
@@ -48,6 +49,8 @@ pub(crate) struct Stage<'a> {
     pub moved_tops: &'a [Bounds],
     /// What else is different from the last picture.
     pub changes: &'a Changes,
+    /// The groups that light passes, tinted.
+    pub tinted: &'a [TintedGroup],
     /// The tops and their outlines.
     pub tops: &'a TopHistory,
     /// Every pixel of a tile.
@@ -144,7 +147,7 @@ pub(crate) struct Workspace {
     pub(crate) specular: Plane,
     /// The tile in the light of one lamp.
     pub(crate) picture: RgbTile,
-    /// Room to sum up pictures with filters and without.
+    /// Room to sum up pictures with tinted groups and without.
     pub(crate) sum: RgbTile,
     /// What the bloom needs of the tile.
     pub means: Means,

@@ -1,43 +1,31 @@
 //! The Monte Carlo picture: a loop of its own over tiles and lamps, with shadow rays for visibility.
 //!
 //! Surfaces and what they make of irradiance are the realtime renderer's, so nothing but visibility differs from
-//! [`Renderer::render_anew`].
+//! [`crate::Renderer::render_anew`].
 
-use crate::film::tone_map;
 use crate::realtime::direct_light::add;
-use crate::realtime::renderer::drawable;
+use crate::realtime::exact_renderer::{ExactRenderer, drawable};
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Near, Rays};
+use crate::scene::validation::CheckScratch;
 use crate::shading::falloff::Falloff;
 use crate::simd::dispatch::LANES;
 use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::{ALL_ROWS, BLACK, Plane, TILE};
 use crate::tile::rect::TileRect;
 use crate::visibility::blockers::VisibilityClass;
-use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
+use crate::{Group, Radiance, Rgb, Scene, SimdLevel};
 use geometry::DVec2;
 use geometry::rng::Key;
 
-impl Renderer {
-    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
-    /// from [`Renderer::render_anew`].
-    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
-        self.prepare(scene, false);
-        self.render_tiles(scene, radiance, |tile, stage, place| tile.render_sampled(stage, place, sampling));
-        self.put_balls_on(scene, radiance);
-        self.forget();
-    }
-
-    /// [`Renderer::render_monte_carlo`], tone-mapped.
-    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut DisplayBuffer) {
-        let mut radiance = Radiance::default();
-        self.render_monte_carlo(scene, sampling, &mut radiance);
-        film.resize(radiance.width(), radiance.height());
-        tone_map::map(&radiance, exposure, &mut film.frame);
-        film.source = None;
-    }
+/// Renders `scene` with sampled shadows, on the threads of the current rayon pool: the same bits on any number.
+pub(crate) fn render(scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
+    let Some(scene) = &drawable(scene, &mut CheckScratch::default()) else { return radiance.resize(0, 0) };
+    let mut renderer = ExactRenderer::on(SimdLevel::best());
+    renderer.prepare(scene, false);
+    renderer.render_tiles(scene, radiance, |tile, stage, rect| tile.render_sampled(stage, rect, sampling));
+    renderer.put_balls_on(scene, radiance);
 }
 
 /// The fraction of a lamp that each of some points sees.

@@ -1,12 +1,12 @@
-//! A renderer's picture as a layer of another one: [`crate::HalfRenderer`] puts pictures together from several.
+//! A renderer's picture as a layer of another one: [`crate::realtime::half_resolution::HalfRenderer`] puts pictures together from several.
 
-use super::Renderer;
+use super::ExactRenderer;
 use crate::realtime::schedule::BLOCK;
 use crate::shading::chrome_ball::BallSprite;
 use crate::tile::planes::TILE;
 use crate::{Radiance, Scene, View};
 
-impl Renderer {
+impl ExactRenderer {
     /// Renders `scene` without the balls themselves, though with their shadows, and without bloom: of that, only the
     /// picture's means are taken.
     pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {

@@ -1,7 +1,7 @@
 //! What is found once for a picture, before its tiles: which lamps there are, what may stand in their way, and what is
 //! new since the last picture.
 
-use super::Renderer;
+use super::ExactRenderer;
 use crate::Scene;
 use crate::cache::frame_history::{MAX_GLOWS, MAX_LAMPS};
 use crate::cache::lamp_set::Numbers;
@@ -12,13 +12,15 @@ use crate::tile::planes::TILE;
 use crate::visibility::airborne_shadow::AirborneShadow;
 use crate::visibility::shadow_bounds::ShadowBounds;
 use crate::visibility::sphere_shadow::occluding_balls;
+use crate::visibility::transmission;
 use rayon::prelude::*;
 
-impl Renderer {
+impl ExactRenderer {
     /// Finds what all tiles share, and what is new; `known` says that the last picture is there to go on from. Says
     /// whether the tiles' memory can be used.
     pub(crate) fn prepare(&mut self, scene: &Scene, known: bool) -> bool {
         self.disc_chains.set(&scene.occluders);
+        transmission::find_tinted(&scene.occluders, &mut self.tinted);
         let bands = scene.view.height.div_ceil(BLOCK);
         let tiles = scene.view.width.div_ceil(TILE) * (BLOCK / TILE);
         self.past.turn_page(scene, bands, tiles);

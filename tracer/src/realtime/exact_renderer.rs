@@ -11,7 +11,7 @@ use crate::film::bloom::BloomPyramid;
 use crate::film::tone_map;
 use crate::realtime::schedule::{BLOCK, each_tile, means_bands, write_means, write_planes};
 use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
-use crate::scene::validation;
+use crate::scene::validation::{self, CheckScratch};
 use crate::shading::albedo_map::AlbedoMap;
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
@@ -19,7 +19,8 @@ use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
 use crate::visibility::disc_chain::DiscChains;
-use crate::{DisplayBuffer, ItemId, Radiance, RenderStage, Rgb, Scene};
+use crate::visibility::transmission::TintedGroup;
+use crate::{DisplayBuffer, Radiance, RenderStage, Rgb, Scene};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -29,8 +30,9 @@ mod balls;
 mod layer;
 mod prepare;
 
-/// Renders scenes. Keep one from frame to frame: it allocates only when a scene has more in it than before.
-pub struct Renderer {
+/// Renders scenes in exact direct light. Keep one from frame to frame: it allocates only when a scene has more in it than
+/// before.
+pub(crate) struct ExactRenderer {
     simd: SimdLevel,
     disc_chains: DiscChains,
     past: Past,
@@ -43,6 +45,7 @@ pub struct Renderer {
     places: Vec<usize>,
     /// The lamps of which nothing is remembered.
     lost: Numbers,
+    tinted: Vec<TintedGroup>,
     tops: TopHistory,
     full_tile: (f64, PackedSamples),
     ball_sprites: Vec<BallSprite>,
@@ -50,7 +53,7 @@ pub struct Renderer {
     /// The light of pictures that are made from nothing.
     radiance: Radiance,
     /// Room to check a scene in.
-    pub(crate) ids: Vec<ItemId>,
+    scratch: CheckScratch,
 }
 
 /// What the tiles of a picture have in common.
@@ -66,6 +69,7 @@ macro_rules! stage {
             lost: &$renderer.lost,
             moved_tops: &$renderer.past.moved_tops,
             changes: &$renderer.changes,
+            tinted: &$renderer.tinted,
             tops: &$renderer.tops,
             full_tile: &$renderer.full_tile.1,
             art: &$renderer.art,
@@ -80,21 +84,10 @@ thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
 }
 
-impl Default for Renderer {
-    fn default() -> Renderer {
-        Renderer::new()
-    }
-}
-
-impl Renderer {
-    /// A renderer for this machine's best instruction set.
-    pub fn new() -> Renderer {
-        Renderer::on(SimdLevel::best())
-    }
-
+impl ExactRenderer {
     /// A renderer on a chosen instruction set: the same bits on each.
-    pub fn on(simd: SimdLevel) -> Renderer {
-        Renderer {
+    pub fn on(simd: SimdLevel) -> ExactRenderer {
+        ExactRenderer {
             simd,
             disc_chains: DiscChains::default(),
             past: Past::default(),
@@ -104,19 +97,20 @@ impl Renderer {
             colors: Vec::new(),
             places: Vec::new(),
             lost: Numbers::default(),
+            tinted: Vec::new(),
             tops: TopHistory::default(),
             full_tile: (0.0, PackedSamples::none()),
             ball_sprites: Vec::new(),
             art: AlbedoMap::default(),
             radiance: Radiance::default(),
-            ids: Vec::new(),
+            scratch: CheckScratch::default(),
         }
     }
 
     /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
     /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
         if !self.prepare(scene, radiance.source == Some(self.picture)) {
             return self.render_afresh(scene, true, radiance);
@@ -152,13 +146,8 @@ impl Renderer {
         });
     }
 
-    /// Renders `scene` and develops it ([`crate::film::tone_map::map`]) in one go: the same pixels, several times as fast, since
-    /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
-    pub fn draw(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_watched(scene, exposure, display, &mut |_| {});
-    }
-
-    /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step.
+    /// Renders `scene` and tone-maps it in one go: the same pixels, several times as fast, since no tile leaves the cache in
+    /// between. Tiles that still show what they should are left as they are. Calls `done` after each step.
     pub fn draw_watched(
         &mut self,
         scene: &Scene,
@@ -166,7 +155,7 @@ impl Renderer {
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
         let known = display.source == Some((self.picture, exposure));
         if !self.prepare(scene, known) {
@@ -193,17 +182,14 @@ impl Renderer {
         display.source = Some((self.picture, exposure));
     }
 
-    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`Renderer::render`].
+    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`ExactRenderer::render`].
     pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         self.prepare(scene, false);
         self.render_afresh(scene, true, radiance);
     }
 
     /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
-    ///
-    /// No picture needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
-    /// costs.
     pub fn forget(&mut self) {
         self.past = Past::default();
         self.changes = Changes::default();
@@ -316,11 +302,11 @@ impl Renderer {
     }
 }
 
-/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing. `ids` is room to work in.
-pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>, ids: &mut Vec<ItemId>) -> Option<Cow<'b, Scene<'a>>> {
+/// The scene without what [`Scene::check`] refuses; `None` where its view shows nothing. `scratch` is room to work in.
+pub(crate) fn drawable<'a, 'b>(scene: &'b Scene<'a>, scratch: &mut CheckScratch) -> Option<Cow<'b, Scene<'a>>> {
     let empty = scene.view.width == 0 || scene.view.height == 0;
     if empty || validation::wrong_with_view(&scene.view).is_some() {
         return None;
     }
-    Some(if scene.check_in(ids).is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
+    Some(if scene.check_in(scratch).is_ok() { Cow::Borrowed(scene) } else { Cow::Owned(scene.drawable()) })
 }

@@ -1,6 +1,6 @@
 //! The balls of a picture: they mirror the table, so they come when it is lit.
 
-use super::Renderer;
+use super::ExactRenderer;
 use crate::film::bloom::BloomPyramid;
 use crate::realtime::schedule::write_planes;
 use crate::shading::chrome_ball::{BallSprite, TableImage};
@@ -8,7 +8,7 @@ use crate::tile::planes::BLACK;
 use crate::{Radiance, Scene};
 use rayon::prelude::*;
 
-impl Renderer {
+impl ExactRenderer {
     /// Renders the balls of a scene that was prepared, and puts them into the means.
     pub(crate) fn render_balls(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
         self.ball_sprites.resize_with(scene.balls.len(), BallSprite::default);
@@ -16,10 +16,10 @@ impl Renderer {
         if let Some((level, planes)) = bloom.means() {
             let table =
                 TableImage { view: &scene.view, level, planes, ambient: scene.ambient, overhangs: &scene.overhangs };
-            let (simd, lamps, all) = (self.simd, &self.lamps, &self.disc_chains);
+            let (simd, lamps, all, tinted) = (self.simd, &self.lamps, &self.disc_chains, &self.tinted);
             self.ball_sprites.par_iter_mut().zip(&scene.balls).for_each(|(sprite, ball)| {
                 let lamps = lamps.iter().map(|lit| (&lit.lamp, &lit.potential_occluders));
-                sprite.find_highlights(simd, ball, lamps, &scene.filters, all);
+                sprite.find_highlights(simd, ball, lamps, tinted, all);
                 sprite.render(ball, table);
             });
         }
