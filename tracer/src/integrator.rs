@@ -25,7 +25,7 @@ pub enum Integrator {
 pub fn render(scene: &Scene, integrator: Integrator, radiance: &mut Radiance) {
     let mut renderer = Renderer::with(integrator);
     match integrator {
-        Integrator::Exact => renderer.render_anew(scene, radiance),
+        Integrator::Exact => renderer.render_uncached(scene, radiance),
         Integrator::HalfResolution | Integrator::MonteCarlo(_) => renderer.render(scene, radiance),
     }
 }

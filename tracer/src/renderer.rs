@@ -60,11 +60,11 @@ impl Renderer {
     /// Renders `scene` and tone-maps it ([`crate::tone_map::map`]) in one go: the same pixels, several times as fast, since
     /// no tile leaves the cache in between. Tiles that still show what they should are left as they are.
     pub fn draw(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_watched(scene, exposure, display, &mut |_| {});
+        self.draw_timed(scene, exposure, display, &mut |_| {});
     }
 
     /// [`Renderer::draw`] for somebody with a clock: calls `done` after each step of a realtime integrator.
-    pub fn draw_watched(
+    pub fn draw_timed(
         &mut self,
         scene: &Scene,
         exposure: f32,
@@ -72,8 +72,8 @@ impl Renderer {
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
         match self.integrator {
-            Integrator::Exact => self.exact.draw_watched(scene, exposure, display, done),
-            Integrator::HalfResolution => self.half().draw_watched(scene, exposure, display, done),
+            Integrator::Exact => self.exact.draw_timed(scene, exposure, display, done),
+            Integrator::HalfResolution => self.half().draw_timed(scene, exposure, display, done),
             Integrator::MonteCarlo(sampling) => {
                 monte_carlo::render(scene, sampling, &mut self.radiance);
                 display.resize(self.radiance.width(), self.radiance.height());
@@ -85,17 +85,17 @@ impl Renderer {
 
     /// Renders `scene` exactly, with nothing remembered and nothing rounded to be kept: the slow twin of
     /// [`Renderer::render`].
-    pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        self.exact.render_anew(scene, radiance);
+    pub fn render_uncached(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.exact.render_uncached(scene, radiance);
     }
 
-    /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
+    /// Makes every tile anew in the next frame, with the same bits.
     ///
-    /// No picture needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
+    /// No frame needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
     /// costs.
-    pub fn forget(&mut self) {
-        self.exact.forget();
-        self.half.iter_mut().for_each(|half| half.forget());
+    pub fn invalidate(&mut self) {
+        self.exact.invalidate();
+        self.half.iter_mut().for_each(|half| half.invalidate());
     }
 
     fn half(&mut self) -> &mut HalfRenderer {

@@ -186,10 +186,10 @@ impl FrameComposer {
             let time_ms = match step {
                 None => &mut times.scene_ms,
                 Some(RenderStage::Prepared) => &mut times.prepare_ms,
-                Some(RenderStage::Shaded) => &mut times.shadows_ms,
-                Some(RenderStage::Mirrored) => &mut times.balls_ms,
-                Some(RenderStage::Glared) => &mut times.bloom_ms,
-                Some(RenderStage::Developed) => &mut times.tone_map_ms,
+                Some(RenderStage::Lit) => &mut times.shadows_ms,
+                Some(RenderStage::BallsRendered) => &mut times.balls_ms,
+                Some(RenderStage::Bloomed) => &mut times.bloom_ms,
+                Some(RenderStage::ToneMapped) => &mut times.tone_map_ms,
             };
             *time_ms = ms(last, now);
             last = now;
@@ -200,7 +200,7 @@ impl FrameComposer {
         clock(None);
         self.renderer.set_integrator(integrator);
         let (renderer, display) = (&mut self.renderer, &mut assets.display_buffer);
-        self.pool.install(|| renderer.draw_watched(&scene, exposure, display, &mut |step| clock(Some(step))));
+        self.pool.install(|| renderer.draw_timed(&scene, exposure, display, &mut |step| clock(Some(step))));
     }
 
     /// Puts the playfield into its well, and the HUD around and over it.

@@ -1,87 +1,41 @@
-//! From a scene to the light that leaves it: prepares what all tiles share, makes the tiles' memories true on every core,
-//! then the balls that mirror them, then the bloom, then the tiles themselves.
+//! The renderer: from a scene to the light that leaves it, or to pixels. It prepares what all tiles share, makes the
+//! tiles' caches valid, then the balls that mirror them, then the bloom, then the tiles themselves.
 
-use crate::cache::cell_means::{CELLS_PER_TILE, means_of};
-use crate::cache::damage::Changes;
-use crate::cache::frame_history::Past;
-use crate::cache::lamp_set::Numbers;
-use crate::cache::tile_cache::{to_be_composed, to_be_lit};
-use crate::cache::top_history::TopHistory;
+use crate::cache::damage::Damage;
+use crate::cache::frame_history::FrameHistory;
 use crate::film::bloom::BloomPyramid;
+use crate::film::frame_id::FrameId;
 use crate::film::tone_map;
-use crate::realtime::schedule::{BLOCK, each_tile, means_bands, write_means, write_planes};
-use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
+use crate::realtime::ball_pass::{blend_balls, render_balls};
+use crate::realtime::frame_context::FrameContext;
+use crate::realtime::passes::{compose_tiles, render_tiles, tone_map_tiles, update_tiles};
+use crate::realtime::prepared_frame::PreparedFrame;
+use crate::realtime::schedule::tile_at;
+use crate::realtime::tile_renderer::TileRenderer;
 use crate::scene::validation::{self, CheckScratch};
-use crate::shading::albedo_map::AlbedoMap;
 use crate::shading::chrome_ball::BallSprite;
-use crate::simd::dispatch::{LANES, SimdLevel};
-use crate::tile::packed_samples::PackedSamples;
-use crate::tile::planes::TILE;
+use crate::simd::dispatch::SimdLevel;
+use crate::tile::planes::RgbTile;
 use crate::tile::rect::TileRect;
-use crate::visibility::disc_chain::DiscChains;
-use crate::visibility::transmission::TintedGroup;
-use crate::{DisplayBuffer, Radiance, RenderStage, Rgb, Scene};
-use rayon::prelude::*;
+use crate::{DisplayBuffer, Radiance, RenderStage, Scene, View};
 use std::borrow::Cow;
-use std::cell::RefCell;
-use std::sync::atomic::{AtomicU64, Ordering};
 
-mod balls;
-mod layer;
-mod prepare;
+#[cfg(test)]
+mod cache_states;
 
 /// Renders scenes in exact direct light. Keep one from frame to frame: it allocates only when a scene has more in it than
 /// before.
 pub(crate) struct ExactRenderer {
     simd: SimdLevel,
-    disc_chains: DiscChains,
-    past: Past,
-    changes: Changes,
-    /// Its own number, and that of its last picture.
-    picture: (u64, u64),
-    lamps: Vec<Lit>,
-    /// By the lamps' numbers: their light, black for those that do not shine, and their places among those that do.
-    colors: Vec<Rgb>,
-    places: Vec<usize>,
-    /// The lamps of which nothing is remembered.
-    lost: Numbers,
-    tinted: Vec<TintedGroup>,
-    tops: TopHistory,
-    full_tile: (f64, PackedSamples),
-    ball_sprites: Vec<BallSprite>,
-    art: AlbedoMap,
-    /// The light of pictures that are made from nothing.
+    frame: PreparedFrame,
+    history: FrameHistory,
+    /// The last frame.
+    id: FrameId,
+    sprites: Vec<BallSprite>,
+    /// The light of uncached frames that are tone-mapped.
     radiance: Radiance,
     /// Room to check a scene in.
     scratch: CheckScratch,
-}
-
-/// What the tiles of a picture have in common.
-macro_rules! stage {
-    ($renderer:expr, $scene:expr) => {
-        Stage {
-            simd: $renderer.simd,
-            scene: $scene,
-            disc_chains: &$renderer.disc_chains,
-            lamps: &$renderer.lamps,
-            colors: &$renderer.colors,
-            places: &$renderer.places,
-            lost: &$renderer.lost,
-            moved_tops: &$renderer.past.moved_tops,
-            changes: &$renderer.changes,
-            tinted: &$renderer.tinted,
-            tops: &$renderer.tops,
-            full_tile: &$renderer.full_tile.1,
-            art: &$renderer.art,
-        }
-    };
-}
-
-/// How many renderers there have been: a picture knows by it who drew it.
-static RENDERERS: AtomicU64 = AtomicU64::new(0);
-
-thread_local! {
-    static WORKSPACE: RefCell<Workspace> = RefCell::new(Workspace::new());
 }
 
 impl ExactRenderer {
@@ -89,19 +43,10 @@ impl ExactRenderer {
     pub fn on(simd: SimdLevel) -> ExactRenderer {
         ExactRenderer {
             simd,
-            disc_chains: DiscChains::default(),
-            past: Past::default(),
-            changes: Changes::default(),
-            picture: (RENDERERS.fetch_add(1, Ordering::Relaxed), 0),
-            lamps: Vec::new(),
-            colors: Vec::new(),
-            places: Vec::new(),
-            lost: Numbers::default(),
-            tinted: Vec::new(),
-            tops: TopHistory::default(),
-            full_tile: (0.0, PackedSamples::none()),
-            ball_sprites: Vec::new(),
-            art: AlbedoMap::default(),
+            frame: PreparedFrame::default(),
+            history: FrameHistory::default(),
+            id: FrameId::of_new_renderer(),
+            sprites: Vec::new(),
             radiance: Radiance::default(),
             scratch: CheckScratch::default(),
         }
@@ -112,43 +57,24 @@ impl ExactRenderer {
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        if !self.prepare(scene, radiance.source == Some(self.picture)) {
-            return self.render_afresh(scene, true, radiance);
+        if !self.prepare(scene, radiance.source == Some(self.id)) {
+            return self.render_prepared(scene, radiance, TileRenderer::render_uncached);
         }
-        self.leave_still_balls();
-        self.look(scene, &mut radiance.bloom);
-        if self.past.is_fresh() {
-            self.render_balls(scene, &mut radiance.bloom);
+        self.frame.leave_still_balls();
+        self.update(scene, &mut radiance.bloom);
+        let frame = self.frame.context(self.simd, scene);
+        if self.history.any_redrawn() {
+            render_balls(&frame, &mut self.sprites, &mut radiance.bloom);
             radiance.bloom.compute(self.simd);
         }
-        self.compose(scene, &self.ball_sprites, radiance);
-        self.picture.1 += 1;
-        radiance.source = Some(self.picture);
+        compose_tiles(&frame, &self.history.bands, &self.sprites, radiance);
+        radiance.source = Some(self.id.advance());
     }
 
-    /// Puts together the tiles that are not in `radiance` as they should be.
-    fn compose(&self, scene: &Scene, ball_sprites: &[BallSprite], radiance: &mut Radiance) {
-        let stride = radiance.stride();
-        let [red, green, blue] = &mut radiance.planes;
-        let band = stride * BLOCK;
-        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-        let stage = stage!(self, scene);
-        bands.zip(&self.past.bands).enumerate().with_max_len(1).for_each(|(at, (((red, green), blue), memory))| {
-            WORKSPACE.with_borrow_mut(|workspace| {
-                let mut planes = [red, green, blue];
-                each_tile(scene, at, memory.iter(), |rect, memory| {
-                    if memory.fresh {
-                        workspace.compose(&stage, rect, memory, ball_sprites);
-                        write_planes(&workspace.out, rect.x, rect.y - at * BLOCK, stride, &mut planes);
-                    }
-                });
-            });
-        });
-    }
-
-    /// Renders `scene` and tone-maps it in one go: the same pixels, several times as fast, since no tile leaves the cache in
-    /// between. Tiles that still show what they should are left as they are. Calls `done` after each step.
-    pub fn draw_watched(
+    /// Renders `scene` and tone-maps it in one go: the same pixels, several times as fast, since no tile leaves the
+    /// processor's cache in between. Tiles that still show what they should are left as they are. Calls `done` after each
+    /// stage.
+    pub fn draw_timed(
         &mut self,
         scene: &Scene,
         exposure: f32,
@@ -157,148 +83,130 @@ impl ExactRenderer {
     ) {
         let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
-        let known = display.source == Some((self.picture, exposure));
-        if !self.prepare(scene, known) {
-            return self.draw_afresh(scene, exposure, display);
+        if !self.prepare(scene, display.source == Some((self.id, exposure))) {
+            return self.draw_uncached(scene, exposure, display);
         }
-        self.leave_still_balls();
+        self.frame.leave_still_balls();
         done(RenderStage::Prepared);
-        self.look(scene, &mut display.bloom);
-        done(RenderStage::Shaded);
-        let fresh = self.past.is_fresh();
-        if fresh {
-            self.render_balls(scene, &mut display.bloom);
+        self.update(scene, &mut display.bloom);
+        done(RenderStage::Lit);
+        let (frame, redrawn) = (self.frame.context(self.simd, scene), self.history.any_redrawn());
+        if redrawn {
+            render_balls(&frame, &mut self.sprites, &mut display.bloom);
         }
-        done(RenderStage::Mirrored);
-        if fresh {
+        done(RenderStage::BallsRendered);
+        if redrawn {
             display.bloom.compute(self.simd);
         }
-        done(RenderStage::Glared);
-        if fresh || display.scissor.is_some() {
-            self.develop(scene, exposure, display);
+        done(RenderStage::Bloomed);
+        if redrawn || display.scissor.is_some() {
+            tone_map_tiles(&frame, &mut self.history.bands, &self.sprites, exposure, display);
         }
-        done(RenderStage::Developed);
-        self.picture.1 += 1;
-        display.source = Some((self.picture, exposure));
+        done(RenderStage::ToneMapped);
+        display.source = Some((self.id.advance(), exposure));
     }
 
-    /// Renders `scene` with nothing remembered and nothing rounded to be kept: the slow twin of [`ExactRenderer::render`].
-    pub fn render_anew(&mut self, scene: &Scene, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
-        self.prepare(scene, false);
-        self.render_afresh(scene, true, radiance);
+    /// Renders `scene` with nothing cached and nothing quantized: the slow twin of [`ExactRenderer::render`].
+    pub fn render_uncached(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        self.render_with(scene, radiance, TileRenderer::render_uncached);
     }
 
-    /// Forgets what earlier pictures showed: the next one is found anew from nothing, with the same bits.
-    pub fn forget(&mut self) {
-        self.past = Past::default();
-        self.changes = Changes::default();
-        self.picture.1 += 1;
-    }
-
-    /// Renders a scene that was prepared, with its balls and its bloom or without them, and forgets it.
-    fn render_afresh(&mut self, scene: &Scene, whole: bool, radiance: &mut Radiance) {
-        self.render_tiles(scene, radiance, Workspace::render);
-        if whole {
-            self.put_balls_on(scene, radiance);
-        }
-        self.forget();
-    }
-
-    /// Renders the tiles of a scene that was prepared, without its balls, and their means; `render` makes each tile in
-    /// [`Workspace::out`].
-    pub(crate) fn render_tiles(
-        &self,
+    /// Renders `scene` uncached, each tile by `render`.
+    pub(crate) fn render_with(
+        &mut self,
         scene: &Scene,
         radiance: &mut Radiance,
-        render: impl Fn(&mut Workspace, &Stage, &TileRect) + Sync,
+        render: impl Fn(&mut TileRenderer, &FrameContext, &TileRect, &mut RgbTile) + Sync,
     ) {
-        radiance.resize(scene.view.width, scene.view.height);
-        radiance.source = None;
-        let stride = radiance.stride();
-        let [red, green, blue] = &mut radiance.planes;
-        let band = stride * BLOCK;
-        let bands = red.par_chunks_mut(band).zip(green.par_chunks_mut(band)).zip(blue.par_chunks_mut(band));
-        let stage = stage!(self, scene);
-        let Some((level, means)) = radiance.bloom.means_mut() else { return };
-        bands.zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
-            |(at, (((red, green), blue), mut means))| {
-                WORKSPACE.with_borrow_mut(|workspace| {
-                    let mut planes = [red, green, blue];
-                    let mut found = [[0.0; CELLS_PER_TILE]; 3];
-                    let mut block = None;
-                    each_tile(scene, at, std::iter::repeat(()), |rect, ()| {
-                        workspace.enter_block_at(&stage, rect, &mut block);
-                        render(workspace, &stage, rect);
-                        let y = rect.y - at * BLOCK;
-                        write_planes(&workspace.out, rect.x, y, stride, &mut planes);
-                        means_of(stage.simd, &workspace.out, &mut found);
-                        write_means(&found, rect.x, y, &level, &mut means);
-                    });
-                });
-            },
-        );
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
+        self.prepare(scene, false);
+        self.render_prepared(scene, radiance, render);
     }
 
-    /// Draws a scene that was prepared, and forgets it.
-    fn draw_afresh(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
+    /// Makes every tile anew in the next frame, with the same bits.
+    pub fn invalidate(&mut self) {
+        self.history = FrameHistory::default();
+        self.frame.damage = Damage::default();
+        self.id.advance();
+    }
+
+    /// Finds what all tiles share, and what is new; `buffer_is_last` says that the buffer holds the last frame. Whether the
+    /// tile caches can be used.
+    fn prepare(&mut self, scene: &Scene, buffer_is_last: bool) -> bool {
+        self.frame.prepare(self.simd, scene, &mut self.history, buffer_is_last)
+    }
+
+    /// Makes the tile caches of a scene that was prepared valid, and the means of what is redrawn.
+    fn update(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
+        update_tiles(&self.frame.context(self.simd, scene), &mut self.history.bands, bloom);
+        self.frame.lamps.list.iter().for_each(|lamp| self.history.lamp_updated(lamp.number));
+    }
+
+    /// Renders a scene that was prepared, uncached, with its balls and its bloom.
+    fn render_prepared(
+        &mut self,
+        scene: &Scene,
+        radiance: &mut Radiance,
+        render: impl Fn(&mut TileRenderer, &FrameContext, &TileRect, &mut RgbTile) + Sync,
+    ) {
+        let frame = self.frame.context(self.simd, scene);
+        render_tiles(&frame, radiance, render);
+        render_balls(&frame, &mut self.sprites, &mut radiance.bloom);
+        radiance.bloom.compute(self.simd);
+        blend_balls(&self.sprites, radiance);
+        self.invalidate();
+    }
+
+    /// Draws a scene that was prepared, uncached.
+    fn draw_uncached(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
         let mut radiance = std::mem::take(&mut self.radiance);
-        self.render_afresh(scene, true, &mut radiance);
+        self.render_prepared(scene, &mut radiance, TileRenderer::render_uncached);
         tone_map::map_on(self.simd, &radiance, exposure, &mut display.frame);
         self.radiance = radiance;
         display.source = None;
     }
+}
 
-    /// Makes every tile's memory true, and takes the means of those that have changed.
-    fn look(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
-        let mut bands = std::mem::take(&mut self.past.bands);
-        let stage = stage!(self, scene);
-        if let Some((level, means)) = bloom.means_mut() {
-            bands.par_iter_mut().zip(means_bands(level, means)).enumerate().with_max_len(1).for_each(
-                |(at, (memory, mut means))| {
-                    WORKSPACE.with_borrow_mut(|workspace| {
-                        let mut block = None;
-                        each_tile(scene, at, to_be_lit(memory), |rect, memory| {
-                            workspace.enter_block_at(&stage, rect, &mut block);
-                            memory.fresh = workspace.differs(&stage, rect, memory);
-                            if memory.fresh {
-                                memory.developed = false;
-                                workspace.remember(&stage, rect, memory);
-                                write_means(&workspace.means, rect.x, rect.y - at * BLOCK, &level, &mut means);
-                            }
-                        });
-                    });
-                },
-            );
+/// The renderer's frame as a layer of another one: [`crate::realtime::half_resolution::HalfRenderer`] puts frames together from several.
+impl ExactRenderer {
+    /// Renders `scene` without the balls themselves, though with their shadows, and without bloom: of that, only the
+    /// means of cells are written.
+    pub(crate) fn render_table(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        radiance.resize(scene.view.width, scene.view.height);
+        if !self.prepare(scene, radiance.source == Some(self.id)) {
+            let frame = self.frame.context(self.simd, scene);
+            render_tiles(&frame, radiance, TileRenderer::render_uncached);
+            return self.invalidate();
         }
-        self.past.bands = bands;
-        self.lamps.iter().for_each(|lit| self.past.looked_at(lit.number));
+        self.update(scene, &mut radiance.bloom);
+        compose_tiles(&self.frame.context(self.simd, scene), &self.history.bands, &[], radiance);
+        radiance.source = Some(self.id.advance());
     }
 
-    /// Puts the tiles on film that are not there as they should be.
-    fn develop(&mut self, scene: &Scene, exposure: f32, display: &mut DisplayBuffer) {
-        let mut bands = std::mem::take(&mut self.past.bands);
-        let stage = stage!(self, scene);
-        let (width, simd, ball_sprites, bloom) = (scene.view.width, self.simd, &self.ball_sprites, &display.bloom);
-        let scissor = display.scissor;
-        let wants = |x, y| DisplayBuffer::in_scissor(scissor, x, y);
-        let pixels = display.frame.pixels.par_chunks_mut(width * BLOCK);
-        bands.par_iter_mut().zip(pixels).enumerate().with_max_len(1).for_each(|(at, (memory, pixels))| {
-            WORKSPACE.with_borrow_mut(|workspace| {
-                let mut tile = [[0; LANES]; TILE];
-                each_tile(scene, at, to_be_composed(memory), |rect, memory| {
-                    memory.developed = memory.developed && !bloom.has_changed_at(rect.x, rect.y);
-                    if memory.developed || !wants(rect.x, rect.y) {
-                        return;
-                    }
-                    memory.developed = true;
-                    workspace.compose(&stage, rect, memory, ball_sprites);
-                    tone_map::tone_map_tile(simd, &workspace.out, bloom, exposure, [rect.x, rect.y], &mut tile);
-                    tone_map::store_tile(&tile, rect.x, width, &mut pixels[(rect.y - at * BLOCK) * width..]);
-                });
-            });
-        });
-        self.past.bands = bands;
+    /// Renders the balls over a table that was rendered, and puts them into its means.
+    pub(crate) fn render_balls(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
+        render_balls(&self.frame.context(self.simd, scene), &mut self.sprites, bloom);
+    }
+
+    /// The balls of the last frame.
+    pub(crate) fn sprites(&self) -> &[BallSprite] {
+        &self.sprites
+    }
+
+    /// The last frame.
+    pub(crate) fn frame_id(&self) -> FrameId {
+        self.id
+    }
+
+    /// Whether any tile is another than in the frame before. A frame that was not cached has no tiles to tell.
+    pub(crate) fn any_redrawn(&self) -> bool {
+        self.history.bands.is_empty() || self.history.any_redrawn()
+    }
+
+    /// Whether the tile that a pixel is in is another than in the frame before, in a frame of this view.
+    pub(crate) fn is_redrawn_at(&self, view: &View, x: usize, y: usize) -> bool {
+        let (band, at) = tile_at(view, x, y);
+        self.history.bands.get(band).and_then(|band| band.get(at)).is_none_or(|tile| tile.redrawn)
     }
 }
 

@@ -150,7 +150,7 @@ fn what_did_not_change_is_left_as_it_was() {
             16 => scene.floor = &others.floor,
             17 => scene.view.origin_mm.x += 3.0,
             18 => Renderer::new().render(&scenes::table(view, &props), &mut remembered),
-            19 => renderer.forget(),
+            19 => renderer.invalidate(),
             20 => scene.balls[0].rotation = [1.0, 0.0, 0.0, 0.0],
             21 => {
                 let sampling = Sampling { samples: 1, seed: 0, stratified: true };

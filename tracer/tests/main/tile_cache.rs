@@ -25,7 +25,7 @@ fn props() -> Props {
 
 fn anew(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render_anew(scene, &mut radiance);
+    Renderer::new().render_uncached(scene, &mut radiance);
     radiance
 }
 

@@ -10,7 +10,7 @@ const SIDE: usize = 160;
 
 fn anew(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render_anew(scene, &mut radiance);
+    Renderer::new().render_uncached(scene, &mut radiance);
     radiance
 }
 
@@ -126,7 +126,7 @@ fn coloured_shadows_have_the_same_bits_everywhere() {
     let expected = anew(&scene);
     for path in SimdLevel::available() {
         let mut radiance = Radiance::default();
-        Renderer::on(path).render_anew(&scene, &mut radiance);
+        Renderer::on(path).render_uncached(&scene, &mut radiance);
         assert!(radiance == expected, "{}", path.name());
     }
 }
