@@ -12,6 +12,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | `constants` | the tick, the ball, gravity |
 //! | `part` | id, material, checks of numbers, events |
 //! | `ball` | a sphere that rolls and slides on a floor |
 //! | `collision` | obstacles, triggers, broad phase, time of impact |
@@ -25,6 +26,7 @@
 
 mod ball;
 mod collision;
+mod constants;
 mod layout;
 mod machine;
 mod mechanisms;
@@ -32,6 +34,8 @@ mod part;
 mod solver;
 
 pub use ball::pose::BallPose;
+use constants::GRAVITY_M_S2;
+pub use constants::{BALL_MASS_KG, BALL_RADIUS_M, TICK_S, TICKS_PER_SECOND};
 pub use layout::{Layout, Part};
 pub use machine::fingerprint::{Fingerprint, fingerprint};
 pub use machine::{Error, Hashes, Machine};
@@ -41,14 +45,3 @@ pub use mechanisms::pose::Pose;
 pub use part::PartId;
 pub use part::event::{Contact, Event, EventKind};
 pub use part::material::Material;
-
-/// Ticks in a second of play.
-pub const TICKS_PER_SECOND: u32 = 1000;
-/// The length of a tick.
-pub const TICK_S: f64 = 1.0 / TICKS_PER_SECOND as f64;
-/// A pinball's radius: 27 mm across (1 1/16 in).
-pub const BALL_RADIUS_M: f64 = 0.0135;
-/// A pinball's mass.
-pub const BALL_MASS_KG: f64 = 0.08;
-/// Standard gravity.
-const GRAVITY_M_S2: f64 = 9.81;

@@ -1,7 +1,7 @@
 //! Who may name whom, how long a file may be, and that nothing is left for later.
 
 use super::code::words;
-use super::tree::{Source, crates, sources};
+use super::tree::{Source, crates, read, sources};
 
 /// The lines of code under `folder` that name `word`, as `path:line`.
 fn naming(folder: &str, word: &str) -> Vec<String> {
@@ -48,18 +48,40 @@ fn each_library_is_named_in_its_own_room_only() {
 
 #[test]
 fn the_simulation_reads_no_clock_starts_no_thread_and_has_no_hash_order() {
-    let rooms = [
-        "physics/src",
-        "game/pinball/src/simulation",
-        "game/pinball/src/rules",
-        "game/pinball/src/bot",
-        "tracer/geometry/src",
-    ];
-    for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs"] {
-        for room in rooms {
+    for word in ["Instant", "SystemTime", "thread", "rayon", "HashMap", "HashSet", "fs", "PathBuf", "env"] {
+        for room in ["physics/src", "game/pinball/src", "tracer/geometry/src"] {
             assert_eq!(naming(room, word), [""; 0], "{word} in {room}");
         }
     }
+}
+
+#[test]
+fn what_decides_a_game_knows_nothing_of_light_and_window() {
+    for word in ["tracer", "winit", "softbuffer", "tiny_skia", "resvg", "png", "clap"] {
+        for folder in ["physics", "game/pinball", "tracer/geometry"] {
+            assert_eq!(naming(folder, word), [""; 0], "{word} in {folder}");
+            let manifest: toml::Table = toml::from_str(&read(&format!("{folder}/Cargo.toml"))).expect("TOML");
+            let dependencies = manifest["dependencies"].as_table().expect("dependencies");
+            assert!(!dependencies.contains_key(&word.replace('_', "-")), "{folder} depends on {word}");
+        }
+    }
+}
+
+#[test]
+fn pinball_names_no_file_and_no_stream() {
+    for word in ["Path", "File", "process", "stdin", "stdout", "stderr", "directories"] {
+        assert_eq!(naming("game/pinball/src", word), [""; 0], "{word} in game/pinball");
+    }
+}
+
+#[test]
+fn the_bans_of_the_workspace_hold_in_pinball_too() {
+    let bans = read("clippy.toml");
+    let bans: Vec<_> = bans.lines().filter(|line| line.contains("{ path = ")).collect();
+    assert!(bans.len() > 30, "{} bans", bans.len());
+    let repeated = read("game/pinball/clippy.toml");
+    let forgotten: Vec<_> = bans.into_iter().filter(|ban| !repeated.lines().any(|line| line == *ban)).collect();
+    assert!(forgotten.is_empty(), "clippy.toml files are not merged; game/pinball/clippy.toml lacks {forgotten:#?}");
 }
 
 #[test]

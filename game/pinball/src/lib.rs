@@ -14,6 +14,7 @@ pub mod recording;
 pub mod rules;
 pub mod simulation;
 pub mod table;
+pub mod timeline;
 
 pub use buttons::Buttons;
 pub use failure::Failure;

@@ -29,9 +29,8 @@ pub fn progress_bar(length: u64, unit: &str) -> ProgressBar {
 
 /// The line that says what all ticks of these games, each with its seed, come to. The order in which they are given does
 /// not matter.
-pub fn digest_line(mut games: Vec<(u64, Digest)>) -> String {
-    games.sort_by_key(|(seed, digest)| (*seed, digest.to_string()));
-    let all = Digest::of_games(games.iter().map(|(_, digest)| *digest));
+pub fn digest_line(games: &[(u64, Digest)]) -> String {
+    let all = Digest::of_seeds(games);
     format!("digest     {all} of {} ticks, games {}", all.ticks(), games.len())
 }
 

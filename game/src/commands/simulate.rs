@@ -43,7 +43,7 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     print(&summary(&table, &games))?;
     if args.digest {
         let digest = |game: &Game| game.trial.digest.map(|digest| (game.trial.seed, digest));
-        print(&digest_line(games.iter().filter_map(digest).collect()))?;
+        print(&digest_line(&games.iter().filter_map(digest).collect::<Vec<_>>()))?;
     }
     match games.iter().map(|game| game.trial.anomalies.len()).sum() {
         0 => Ok(()),

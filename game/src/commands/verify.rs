@@ -35,7 +35,7 @@ pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
         }
     }
     if args.digest && failures.is_empty() {
-        print(&digest_line(digests))?;
+        print(&digest_line(&digests))?;
     }
     match failures.as_slice() {
         [] => Ok(()),

@@ -90,6 +90,14 @@ impl<'a, A: App> Shell<'a, A> {
         self.obey(events);
     }
 
+    /// A window that never had the keyboard (some systems say so as it opens) has nothing to lose.
+    fn focus(&mut self, events: &ActiveEventLoop, focused: bool) {
+        let had = std::mem::replace(&mut self.focused, focused);
+        if had && !focused {
+            self.hand_on(events, Event::FocusLost);
+        }
+    }
+
     /// Does what the application has asked for.
     fn obey(&mut self, events: &ActiveEventLoop) {
         let asked = self.commands.take();
@@ -158,12 +166,7 @@ impl<A: App> ApplicationHandler<Wake> for Shell<'_, A> {
             WindowEvent::RedrawRequested => window.surface().present(frames.shown()),
             WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => frames.mark_dirty(),
             WindowEvent::Occluded(hidden) => frames.set_hidden(hidden),
-            // A window that never had the keyboard (some systems say so as it opens) has nothing to lose.
-            WindowEvent::Focused(focused) => {
-                if std::mem::replace(&mut self.focused, focused) && !focused {
-                    self.hand_on(events, Event::FocusLost);
-                }
-            }
+            WindowEvent::Focused(focused) => self.focus(events, focused),
             WindowEvent::KeyboardInput {
                 event: KeyEvent { physical_key: PhysicalKey::Code(code), state, repeat: false, .. },
                 is_synthetic,

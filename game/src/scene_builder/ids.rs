@@ -1,5 +1,5 @@
-//! The ids of a scene's items. A solid or a rod has a range of them, whatever of it is there in a picture; lamps and inserts
-//! have their numbers in the table; balls have what the machine knows them by.
+//! The ids of a scene's items. A solid or a rod has a range of them, whatever of it is there in a picture; lamps and
+//! inserts have their numbers in the table; balls have what the machine knows them by.
 
 use physics::PartId;
 use tracer::ItemId;

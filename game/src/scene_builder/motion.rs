@@ -231,8 +231,8 @@ fn pulled(solid: &Solid, center: DVec2, pull: f64) -> Placed {
     Placed { shadows: shadows(solid), ..turn.place(solid) }
 }
 
-/// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle. The second half
-/// has a number of its own, which is free while the band does not break.
+/// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle. The second
+/// half has a number of its own, which is free while the band does not break.
 fn bent(solid: &Solid, out: DVec2, kick: f64) -> Placed {
     if solid.plastic_mm.is_some() {
         return as_drawn(solid);

@@ -1,5 +1,5 @@
-//! Rods that shoot: the plunger's, of steel with a rubber tip and the spring that drives it, and those of kickbacks, whose
-//! coils are below the playfield.
+//! Rods that shoot: the plunger's, of steel with a rubber tip and the spring that drives it, and those of kickbacks,
+//! whose coils are below the playfield.
 
 use super::ids::FirstIds;
 use super::motion::value;

@@ -1,8 +1,8 @@
 //! The last ball, kept so that it can be watched again: the state in which it began and every button since.
 
-use super::timeline::TickSource;
 use crate::simulation::Display;
 use crate::{Buttons, Simulation};
+use pinball::timeline::TickSource;
 
 /// A ball that takes longer is kept from here on, ticks (half an hour).
 const LONGEST_TICKS: usize = 1_800_000;
@@ -84,7 +84,7 @@ impl TickSource for Rerun {
         &self.simulation
     }
 
-    fn tick(&mut self) -> bool {
+    fn step(&mut self) -> bool {
         let Some(&buttons) = self.buttons.get(self.played) else { return false };
         self.simulation.tick(buttons);
         self.played += 1;

@@ -3,10 +3,10 @@
 use super::contact_trail::ContactTrail;
 use super::game_recordings::GameRecordings;
 use super::last_ball::{LastBall, Rerun};
-use super::timeline::{TickSource, Timeline};
 use crate::bot::Bot;
 use crate::hud::{Badge, TrailContact};
 use crate::{Buttons, Failure, Simulation, Snapshot, Table, tell};
+use pinball::timeline::{TickSource, Timeline};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -187,7 +187,7 @@ impl TickSource for LiveMachine {
         &self.simulation
     }
 
-    fn tick(&mut self) -> bool {
+    fn step(&mut self) -> bool {
         let buttons = match &mut self.bot {
             Some(bot) => bot.buttons(&self.simulation),
             None => self.opening(),

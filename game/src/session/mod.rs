@@ -10,14 +10,12 @@ mod live_game;
 mod modal;
 mod replay_session;
 mod tick_clock;
-mod timeline;
 pub mod zoom;
 
 pub use live_game::LiveGame;
 pub use modal::Modal;
 pub use replay_session::ReplaySession;
 pub use tick_clock::{PlaybackSpeed, TickClock};
-pub use timeline::{TickSource, Timeline};
 
 use crate::Snapshot;
 use crate::hud::{Badge, DebugInfo, FrameTimes, TrailContact, UiState};

@@ -2,11 +2,11 @@
 
 use super::contact_trail::ContactTrail;
 use super::tick_clock::PlaybackSpeed;
-use super::timeline::{TickSource, Timeline};
 use crate::hud::{ReplayProgress, TrailContact};
 use crate::recording::Replay;
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
+use pinball::timeline::Timeline;
 use std::sync::Arc;
 
 /// How far the arrow keys seek, ticks.
@@ -110,15 +110,5 @@ impl ReplaySession {
             speed: self.speed.label(),
             paused: self.paused,
         }
-    }
-}
-
-impl TickSource for Replay {
-    fn simulation(&self) -> &Simulation {
-        Replay::simulation(self)
-    }
-
-    fn tick(&mut self) -> bool {
-        self.step()
     }
 }

@@ -7,6 +7,7 @@ mod collision;
 mod distances;
 mod diverter;
 mod energy;
+mod examples;
 mod fixture;
 mod flippers;
 mod kickback;

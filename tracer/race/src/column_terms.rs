@@ -1,7 +1,6 @@
 //! What is the same in every row of a picture: the terms of the light that depend on the column alone.
 
-use crate::scene::{SIDE_F32, Scene};
-use crate::span_shading::color;
+use crate::scene::{SIDE_F32, Scene, color};
 use tracer::simd::dispatch::{LANES, Lanes};
 
 /// The terms of [`LANES`] columns side by side.

@@ -14,6 +14,14 @@ pub(crate) const COLORS: [Rgb; 4] = [[1.0, 0.6, 0.3], [0.3, 0.5, 1.0], [0.4, 1.0
 
 /// A lamp's irradiance at distance 0: with the brightest colour of each channel, the sum of four stays below 1.
 pub(crate) const POWER: f32 = 0.9;
+/// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
+const WHITE: f32 = 255.0;
+
+/// A lamp's colour at full power, in levels of a byte.
+#[inline(always)]
+pub(crate) fn color(lamp: usize, channel: usize) -> f32 {
+    COLORS[lamp][channel] * (POWER * WHITE)
+}
 
 /// How far the circles' centres are from the square's.
 const ORBIT_RADIUS: f64 = 1.3;

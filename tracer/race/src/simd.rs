@@ -1,8 +1,8 @@
 //! The test of the literal loops for 16 pixels of a row at a time, without a branch.
 
 use crate::literal;
-use crate::scene::{Disc, Scene, corner};
-use crate::span_shading::{color, pack};
+use crate::scene::{Disc, Scene, color, corner};
+use crate::span_shading::pack;
 use tracer::simd::dispatch::{LANES, Lanes, min, multiversion};
 
 multiversion! {

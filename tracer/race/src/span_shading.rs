@@ -1,19 +1,17 @@
 //! A span of pixels that the same lamps reach, shaded and written.
 //!
-//! There is one loop for each set of lamps (a const generic), without a branch in it; a hidden lamp costs nothing. The two lamps
-//! of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the division, so
-//! that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until they are a pixel.
+//! There is one loop for each set of lamps (a const generic), without a branch in it; a hidden lamp costs nothing. The
+//! two lamps of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the
+//! division, so that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until
+//! they are a pixel.
 
 use crate::column_terms::ColumnTerms;
-use crate::scene::{COLORS, POWER, SIDE_F32};
+use crate::scene::{SIDE_F32, color};
 use tracer::Rgb;
 use tracer::simd::dispatch::LANES;
 
 /// 2^23: a single-precision number of this size has no fraction, so adding it rounds to a whole number.
 pub(crate) const ROUNDING: f32 = 8_388_608.0;
-
-/// The level of a full byte: light is summed in levels, so that nothing needs to be scaled later.
-const WHITE: f32 = 255.0;
 
 /// The terms of the light that depend on the row alone, for the upper and the lower pair of lamps.
 #[derive(Clone, Copy, Debug)]
@@ -22,12 +20,6 @@ pub(crate) struct RowTerms {
     wall_square: [f32; 2],
     /// That times both lamps' colours.
     both: [[f32; 3]; 2],
-}
-
-/// A lamp's colour at full power, in levels of a byte.
-#[inline(always)]
-pub(crate) fn color(lamp: usize, channel: usize) -> f32 {
-    COLORS[lamp][channel] * (POWER * WHITE)
 }
 
 impl RowTerms {

@@ -53,6 +53,23 @@ impl Lamp {
     /// A segment with a shorter half shines as a point does, mm.
     pub const LEAST_HALF_MM: f64 = 0.01;
 
+    /// The height of lamps that are made without one, mm: a bulb that stands in a post of a table.
+    const USUAL_HEIGHT_MM: f64 = 30.0;
+
+    /// The reach of lamps that are made without one, mm: a table's length.
+    const USUAL_REACH_MM: f64 = 1000.0;
+
+    /// A disc lamp of the usual height and reach, which is inside of nothing; with the radius 0, a point.
+    pub fn disc(id: ItemId, center_mm: DVec2, radius_mm: f64, color: Rgb) -> Lamp {
+        let (height_mm, reach_mm) = (Lamp::USUAL_HEIGHT_MM, Lamp::USUAL_REACH_MM);
+        Lamp { id, center_mm, emitter: Emitter::Disc { radius_mm }, height_mm, reach_mm, color, inside: None }
+    }
+
+    /// A tube, `half_mm` to both sides of its middle, of the usual height and reach, which is inside of nothing.
+    pub fn segment(id: ItemId, center_mm: DVec2, half_mm: DVec2, color: Rgb) -> Lamp {
+        Lamp { emitter: Emitter::Segment { half_mm }, ..Lamp::disc(id, center_mm, 0.0, color) }
+    }
+
     /// What a floor point that sees all of the lamp receives of its colour.
     pub fn falloff(&self, point_mm: DVec2) -> f64 {
         let rest = self.rest(point_mm);

@@ -2,11 +2,12 @@
 
 pub(crate) mod id;
 pub(crate) mod lamp;
+pub(crate) mod material;
 pub(crate) mod overhang;
 pub mod validation;
 pub(crate) mod view;
 
-use crate::{ItemId, Lamp, Overhang, Revision, View};
+use crate::{ItemId, Lamp, Material, Overhang, Revision, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -26,8 +27,6 @@ pub struct Scene<'a> {
     pub lamps: Vec<Lamp>,
     /// What casts shadows.
     pub occluders: Vec<Occluder>,
-    /// Which occluders light passes, tinted.
-    pub filters: Vec<Filter>,
     /// Surfaces above the floor, from the lowest to the highest.
     pub tops: Vec<Top>,
     /// The balls, above every top.
@@ -38,6 +37,8 @@ pub struct Scene<'a> {
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
     pub floor: &'a Floor,
+    /// The floor's art at half the resolution ([`View::halved`]), if light is to be found at that.
+    pub half_floor: Option<&'a Floor>,
     /// Light from everywhere: what a surface shows where no lamp reaches.
     pub ambient: Rgb,
 }
@@ -51,16 +52,8 @@ pub struct Occluder {
     pub shape: Shape,
     /// What it belongs to.
     pub group: Group,
-}
-
-/// A group whose occluders are translucent: coloured glass, or thin plastic. Light on its way is tinted once by each
-/// filter that it meets, however many of the filter's pieces are in the way, so its shadow is a coloured one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filter {
-    /// Whose occluders.
-    pub group: Group,
-    /// What passes of each colour, 0 to 1.
-    pub tint: Rgb,
+    /// What it is made of: the same as all of its group.
+    pub material: Material,
 }
 
 /// A visible surface above the floor.
@@ -191,10 +184,42 @@ impl Glow<'_> {
     }
 }
 
+impl<'a> Scene<'a> {
+    /// All of a floor in the dark, with nothing on it.
+    pub fn new(view: View, floor: &'a Floor) -> Scene<'a> {
+        Scene {
+            view,
+            lamps: Vec::new(),
+            occluders: Vec::new(),
+            overhangs: Vec::new(),
+            tops: Vec::new(),
+            balls: Vec::new(),
+            glows: Vec::new(),
+            floor,
+            half_floor: None,
+            ambient: [0.0; 3],
+        }
+    }
+
+    /// Adds a solid: an opaque occluder and its top, both under the same id.
+    pub fn add_solid(&mut self, id: ItemId, shape: Shape, group: Group, finish: Finish) {
+        self.occluders.push(Occluder::opaque(id, shape, group));
+        self.tops.push(Top { id, outline: Outline::Shape(shape), group, finish });
+    }
+}
+
+impl Finish {
+    /// Solid and matt, with an edge that is rounded over 2 mm.
+    pub fn matte(albedo: Rgb) -> Finish {
+        let (profile, emission) = (Profile::Bevel(2.0), [0.0; 3]);
+        Finish { albedo, profile, gloss: 0.0, art: false, emission, opacity: 1.0, translucency: 0.0 }
+    }
+}
+
 impl Occluder {
     /// A piece of a wall, a post: light does not pass it.
     pub fn opaque(id: ItemId, shape: Shape, group: Group) -> Occluder {
-        Occluder { id, shape, group }
+        Occluder { id, shape, group, material: Material::Opaque }
     }
 }
 
@@ -221,7 +246,24 @@ impl Mask {
     }
 }
 
+/// No art.
+pub(crate) static NO_FLOOR: Floor = Floor {
+    revision: Revision::NONE,
+    width: 0,
+    height: 0,
+    floor: Vec::new(),
+    tops: Vec::new(),
+    normals: Vec::new(),
+    gloss: 0.0,
+};
+
 impl Floor {
+    /// A flat, matt floor of one sRGB colour, without art above it.
+    pub fn plain(width: usize, height: usize, [red, green, blue]: [u8; 3]) -> Floor {
+        let (floor, tops) = (vec![[red, green, blue, 255]; width * height], vec![[0; 4]; width * height]);
+        Floor { revision: Revision::fresh(), width, height, floor, tops, ..Floor::default() }
+    }
+
     /// Whether the art is of the size of the scene's view, with every pixel there.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
         let pixels = self.width * self.height;

@@ -44,12 +44,12 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
         view,
         lamps: lamps(&caps),
         occluders,
-        filters: Vec::new(),
         overhangs: Vec::new(),
         tops,
         balls,
         glows,
         floor: &props.floor,
+        half_floor: None,
         ambient: [0.035, 0.037, 0.05],
     }
 }
@@ -94,18 +94,8 @@ pub fn white(width: usize, height: usize) -> Floor {
 
 /// All of `floor` from above, its corner at the table's origin, with nothing on it and in the dark.
 pub fn white_view(floor: &Floor, mm_per_px: f64) -> Scene<'_> {
-    Scene {
-        view: View { width: floor.width, height: floor.height, origin_mm: DVec2::ZERO, mm_per_px },
-        lamps: Vec::new(),
-        occluders: Vec::new(),
-        filters: Vec::new(),
-        overhangs: Vec::new(),
-        tops: Vec::new(),
-        balls: Vec::new(),
-        glows: Vec::new(),
-        floor,
-        ambient: [0.0; 3],
-    }
+    let view = View { width: floor.width, height: floor.height, origin_mm: DVec2::ZERO, mm_per_px };
+    Scene::new(view, floor)
 }
 
 fn byte(value: f64) -> u8 {

@@ -1,4 +1,5 @@
-//! How much of each pixel of a tile the outline of a top covers, and which way its edge looks.
+//! Coverage: the signed distance of a top's outline at each pixel of a tile, of which antialiasing and the normals of
+//! rounded edges are made.
 
 use crate::simd::dispatch::{LANES, Lanes, max, min, multiversion};
 use crate::tile::packed_samples::PackedSamples;
@@ -6,7 +7,10 @@ use crate::tile::planes::{Plane, TILE};
 use crate::{Outline, Profile, Top};
 use geometry::{Bounds, Circle, Core, DVec2, Shape, Taper};
 
-/// An outline made ready for many points.
+/// The widest rounded edge of a polygon with the profile of a dome, mm: art direction, a cushion rather than a tent.
+const WIDEST_DOME_MM: f64 = 8.0;
+
+/// The signed distance function of an outline.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct OutlineSdf {
     /// A box around it, mm.
@@ -85,7 +89,7 @@ impl OutlineSdf {
         let (&first, rest) = corners.split_first()?;
         let bounds =
             rest.iter().fold(Bounds::of(first, first), |bounds, &corner| bounds.union(Bounds::of(corner, corner)));
-        let dome = (bounds.size().min_element() * 0.5).min(8.0);
+        let dome = (bounds.size().min_element() * 0.5).min(WIDEST_DOME_MM);
         Some((Kind::Polygon(corners.to_vec()), bounds, dome))
     }
 

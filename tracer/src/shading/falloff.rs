@@ -1,22 +1,22 @@
 //! The falloff of a lamp: the irradiance at points that see all of it, and the direction that it comes from.
 //!
-//! The inverse square law over the distance in space, times a window that brings it to 0 at the lamp's reach: the square of
-//! `1 - (d / reach)^2`. (Real-Time Rendering, 4th ed., section 5.2.2, has the same window with the fourth power of the
-//! distance.) [`Lamp::falloff`] is the scalar form in double precision.
+//! The inverse square law over the distance in space, times a window that brings it to 0 at the lamp's reach: the
+//! square of `1 - (d / reach)^2`. (Real-Time Rendering, 4th ed., section 5.2.2, has the same window with the fourth
+//! power of the distance.) [`Lamp::falloff`] is the scalar form in double precision.
 
 use crate::Lamp;
 use crate::simd::atan2::angle;
 use crate::simd::dispatch::{LANES, Lanes, clamp, max};
 use geometry::DVec2;
 
-/// A lamp's form and reach as the points of one tile see them.
+/// A lamp's emitter and reach, in mm from the middle of one tile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Falloff {
     x: f32,
     y: f32,
     /// The square of its height, mm^2.
     pub height_square: f32,
-    /// One over the square of the reach.
+    /// One over the square of the reach, 1/mm^2.
     fade: f32,
     /// The unit vector along a segment, and half of its length, mm.
     tube: Option<([f32; 2], f32)>,
@@ -24,7 +24,7 @@ pub(crate) struct Falloff {
 
 /// What arrives at one block of points.
 pub(crate) struct IncidentLight {
-    /// The way to the lamp's nearest point, mm.
+    /// The vector to the nearest point of the emitter, across, mm.
     pub x: Lanes,
     /// Down the table.
     pub y: Lanes,
@@ -75,7 +75,11 @@ impl Falloff {
         }
     }
 
-    /// The integral of dt / (t^2 + q^2) along the segment, over its length: see [`Lamp::falloff`].
+    /// The mean of the inverse square law over the tube, see [`Lamp::falloff`]:
+    /// 1. In the frame of the tube the point is `middle` along and `off` across; q^2 = off^2 + height^2.
+    /// 2. The integral of dt / (t^2 + q^2) from middle - half to middle + half is the angle between both ends, seen
+    ///    from q off the line, over q.
+    /// 3. That angle is atan2(2 half q, q^2 + (middle - half) (middle + half)); the mean is over 2 half.
     #[inline(always)]
     fn from_tube(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, incident: &mut IncidentLight) {
         for i in 0..LANES {

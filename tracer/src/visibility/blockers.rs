@@ -1,11 +1,13 @@
-//! What stands between one lamp and the points of one tile: chains that are easy, pieces that are not, or darkness.
+//! The blockers of one lamp for one tile: what stands in the shaft between them, in the form that the visible fraction
+//! is computed from, or the finding that the whole tile is lit or in umbra.
 //!
-//! A chain whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
-//! interval, from its lowest tangent to its highest. Pieces that come near the tile or the lamp are taken one by one,
-//! with every case thought of.
+//! - A *chain* whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
+//!   interval, from its lowest tangent to its highest: the cheap case.
+//! - A chain that also reaches from one side of the shaft to the other hides the lamp from the whole tile.
+//! - A *piece* may come near the tile or the lamp: the hull of two discs, with every case of where it lies.
 //!
-//! All is put down in mm from the tile's middle; for a segment that shines the axes are turned, so that the first is the
-//! segment's normal: then what is near the segment's line is told apart from it as finely as single precision can.
+//! Coordinates are mm from the tile's middle. For a tube the axes are turned, so that the first is the tube's normal:
+//! then single precision tells what is near the tube's line from the line itself.
 
 use crate::Group;
 use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
@@ -56,11 +58,11 @@ pub(crate) struct Piece {
 /// What stands between one lamp and the points of one tile.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Blockers {
-    /// The easy chains' parts, one chain after another.
+    /// The elements of the chains, one chain after another.
     pub elements: Vec<Element>,
     /// Where in `elements` each chain ends.
     pub ends: Vec<usize>,
-    /// The hard pieces.
+    /// The pieces.
     pub pieces: Vec<Piece>,
     /// The group whose chain hides the lamp, where one does.
     pub hidden_by: Option<Group>,
@@ -73,13 +75,13 @@ pub(crate) enum VisibilityClass {
     Lit,
     /// Nothing of it, every point.
     Umbra,
-    /// It must be asked point by point.
+    /// Some points may be in penumbra: computed point by point.
     Partial,
 }
 
 impl Blockers {
-    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
-    /// groups. The unit vector `axis` becomes the first axis.
+    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for
+    /// some groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
         occluders: &PotentialOccluders,
@@ -99,16 +101,16 @@ impl Blockers {
             let alone = occluders.link[at] == Link::Start;
             let before = if alone { at } else { at - 1 };
             let codes = (occluders.code[before], occluders.code[at]);
-            let easy = counts && codes.0 & codes.1 & BETWEEN != 0;
+            let is_between = counts && codes.0 & codes.1 & BETWEEN != 0;
             let open = self.ends.last().copied().unwrap_or(0) < self.elements.len();
-            if open && (!easy || alone) {
-                if dark(chain) {
+            if open && (!is_between || alone) {
+                if crosses_shaft(chain) {
                     self.hidden_by = Some(occluders.group[at - 1]);
                     return VisibilityClass::Umbra;
                 }
                 self.ends.push(self.elements.len());
             }
-            if easy {
+            if is_between {
                 if self.ends.last().copied().unwrap_or(0) == self.elements.len() {
                     self.elements.push(Element::Disc(place.disc(occluders.index[before] as usize)));
                     chain = codes.0;
@@ -126,7 +128,7 @@ impl Blockers {
             }
         }
         if self.ends.last().copied().unwrap_or(0) < self.elements.len() {
-            if dark(chain) {
+            if crosses_shaft(chain) {
                 self.hidden_by = occluders.group.last().copied();
                 return VisibilityClass::Umbra;
             }
@@ -141,8 +143,8 @@ impl Blockers {
     }
 }
 
-/// Whether a connected chain, all of it between tile and lamp, reaches from one side of their hull to the other.
-fn dark(chain: u16) -> bool {
+/// Whether a connected chain, all of it between tile and lamp, reaches from one side of their shaft to the other.
+fn crosses_shaft(chain: u16) -> bool {
     chain & MEETS_LEFT != 0 && chain & MEETS_RIGHT != 0
 }
 

@@ -1,6 +1,8 @@
-//! The same visible fraction, one point at a time, in double precision: short and plain, where the lanes are fast.
+//! The scalar twin of the visible fraction: one point at a time, in double precision, plain where
+//! `crate::visibility::fraction` is fast.
 //!
-//! Intervals are found as angles round the point, and pieces of an arc are cut so finely that chords will do.
+//! It takes another way where it can: a hull's interval comes from the extreme points of its part before the chord, the
+//! union from a sweep over sorted pairs, and pieces of an arc are cut so finely that their chords will do.
 
 use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
 use crate::visibility::potential_occluders::PotentialOccluders;
@@ -9,10 +11,10 @@ use crate::visibility::transmission;
 use crate::{Group, Lamp, Rgb, Scene};
 use geometry::{Circle, DVec2, Taper, trig};
 
-/// A point no deeper than this in a shape only touches it, mm: turning the axes has rounded it there.
+/// A point no deeper than this in a shape only touches it, mm: the rotation of the axes rounds by as much.
 const TOUCHING_MM: f64 = 1e-9;
 
-/// How many parts a fine piece of an arc is cut into where a lamp's chord goes through it.
+/// The parts of a fine piece of an arc where the chord goes through it.
 const ARC_PARTS: u32 = 32;
 
 /// What arrives at a point of the floor from all lamps; what is of the group `exclude` casts no shadow.
@@ -20,12 +22,14 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
     let mut disc_chains = DiscChains::default();
     disc_chains.set(&scene.occluders);
     let mut potential_occluders = PotentialOccluders::default();
+    let mut tinted = Vec::new();
+    transmission::find_tinted(&scene.occluders, &mut tinted);
     let mut sum = [0.0; 3];
     for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
             potential_occluders.set(lamp, &disc_chains);
-            let met = transmission::on_path(&scene.filters, |group| potential_occluders.group.contains(&group));
+            let met = transmission::on_path(&tinted, |group| potential_occluders.group.contains(&group));
             let seen = transmission::transmitted(met.as_slice(), |removed| {
                 let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
                 visible_fraction_of(&disc_chains, &potential_occluders, lamp, point_mm, &without, &mut Vec::new())

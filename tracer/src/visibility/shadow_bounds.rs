@@ -2,12 +2,13 @@
 //! computed again.
 //!
 //! An occluder casts no shadow on a point if a line separates it from the lamp and the point. The kept lines are:
-//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes of
-//!    the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm using
-//!    graphics hardware", SIGGRAPH 2003.
+//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes
+//!    of the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm
+//!    using graphics hardware", SIGGRAPH 2003.
 //! 2. A tangent of the occluder on the lamp's side, across: what is nearer to the lamp than all of the occluder is lit.
 //!
-//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is conservative.
+//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is
+//! conservative.
 
 use crate::simd::dispatch::LANES;
 use crate::tile::planes::{RowMask, TILE};
@@ -55,21 +56,21 @@ impl ShadowBounds {
         if chain.len() > MAX_DISCS {
             return bounds;
         }
-        let swell = |disc: &Disc| match disc.link {
+        let bulge_mm = |disc: &Disc| match disc.link {
             Link::Bulge(bulge) => things.bulges[bulge as usize].sagitta_mm,
             _ => 0.0,
         };
-        let swell = chain.iter().map(swell).fold(0.0, f64::max) + f64::from(SHAFT_MARGIN_MM);
+        let bulge_mm = chain.iter().map(bulge_mm).fold(0.0, f64::max) + f64::from(SHAFT_MARGIN_MM);
         let half = lamp.tube().unwrap_or(DVec2::ZERO);
         let lamp_radius = if lamp.tube().is_some() { 0.0 } else { lamp.radius_mm() };
-        let mut room = bounds.lines.iter_mut();
+        let mut free_lines = bounds.lines.iter_mut();
         let mut add = |normal: DVec2| {
             let offset =
-                chain.iter().map(|disc| normal.dot(disc.center) + disc.radius + swell).fold(f64::MIN, f64::max);
+                chain.iter().map(|disc| normal.dot(disc.center) + disc.radius + bulge_mm).fold(f64::MIN, f64::max);
             let before_lamp = normal.dot(lamp.center_mm) - lamp_radius - normal.dot(half).abs() + 1e-9;
             // A tangent of one disc may cut through the others, or through the lamp: it separates nothing.
             if before_lamp >= offset
-                && let Some(line) = room.next()
+                && let Some(line) = free_lines.next()
             {
                 *line = Some(Line { normal, offset });
             }
@@ -77,14 +78,14 @@ impl ShadowBounds {
         let ends = [lamp.center_mm - half, lamp.center_mm + half];
         for end in &ends[..if half == DVec2::ZERO { 1 } else { 2 }] {
             for disc in chain {
-                let way = *end - disc.center;
-                let part = (lamp_radius + disc.radius + swell) / way.length();
+                let to_lamp = *end - disc.center;
+                let cosine = (lamp_radius + disc.radius + bulge_mm) / to_lamp.length();
                 // The tangent that has lamp and disc on different sides: its normal n has
-                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine of
-                // that over the distance.
-                if part < 1.0 {
-                    let (ahead, aside) = (way.normalize(), (1.0 - part * part).sqrt());
-                    [aside, -aside].into_iter().for_each(|aside| add(ahead * part + ahead.perp() * aside));
+                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine
+                // of that over the distance.
+                if cosine < 1.0 {
+                    let (ahead, aside) = (to_lamp.normalize(), (1.0 - cosine * cosine).sqrt());
+                    [aside, -aside].into_iter().for_each(|aside| add(ahead * cosine + ahead.perp() * aside));
                 }
             }
         }
@@ -94,12 +95,12 @@ impl ShadowBounds {
         bounds
     }
 
-    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line from
-    /// the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since whatever
-    /// ray meets the ball meets the column.
+    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line
+    /// from the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since
+    /// whatever ray meets the ball meets the column.
     ///
-    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below` down to
-    /// the ball's centre and `off` across to it:
+    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below`
+    /// down to the ball's centre and `off` across to it:
     /// 1. The last stopped ray is the tangent of a circle of radius R: with t its run per unit of descent,
     ///    (off - t below)^2 = R^2 (1 + t^2).
     /// 2. The larger root is t = (off below + R sqrt(off^2 + below^2 - R^2)) / (below^2 - R^2).
@@ -116,11 +117,11 @@ impl ShadowBounds {
         let from_lamp = ball.center_mm - lamp.center_mm;
         let ahead = from_lamp.try_normalize().unwrap_or(DVec2::X);
         let line = |normal: DVec2| {
-            let room = lamp.tube().map_or(lamp.radius_mm(), |half| normal.dot(half).abs());
-            let off = normal.dot(from_lamp) + room;
+            let lamp_extent = lamp.tube().map_or(lamp.radius_mm(), |half| normal.dot(half).abs());
+            let off = normal.dot(from_lamp) + lamp_extent;
             let far = height * (off * below + radius * (off * off + square).sqrt()) / square;
             let margin = AIRBORNE_MARGIN_MM + 1e-5 * (far.abs() + off.abs());
-            Some(Line { normal, offset: normal.dot(lamp.center_mm) + far - room + margin })
+            Some(Line { normal, offset: normal.dot(lamp.center_mm) + far - lamp_extent + margin })
         };
         ShadowBounds { group, lines: [ahead, -ahead, ahead.perp(), -ahead.perp()].map(line) }
     }

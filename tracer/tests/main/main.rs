@@ -5,6 +5,7 @@
 mod agreement;
 mod airborne_balls;
 mod direct_light;
+mod examples;
 mod extreme_values;
 mod flip;
 mod half_resolution;

@@ -2,6 +2,7 @@
 
 use super::{CHECKPOINT_TICKS, Checkpoint, Recording, best_score};
 use crate::simulation::Hashes;
+use crate::timeline::TickSource;
 use crate::{Failure, Simulation, Table};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -95,6 +96,16 @@ impl Replay {
         let bytes = self.simulation.save();
         self.simulation = self.simulation.restored(&bytes)?;
         Ok(())
+    }
+}
+
+impl TickSource for Replay {
+    fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    fn step(&mut self) -> bool {
+        Replay::step(self)
     }
 }
 

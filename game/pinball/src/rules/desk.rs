@@ -3,7 +3,7 @@
 use super::score::Score;
 use super::switches::Switches;
 use super::timers::Timers;
-use crate::simulation::Display;
+use crate::rules::Display;
 use geometry::rng::SplitMix64;
 use physics::{Command, Event, EventKind, PartId};
 use serde::{Deserialize, Serialize};

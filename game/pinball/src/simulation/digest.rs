@@ -27,6 +27,18 @@ impl Digest {
         all
     }
 
+    /// The digest of games, each with its seed. The order in which they are given does not matter.
+    pub fn of_seeds(games: &[(u64, Digest)]) -> Digest {
+        let mut games = games.to_vec();
+        games.sort_by_key(|(seed, digest)| (*seed, digest.folded));
+        Digest::of_games(games.into_iter().map(|(_, digest)| digest))
+    }
+
+    /// The digest as a number: what it displays, in hexadecimal digits.
+    pub fn value(self) -> u64 {
+        self.folded
+    }
+
     fn fold(&mut self, hash: u64, ticks: u64) {
         let mut bytes = [0; 16];
         bytes[..8].copy_from_slice(&self.folded.to_le_bytes());

@@ -11,7 +11,7 @@ pub trait TickSource {
     fn simulation(&self) -> &Simulation;
 
     /// Plays one tick; `false`, with nothing done, where there is none to play.
-    fn tick(&mut self) -> bool;
+    fn step(&mut self) -> bool;
 }
 
 /// The last two snapshots of a game that is played on.
@@ -35,7 +35,7 @@ impl Timeline {
             if tick + 1 == ticks {
                 self.previous = Arc::new(source.simulation().snapshot());
             }
-            if !source.tick() {
+            if !source.step() {
                 self.stand(source.simulation());
                 return tick;
             }
@@ -60,5 +60,65 @@ impl Timeline {
     /// The snapshot of the last tick.
     pub fn current(&self) -> &Snapshot {
         &self.current
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Buttons;
+    use crate::table::tests::with_rules;
+
+    /// A game that ends after some ticks.
+    struct Short {
+        simulation: Simulation,
+        left: u64,
+    }
+
+    impl TickSource for Short {
+        fn simulation(&self) -> &Simulation {
+            &self.simulation
+        }
+
+        fn step(&mut self) -> bool {
+            let plays = self.left > 0;
+            if plays {
+                self.left -= 1;
+                self.simulation.tick(Buttons::NONE);
+            }
+            plays
+        }
+    }
+
+    fn short(ticks: u64) -> (Short, Timeline) {
+        let simulation = Simulation::new(Arc::new(with_rules("", "")), 1).expect("no rules run");
+        let timeline = Timeline::new(&simulation);
+        (Short { simulation, left: ticks }, timeline)
+    }
+
+    fn ticks(timeline: &Timeline) -> (u64, u64) {
+        let (previous, current) = timeline.snapshots();
+        (previous.tick, current.tick)
+    }
+
+    #[test]
+    fn the_last_two_ticks_are_kept_however_many_are_played_at_once() {
+        let (mut source, mut timeline) = short(100);
+        assert_eq!(ticks(&timeline), (0, 0));
+        let mut seen = Vec::new();
+        for (play, then) in [(1, (0, 1)), (0, (0, 1)), (7, (7, 8)), (1, (8, 9))] {
+            assert_eq!(timeline.play(&mut source, play, |game| seen.push(game.ticks())), play);
+            assert_eq!(ticks(&timeline), then);
+        }
+        assert_eq!(seen, (1..=9).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn at_the_end_of_its_source_it_stands() {
+        let (mut source, mut timeline) = short(5);
+        assert_eq!(timeline.play(&mut source, 8, |_| ()), 5);
+        assert_eq!(ticks(&timeline), (5, 5));
+        assert_eq!(timeline.play(&mut source, 1, |_| ()), 0);
+        assert_eq!(ticks(&timeline), (5, 5));
     }
 }
