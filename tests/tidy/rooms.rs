@@ -231,7 +231,23 @@ fn told<'a>(imports: impl IntoIterator<Item = &'a Import>) -> String {
 
 /// Each crate's rooms in their order: a room imports from those before it only.
 const ORDER: [(&str, &[&str]); 4] = [
-    ("tracer", &["simd", "scene", "tile", "film", "visibility", "shading", "cache", "realtime", "scenes", "reference"]),
+    (
+        "tracer",
+        &[
+            "simd",
+            "scene",
+            "tile",
+            "film",
+            "visibility",
+            "shading",
+            "cache",
+            "realtime",
+            "scenes",
+            "reference",
+            "integrator",
+            "renderer",
+        ],
+    ),
     ("physics", &["constants", "part", "ball", "collision", "mechanisms", "layout", "solver", "machine"]),
     ("game/pinball", &["buttons", "failure", "table", "lamps", "rules", "simulation", "timeline", "recording", "bot"]),
     (

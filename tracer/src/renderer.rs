@@ -1,4 +1,5 @@
-//! The warm renderer: it remembers what it has drawn, so the next picture costs only what has changed.
+//! The warm renderer, which remembers what it has drawn, so that the next picture costs only what has changed; and one
+//! picture from nothing.
 
 use crate::film::tone_map;
 use crate::realtime::exact_renderer::ExactRenderer;
@@ -100,5 +101,17 @@ impl Renderer {
 
     fn half(&mut self) -> &mut HalfRenderer {
         self.half.get_or_insert_with(|| Box::new(HalfRenderer::on(self.simd)))
+    }
+}
+
+/// Renders a scene once, on the threads of the current rayon pool: the same bits on any number. What [`Scene::check`]
+/// refuses is not drawn; of a view that it refuses there is no picture.
+///
+/// Nothing is kept, so nothing is rounded to be kept: this is the slow twin of [`Renderer::render`].
+pub fn render(scene: &Scene, integrator: Integrator, radiance: &mut Radiance) {
+    let mut renderer = Renderer::with(integrator);
+    match integrator {
+        Integrator::Exact => renderer.render_uncached(scene, radiance),
+        Integrator::HalfResolution | Integrator::MonteCarlo(_) => renderer.render(scene, radiance),
     }
 }

@@ -12,7 +12,7 @@ use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::scalar;
 use crate::visibility::sphere_shadow::unoccluded_fraction;
-use crate::{Ball, Frame, Lamp, Radiance, Renderer, Scene, SimdLevel};
+use crate::{Ball, Frame, Lamp, Radiance, Scene, SimdLevel};
 use geometry::DVec2;
 use geometry::rng::SplitMix64;
 use rayon::prelude::*;
@@ -98,7 +98,7 @@ fn look(scene: &Scene, sampling: Sampling) -> f64 {
     let mut frames = [Frame::default(), Frame::default()];
     monte_carlo::render(scene, sampling, &mut radiance);
     tone_map::map(&radiance, 1.0, &mut frames[0]);
-    Renderer::new().render(scene, &mut radiance);
+    ExactRenderer::on(SimdLevel::best()).render(scene, &mut radiance);
     tone_map::map(&radiance, 1.0, &mut frames[1]);
     flip::mean(&frames[0], &frames[1])
 }
