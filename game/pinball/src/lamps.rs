@@ -10,7 +10,6 @@ pub use eye::{Brightness, Eye, LOOK_TICKS, REFERENCE_MM, given};
 pub use glow::{Glow, Mode};
 
 use crate::Table;
-use crate::simulation::LampLight;
 use serde::{Deserialize, Serialize};
 
 /// Time in which a filament closes all but 1/e of its way to more light, ms.
@@ -19,6 +18,15 @@ const RISE_MS: i32 = 24;
 const FALL_MS: i32 = 70;
 /// Levels are kept a thousand times finer than they are shown, so that slow filaments do not stall.
 const FINE: i32 = 1000;
+
+/// What a lamp does now.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LampLight {
+    /// Brightness, 0 to 1000.
+    pub level: u16,
+    /// Colour, sRGB.
+    pub color: [u8; 3],
+}
 
 /// Every lamp of a table, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

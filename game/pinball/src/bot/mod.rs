@@ -9,6 +9,7 @@
 
 pub mod anomaly;
 mod chance;
+mod game_result;
 mod hands;
 mod lookahead;
 mod observer;
@@ -20,6 +21,7 @@ pub mod trial;
 mod worth;
 
 pub use chance::Chance;
+pub use game_result::Played;
 pub use random::Random;
 pub use tour::Tour;
 

@@ -1,8 +1,8 @@
 //! Keeps count of what is played: games, balls, switches, and what went wrong.
 
 use super::anomaly::{Anomaly, Watch};
+use super::game_result::Played;
 use super::playfield::Playfield;
-use super::trial::Played;
 use crate::recording::best_score;
 use crate::{Buttons, Simulation, Table};
 use physics::EventKind;

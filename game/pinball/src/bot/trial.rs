@@ -1,6 +1,7 @@
 //! Whole games, played without a screen, with everything that is worth knowing about them.
 
 use super::anomaly::Anomaly;
+use super::game_result::Played;
 use super::observer::Observer;
 use super::{Bot, Random, Tour};
 use crate::recording::Recorder;
@@ -75,17 +76,6 @@ pub struct Trial {
     pub digest: Option<Digest>,
     /// The recording, finished.
     pub recording: Vec<u8>,
-}
-
-/// One of a trial's games.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Played {
-    /// From the game before, or from the switching on, until the next or the end of the trial, ticks.
-    pub ticks: u64,
-    /// The best score of the players.
-    pub score: i64,
-    /// The game came to its end.
-    pub over: bool,
 }
 
 impl Trial {

@@ -1,9 +1,9 @@
 //! What a script's calls work on: the score, the display, the timers, and the orders to the machine.
 
+use super::display::Display;
 use super::score::Score;
 use super::switches::Switches;
 use super::timers::Timers;
-use crate::simulation::Display;
 use geometry::rng::SplitMix64;
 use physics::{Command, Event, EventKind, PartId};
 use serde::{Deserialize, Serialize};

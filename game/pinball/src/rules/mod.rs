@@ -5,6 +5,7 @@
 //! Refuses to know how balls move and how light falls.
 
 mod desk;
+mod display;
 mod host;
 mod literals;
 mod memory;
@@ -20,6 +21,7 @@ mod value;
 pub(crate) mod tests;
 
 pub use desk::Desk;
+pub use display::Display;
 pub use program::Program;
 pub use score::Score;
 pub use value::Value;

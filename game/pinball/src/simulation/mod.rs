@@ -10,8 +10,10 @@ mod snapshot;
 #[cfg(test)]
 mod tests;
 
+pub use crate::lamps::LampLight;
+pub use crate::rules::Display;
 pub use digest::Digest;
-pub use snapshot::{Display, LampLight, Snapshot};
+pub use snapshot::Snapshot;
 
 use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
 use crate::rules::{Moment, Program, Rules};

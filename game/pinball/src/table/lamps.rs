@@ -2,9 +2,9 @@
 
 use super::class::Class;
 use super::drawing::Thing;
+use super::lamp::{Emitter, Lamp, LampKind};
 use super::numbers::Numbers;
 use super::style::Paint;
-use super::{Emitter, Lamp, LampKind};
 use geometry::{Circle, DVec2};
 
 /// The largest radius of a lamp and the longest half of a tube, mm: what is larger is no part of a table.

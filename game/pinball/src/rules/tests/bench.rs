@@ -1,8 +1,9 @@
 //! A small table, and a bench on which its rules are played by hand.
 
+use crate::lamps::LampLight;
 use crate::lamps::Lamps;
+use crate::rules::Display;
 use crate::rules::{Moment, Program, Rules};
-use crate::simulation::{Display, LampLight};
 use crate::table::{Lamp, LampKind};
 use crate::{Buttons, Failure, Table};
 use geometry::{Circle, DVec2, Shape};
