@@ -175,7 +175,7 @@ impl FrameComposer {
     /// Renders the playfield into its display buffer.
     fn render(&mut self, snapshot: &Snapshot, start: Instant) {
         let Some(assets) = &mut self.assets else { return };
-        let exposure = exposure::exposure(snapshot.eye.light());
+        let exposure = exposure::exposure(snapshot.adaptation.light());
         let (view, light) = (assets.view, if self.reference.is_some() { LightResolution::Full } else { self.light });
         let times = &mut self.times;
         let mut last = start;

@@ -2,7 +2,7 @@
 
 /// One of a trial's games.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Played {
+pub struct GameResult {
     /// From the game before, or from the switching on, until the next or the end of the trial, ticks.
     pub ticks: u64,
     /// The best score of the players.

@@ -2,27 +2,27 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
-mod class;
 mod drawing;
+mod element_class;
 mod hash;
 mod lamp;
 mod lamps;
+mod layers;
 mod load;
 mod numbers;
 mod outline;
+mod outline_offset;
 mod parts;
 mod path;
-mod pen;
-mod place;
+mod path_flattening;
 mod relief;
-mod rim;
 mod solid;
 mod solids;
 mod source;
-mod split;
 mod style;
 #[cfg(test)]
 pub(crate) mod tests;
+mod transform;
 
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use load::{FILES, LIMITS_BYTES, TableSources};
@@ -46,7 +46,7 @@ pub struct Table {
     pub folder: String,
     /// What stands on the playfield, in SI units, for the physics.
     pub layout: Layout,
-    /// What its things can be made of, by name.
+    /// What its elements can be made of, by name.
     pub materials: Vec<(String, Material)>,
     /// Width and height of the playfield, mm.
     pub size_mm: DVec2,

@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use physics::PartId;
 
-/// A drawn thing that casts a shadow, has a top, or both.
+/// A drawn element that casts a shadow, has a top, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// The part that moves it or is hit with it, if any.
