@@ -158,11 +158,11 @@ fn no_size_is_too_small_or_too_odd_for_a_zoom_or_for_half_the_light() {
 #[test]
 fn the_film_follows_the_light_that_eyes_have_got_used_to() {
     let mut simulation = Simulation::new(table(), 7).expect("the rules run");
-    let usual = simulation.snapshot().eye;
+    let usual = simulation.snapshot().adaptation;
     (0..4000).for_each(|_| simulation.tick(Buttons::NONE));
     let adapted = simulation.snapshot();
-    assert!(adapted.eye.light() < 0.9 * usual.light(), "attract mode is dark: {}", adapted.eye.light());
-    let plain = Snapshot { eye: usual, ..adapted.clone() };
+    assert!(adapted.adaptation.light() < 0.9 * usual.light(), "attract mode is dark: {}", adapted.adaptation.light());
+    let plain = Snapshot { adaptation: usual, ..adapted.clone() };
     let sum = |pixels: Vec<u32>| pixels.iter().map(|pixel| u64::from(pixel >> 8 & 255)).sum::<u64>();
     let mut composer = composer_on(2);
     assert!(sum(pixels(&mut composer, &adapted, 90, 180)) > sum(pixels(&mut composer, &plain, 90, 180)));

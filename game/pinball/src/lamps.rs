@@ -3,11 +3,11 @@
 //! Integers only: a lamp's level is part of the state that a recording must reproduce. Refuses to know why a lamp is
 //! lit (the rules) and how its light falls (the tracer).
 
-mod eye;
-mod glow;
+mod effect;
+mod exposure_adaptation;
 
-pub use eye::{Brightness, Eye, LOOK_TICKS, REFERENCE_MM, given};
-pub use glow::{Glow, Mode};
+pub use effect::{LampEffect, Mode};
+pub use exposure_adaptation::{ADAPTATION_TICKS, ExposureAdaptation, LampBrightness, REFERENCE_MM, mean_light};
 
 use crate::Table;
 use serde::{Deserialize, Serialize};
@@ -30,41 +30,41 @@ pub struct LampLight {
 
 /// Every lamp of a table, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Lamps {
-    lamps: Vec<Lamp>,
+pub struct LampController {
+    lamps: Vec<LampState>,
 }
 
 /// One lamp's orders and its filament.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Lamp {
+struct LampState {
     /// The colour that the rules gave it, sRGB. Its own one is paint, and no part of the game's state.
     color: Option<[u8; 3]>,
-    /// What it does when no show is on.
-    glow: Glow,
+    /// What it does when no override is on.
+    effect: LampEffect,
     /// What it does for a while instead.
-    show: Option<Show>,
+    timed_override: Option<TimedOverride>,
     /// The filament's level, 0 to 1000 * [`FINE`].
     level: i32,
 }
 
-/// Something that a lamp does for a while.
+/// A timed override: an effect that a lamp has for a while instead of its own.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Show {
-    /// What it does, counted from the show's first tick.
-    pub glow: Glow,
+pub struct TimedOverride {
+    /// What it does, counted from the override's first tick.
+    pub effect: LampEffect,
     /// In which colour, sRGB; without it the lamp keeps its own.
     pub color: Option<[u8; 3]>,
-    /// The show's first tick; until then the lamp goes on as it was.
+    /// The override's first tick; until then the lamp goes on as it was.
     pub since: u64,
     /// The tick at which it is over.
     pub until: u64,
 }
 
-impl Lamps {
+impl LampController {
     /// The lamps of a table, all dark.
-    pub fn new(table: &Table) -> Lamps {
-        let dark = Lamp { color: None, glow: Glow::OFF, show: None, level: 0 };
-        Lamps { lamps: vec![dark; table.lamps.len()] }
+    pub fn new(table: &Table) -> LampController {
+        let dark = LampState { color: None, effect: LampEffect::OFF, timed_override: None, level: 0 };
+        LampController { lamps: vec![dark; table.lamps.len()] }
     }
 
     /// How many lamps there are.
@@ -78,9 +78,9 @@ impl Lamps {
     }
 
     /// Tells a lamp what to do until it is told otherwise. Lamps that do the same do it in step.
-    pub fn set(&mut self, lamp: usize, glow: Glow) {
+    pub fn set(&mut self, lamp: usize, effect: LampEffect) {
         if let Some(lamp) = self.lamps.get_mut(lamp) {
-            lamp.glow = glow;
+            lamp.effect = effect;
         }
     }
 
@@ -92,9 +92,9 @@ impl Lamps {
     }
 
     /// Lets a lamp do something else for a while, or ends that with `None`.
-    pub fn show(&mut self, lamp: usize, show: Option<Show>) {
+    pub fn set_override(&mut self, lamp: usize, timed_override: Option<TimedOverride>) {
         if let Some(lamp) = self.lamps.get_mut(lamp) {
-            lamp.show = show;
+            lamp.timed_override = timed_override;
         }
     }
 
@@ -116,26 +116,26 @@ impl Lamps {
     }
 }
 
-impl Lamp {
+impl LampState {
     fn tick(&mut self, now: u64) {
-        if self.show.as_ref().is_some_and(|show| show.until <= now) {
-            self.show = None;
+        if self.timed_override.as_ref().is_some_and(|timed_override| timed_override.until <= now) {
+            self.timed_override = None;
         }
-        let target = match self.on_show(now) {
-            Some(show) => show.glow.level(now - show.since),
-            None => self.glow.level(now),
+        let target = match self.active_override(now) {
+            Some(timed_override) => timed_override.effect.level(now - timed_override.since),
+            None => self.effect.level(now),
         };
         self.level = filament(self.level, i32::from(target) * FINE);
     }
 
-    /// The show, once it has begun.
-    fn on_show(&self, now: u64) -> Option<&Show> {
-        self.show.as_ref().filter(|show| show.since <= now)
+    /// The override, once it has begun.
+    fn active_override(&self, now: u64) -> Option<&TimedOverride> {
+        self.timed_override.as_ref().filter(|timed_override| timed_override.since <= now)
     }
 
     fn light(&self, own_color: [u8; 3], now: u64) -> LampLight {
-        let shown = self.on_show(now).and_then(|show| show.color);
-        LampLight { level: (self.level / FINE) as u16, color: shown.or(self.color).unwrap_or(own_color) }
+        let overridden = self.active_override(now).and_then(|timed_override| timed_override.color);
+        LampLight { level: (self.level / FINE) as u16, color: overridden.or(self.color).unwrap_or(own_color) }
     }
 }
 

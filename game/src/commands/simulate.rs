@@ -3,8 +3,8 @@
 use super::parallel::{self, digest_line, pool, progress_bar};
 use super::print::print;
 use crate::bot::anomaly::AnomalyKind;
-use crate::bot::trial::{self, Played, Terms, Trial};
-use crate::bot::{Bot, Random, Tour};
+use crate::bot::self_play::{self, SelfPlayOptions, SelfPlayRun};
+use crate::bot::{Bot, GameResult, Random, Tour};
 use crate::cli::{Player, SimulateArgs};
 use crate::storage::{file_failure, new_file, tables};
 use crate::{Failure, Table};
@@ -27,43 +27,43 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     }
     let bar = progress_bar(u64::from(args.games), "games");
     let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)).round() as u64;
-    let terms = Terms { longest, again: args.again, digest: args.digest };
+    let options = SelfPlayOptions { longest, again: args.again, digest: args.digest };
     let seeds: Vec<u64> = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number)).collect();
     let games = pool(args.threads)?.install(|| {
         let one = |seed: &u64| {
             let began = Instant::now();
-            let trial = trial::play(&table, *seed, player(args.player, *seed), terms)?;
+            let run = self_play::play(&table, *seed, player(args.player, *seed), options)?;
             let core_time = began.elapsed();
             bar.inc(1);
-            Game::keep(trial, core_time, args)
+            Game::keep(run, core_time, args)
         };
         seeds.par_iter().map(one).collect::<Result<Vec<Game>, Failure>>()
     })?;
     bar.finish_and_clear();
     print(&summary(&table, &games))?;
     if args.digest {
-        let digest = |game: &Game| game.trial.digest.map(|digest| (game.trial.seed, digest));
+        let digest = |game: &Game| game.run.digest.map(|digest| (game.run.seed, digest));
         print(&digest_line(&games.iter().filter_map(digest).collect::<Vec<_>>()))?;
     }
-    match games.iter().map(|game| game.trial.anomalies.len()).sum() {
+    match games.iter().map(|game| game.run.anomalies.len()).sum() {
         0 => Ok(()),
         1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
         many => Err(Failure::new(format!("{many} things went wrong; --save-failures DIR keeps their games"))),
     }
 }
 
-fn player(player: Player, seed: u64) -> trial::Player {
+fn player(player: Player, seed: u64) -> self_play::Player {
     match player {
-        Player::Bot => trial::Player::Bot(Bot::new(seed)),
-        Player::Random => trial::Player::Random(Random::new(seed)),
-        Player::Tour => trial::Player::Tour(Tour::new(seed)),
+        Player::Bot => self_play::Player::Bot(Bot::new(seed)),
+        Player::Random => self_play::Player::Random(Random::new(seed)),
+        Player::Tour => self_play::Player::Tour(Tour::new(seed)),
     }
 }
 
 /// A machine on which one game was played, or several in a row, and what it took.
 struct Game {
     /// Without its recording.
-    trial: Trial,
+    run: SelfPlayRun,
     core_time: Duration,
     /// Length of the recording.
     bytes: usize,
@@ -71,15 +71,15 @@ struct Game {
 
 impl Game {
     /// Writes the game's recording where it is wanted, then forgets it.
-    fn keep(mut trial: Trial, core_time: Duration, args: &SimulateArgs) -> Result<Game, Failure> {
-        let recording = std::mem::take(&mut trial.recording);
-        let failures = args.save_failures.as_ref().filter(|_| !trial.anomalies.is_empty());
+    fn keep(mut run: SelfPlayRun, core_time: Duration, args: &SimulateArgs) -> Result<Game, Failure> {
+        let recording = std::mem::take(&mut run.recording);
+        let failures = args.save_failures.as_ref().filter(|_| !run.anomalies.is_empty());
         for dir in args.save_all.iter().chain(failures) {
-            let path = dir.join(format!("game-{}.caustic", trial.seed));
+            let path = dir.join(format!("game-{}.caustic", run.seed));
             new_file::write(&path, |file| file.write_all(&recording))
                 .map_err(|error| file_failure("write the recording", &path, &error))?;
         }
-        Ok(Game { trial, core_time, bytes: recording.len() })
+        Ok(Game { run, core_time, bytes: recording.len() })
     }
 }
 
@@ -87,26 +87,26 @@ impl Game {
 fn summary(table: &Table, games: &[Game]) -> String {
     let mut text = String::new();
     summarise_games(&mut text, games);
-    let trials: Vec<&Trial> = games.iter().map(|game| &game.trial).collect();
-    summarise_switches(&mut text, table, &trials);
-    summarise_anomalies(&mut text, &trials);
+    let runs: Vec<&SelfPlayRun> = games.iter().map(|game| &game.run).collect();
+    summarise_switches(&mut text, table, &runs);
+    summarise_anomalies(&mut text, &runs);
     text
 }
 
 fn summarise_games(text: &mut String, all: &[Game]) {
-    let trials: Vec<&Trial> = all.iter().map(|game| &game.trial).collect();
+    let runs: Vec<&SelfPlayRun> = all.iter().map(|game| &game.run).collect();
     let core_time: Duration = all.iter().map(|game| game.core_time).sum();
     let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
-    let played: Vec<&Played> = trials.iter().flat_map(|trial| &trial.games).collect();
+    let played: Vec<&GameResult> = runs.iter().flat_map(|run| &run.games).collect();
     let scores = Sorted::new(played.iter().map(|game| game.score as f64));
-    let balls = Sorted::new(trials.iter().flat_map(|trial| &trial.balls).map(|ticks| seconds(*ticks)));
+    let balls = Sorted::new(runs.iter().flat_map(|run| &run.balls).map(|ticks| seconds(*ticks)));
     let games = Sorted::new(played.iter().map(|game| seconds(game.ticks)));
     let bytes: usize = all.iter().map(|game| game.bytes).sum();
     let over = played.iter().filter(|game| game.over).count();
-    let total = seconds(trials.iter().map(|trial| trial.ticks).sum());
+    let total = seconds(runs.iter().map(|run| run.ticks).sum());
     let minutes = (total / 60.0).max(1e-9);
     let speed = total / core_time.as_secs_f64().max(1e-9);
-    let machines = if played.len() > trials.len() { format!(", machines {}", trials.len()) } else { String::new() };
+    let machines = if played.len() > runs.len() { format!(", machines {}", runs.len()) } else { String::new() };
     let lines = [
         format!("games      {} ({over} came to their end){machines}", played.len()),
         format!("score      median {:.0}, mean {:.0}, best {:.0}", scores.at(0.5), scores.mean(), scores.at(1.0)),
@@ -127,10 +127,10 @@ fn summarise_games(text: &mut String, all: &[Game]) {
     lines.iter().for_each(|line| _ = writeln!(text, "{line}"));
 }
 
-fn summarise_switches(text: &mut String, table: &Table, trials: &[&Trial]) {
+fn summarise_switches(text: &mut String, table: &Table, runs: &[&SelfPlayRun]) {
     let parts = table.layout.parts.iter().enumerate();
     let switches = parts.filter(|(_, part)| !matches!(part.kind, Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_)));
-    let hits = |index: usize| trials.iter().map(|trial| trial.hits[index]).sum::<u64>();
+    let hits = |index: usize| runs.iter().map(|run| run.hits[index]).sum::<u64>();
     let mut never = Vec::new();
     let _ = writeln!(text, "hits");
     for (index, part) in switches {
@@ -142,8 +142,8 @@ fn summarise_switches(text: &mut String, table: &Table, trials: &[&Trial]) {
     let _ = writeln!(text, "never hit  {}", if never.is_empty() { "none".to_string() } else { never.join(", ") });
 }
 
-fn summarise_anomalies(text: &mut String, trials: &[&Trial]) {
-    let all = || trials.iter().flat_map(|trial| trial.anomalies.iter().map(move |anomaly| (trial.seed, anomaly)));
+fn summarise_anomalies(text: &mut String, runs: &[&SelfPlayRun]) {
+    let all = || runs.iter().flat_map(|run| run.anomalies.iter().map(move |anomaly| (run.seed, anomaly)));
     let count = |kind| all().filter(|(_, anomaly)| anomaly.kind == kind).count();
     let _ = writeln!(
         text,
@@ -159,7 +159,7 @@ fn summarise_anomalies(text: &mut String, trials: &[&Trial]) {
         let kind = anomaly.kind;
         let _ = writeln!(text, "  game {seed} at {second:.2} s: {kind} at {x:.1}, {y:.1} mm, {}", anomaly.detail);
     }
-    let mut complaints: Vec<&String> = trials.iter().flat_map(|trial| &trial.complaints).collect();
+    let mut complaints: Vec<&String> = runs.iter().flat_map(|run| &run.complaints).collect();
     complaints.sort();
     complaints.dedup();
     complaints.iter().for_each(|complaint| _ = writeln!(text, "rules      {complaint}"));

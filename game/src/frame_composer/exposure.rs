@@ -1,6 +1,6 @@
 //! How much of the table's light the film takes: less where the table has been bright for a while, more in the dark.
 //!
-//! A function of what the snapshot says of the light that eyes have got used to ([`crate::lamps::Eye`]), so that a
+//! A function of what the snapshot says of the light that eyes have got used to ([`crate::lamps::ExposureAdaptation`]), so that a
 //! frame is the same whoever draws it.
 
 /// What the film takes of usual light, stops: a quarter less than all keeps the lamps' colours, and leaves the night

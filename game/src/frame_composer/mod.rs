@@ -173,7 +173,7 @@ impl FrameComposer {
     /// Renders the playfield into its display buffer.
     fn render(&mut self, snapshot: &Snapshot, start: Instant) {
         let Some(assets) = &mut self.assets else { return };
-        let exposure = exposure::exposure(snapshot.eye.light());
+        let exposure = exposure::exposure(snapshot.adaptation.light());
         let integrator = match (self.reference, self.light) {
             (Some(sampling), _) => Integrator::MonteCarlo(sampling),
             (None, LightResolution::Full) => Integrator::Exact,

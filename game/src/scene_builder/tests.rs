@@ -179,7 +179,7 @@ fn the_light_that_an_eye_gets_used_to_is_the_integral_of_a_bulbs_falloff() {
     let light = tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color: [1.0; 3], inside: None };
     let points = (0..1000).flat_map(|x| (0..1000).map(move |y| DVec2::new(f64::from(x), f64::from(y))));
     let mean = points.map(|point| light.falloff(point + DVec2::splat(0.5))).sum::<f64>() * 2.0 / 1e6;
-    let found = crate::lamps::given(&lamp, DVec2::splat(1000.0));
+    let found = crate::lamps::mean_light(&lamp, DVec2::splat(1000.0));
     assert!((found / mean - 1.0).abs() < 1e-3, "{found} {mean}");
 }
 

@@ -1,7 +1,7 @@
 //! What would happen: a copy of the machine, played on without the rules.
 
 use super::playfield::Playfield;
-use super::worth::Worth;
+use super::shot_value::ShotValues;
 use crate::Buttons;
 use crate::simulation::controls;
 use physics::{EventKind, Kind, Machine};
@@ -14,7 +14,7 @@ const GLANCE_TICKS: u64 = 10;
 pub(super) struct Future<'a> {
     machine: Machine,
     playfield: &'a Playfield,
-    worth: &'a Worth,
+    shot_values: &'a ShotValues,
     held: Buttons,
     /// The tick that has been reached.
     pub tick: u64,
@@ -37,9 +37,15 @@ const GAP: f64 = 25.0;
 
 impl<'a> Future<'a> {
     /// The present.
-    pub fn now(machine: &Machine, held: Buttons, tick: u64, playfield: &'a Playfield, worth: &'a Worth) -> Future<'a> {
+    pub fn now(
+        machine: &Machine,
+        held: Buttons,
+        tick: u64,
+        playfield: &'a Playfield,
+        shot_values: &'a ShotValues,
+    ) -> Future<'a> {
         let machine = machine.clone();
-        Future { machine, playfield, worth, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
+        Future { machine, playfield, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
     }
 
     /// Presses or lets go.
@@ -100,7 +106,7 @@ impl<'a> Future<'a> {
         self.tick += 1;
         for event in self.machine.events().iter().filter(|event| event.kind == EventKind::Closed) {
             let Some(part) = event.part else { continue };
-            self.gained += self.worth.of(part, self.tick);
+            self.gained += self.shot_values.of(part, self.tick);
             match self.machine.layout().parts.get(usize::from(part.0)).map(|part| &part.kind) {
                 Some(Kind::Drain(_)) => self.lost += 1,
                 Some(Kind::Saucer(_)) => self.caught = true,

@@ -9,17 +9,19 @@
 
 pub mod anomaly;
 mod chance;
+mod game_result;
 mod hands;
 mod lookahead;
 mod observer;
 mod plan;
 mod playfield;
 mod random;
+pub mod self_play;
+mod shot_value;
 mod tour;
-pub mod trial;
-mod worth;
 
 pub use chance::Chance;
+pub use game_result::GameResult;
 pub use random::Random;
 pub use tour::Tour;
 
@@ -28,7 +30,7 @@ use hands::{Hands, Move};
 use lookahead::Future;
 use physics::{BallPose, EventKind};
 use playfield::Playfield;
-use worth::Worth;
+use shot_value::ShotValues;
 
 /// Ticks from a decision to the first move of the fingers.
 const REACTION_TICKS: u64 = 115;
@@ -57,7 +59,7 @@ pub struct Bot {
     chance: Chance,
     hands: Hands,
     /// What it knows of the table: seen when it plays the first tick.
-    knowledge: Option<(Playfield, Worth)>,
+    knowledge: Option<(Playfield, ShotValues)>,
     /// The next decision is due.
     think_at: u64,
     /// Since when a ball has been lying on a raised flipper.
@@ -89,45 +91,45 @@ impl Bot {
     /// What it presses in the next tick.
     pub fn buttons(&mut self, simulation: &Simulation) -> Buttons {
         let layout = &simulation.table().layout;
-        let (playfield, worth) = self.knowledge.take().unwrap_or_else(|| {
+        let (playfield, shot_values) = self.knowledge.take().unwrap_or_else(|| {
             let playfield = Playfield::new(layout);
-            let worth = Worth::new(layout, playfield.line_m);
-            (playfield, worth)
+            let shot_values = ShotValues::new(layout, playfield.line_m);
+            (playfield, shot_values)
         });
-        let worth = self.watch(simulation, worth);
+        let shot_values = self.watch(simulation, shot_values);
         let tick = simulation.ticks();
         if tick >= self.think_at && !self.hands.busy() {
-            self.think(simulation, &playfield, &worth);
+            self.think(simulation, &playfield, &shot_values);
         }
-        self.knowledge = Some((playfield, worth));
+        self.knowledge = Some((playfield, shot_values));
         self.hands.at(tick)
     }
 
     /// Looks at the score and the display.
-    fn watch(&mut self, simulation: &Simulation, mut worth: Worth) -> Worth {
+    fn watch(&mut self, simulation: &Simulation, mut shot_values: ShotValues) -> ShotValues {
         let tick = simulation.ticks();
-        let events = simulation.events();
-        let scored = events.iter().any(|event| event.kind == EventKind::Closed && event.part.is_some());
-        self.bob_touches += events.iter().filter(|event| event.kind == EventKind::TiltBob).count() as u32;
-        if events.iter().any(|event| event.kind == EventKind::Fed) {
+        let events = || simulation.events();
+        let scored = events().any(|event| event.kind == EventKind::Closed && event.part.is_some());
+        self.bob_touches += events().filter(|event| event.kind == EventKind::TiltBob).count() as u32;
+        if events().any(|event| event.kind == EventKind::Fed) {
             self.bob_touches = 0;
         }
         if scored || tick.is_multiple_of(DISPLAY_TICKS) {
             let display = simulation.display();
             let score = display.scores.iter().sum();
             if scored && score >= self.last_score {
-                worth.learn(events, score - self.last_score, tick);
+                shot_values.learn(simulation.tick_events(), score - self.last_score, tick);
             }
             if self.playing != display.playing {
                 self.idle_since = tick;
             }
             (self.last_score, self.playing) = (score, display.playing);
         }
-        worth
+        shot_values
     }
 
     /// Decides what to do next, if anything is to be done.
-    fn think(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth) {
+    fn think(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues) {
         let tick = simulation.ticks();
         if !self.playing {
             return self.press_start(tick);
@@ -140,12 +142,12 @@ impl Bot {
         let mut free = balls.iter().filter(playable);
         let lying = free.clone().find(|ball| self.lies_on_raised(playfield, ball));
         match lying {
-            Some(_) => self.aim(simulation, playfield, worth),
+            Some(_) => self.aim(simulation, playfield, shot_values),
             None => {
                 self.cradled_since = None;
                 let near = |ball: &BallPose| playfield.arrives_in(ball).is_some_and(|ticks| ticks < ALERT_TICKS);
                 if free.any(near) {
-                    self.decide(simulation, playfield, worth, true);
+                    self.decide(simulation, playfield, shot_values, true);
                 } else {
                     self.rest(tick);
                 }
@@ -159,7 +161,7 @@ impl Bot {
     }
 
     /// Waits a moment with a ball that lies still, then shoots it.
-    fn aim(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth) {
+    fn aim(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues) {
         let tick = simulation.ticks();
         match self.cradled_since {
             None => {
@@ -168,16 +170,16 @@ impl Bot {
             }
             Some(_) => {
                 self.cradled_since = None;
-                self.decide(simulation, playfield, worth, false);
+                self.decide(simulation, playfield, shot_values, false);
             }
         }
     }
 
     /// Tries some plans in the mind and begins the best.
-    fn decide(&mut self, simulation: &Simulation, playfield: &Playfield, worth: &Worth, may_hold: bool) {
+    fn decide(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues, may_hold: bool) {
         let tick = simulation.ticks();
         let reaction = self.chance.between(REACTION_TICKS - 20, REACTION_TICKS + 30);
-        let mut start = Future::now(simulation.machine(), self.hands.held(), tick, playfield, worth);
+        let mut start = Future::now(simulation.machine(), self.hands.held(), tick, playfield, shot_values);
         start.play(reaction, |_| false);
         let mut plan = plan::best(&start, may_hold);
         if plan.value < LOST_VALUE

@@ -1,8 +1,8 @@
 //! Keeps count of what is played: games, balls, switches, and what went wrong.
 
 use super::anomaly::{Anomaly, Watch};
+use super::game_result::GameResult;
 use super::playfield::Playfield;
-use super::trial::Played;
 use crate::recording::best_score;
 use crate::{Buttons, Simulation, Table};
 use physics::EventKind;
@@ -22,7 +22,7 @@ pub(super) struct Observer {
     /// How long each ball was in play; the last one goes on.
     balls: Vec<u64>,
     /// The last one goes on; its ticks are filled in when it does not.
-    games: Vec<Played>,
+    games: Vec<GameResult>,
     /// When the last game's time began.
     began: u64,
     /// Player and ball that the display last showed.
@@ -34,7 +34,7 @@ pub(super) struct Observer {
 
 /// What it has seen.
 pub(super) struct Seen {
-    pub games: Vec<Played>,
+    pub games: Vec<GameResult>,
     pub balls: Vec<u64>,
     pub hits: Vec<u64>,
     pub anomalies: Vec<Anomaly>,
@@ -47,7 +47,7 @@ impl Observer {
             watch: Watch::new(&table.layout),
             hits: vec![0; table.layout.parts.len()],
             balls: vec![0],
-            games: vec![Played::default()],
+            games: vec![GameResult::default()],
             began: 0,
             turn: (0, 0),
             playing: false,
@@ -72,7 +72,7 @@ impl Observer {
         if tick.is_multiple_of(DISPLAY_TICKS) {
             self.look_at_display(simulation);
         }
-        for event in simulation.events().iter().filter(|event| event.kind == EventKind::Closed) {
+        for event in simulation.events().filter(|event| event.kind == EventKind::Closed) {
             if let Some(hits) = event.part.and_then(|part| self.hits.get_mut(usize::from(part.0))) {
                 *hits += 1;
             }
@@ -116,7 +116,7 @@ impl Observer {
                     game.ticks = simulation.ticks() - self.began;
                 }
                 self.began = simulation.ticks();
-                self.games.push(Played::default());
+                self.games.push(GameResult::default());
             }
             _ => {}
         }
@@ -128,7 +128,7 @@ impl Observer {
     fn close_game(&mut self, simulation: &Simulation) {
         if let Some(game) = self.games.last_mut() {
             let ticks = simulation.ticks() - self.began;
-            *game = Played { ticks, score: best_score(simulation), over: self.over_at.is_some() };
+            *game = GameResult { ticks, score: best_score(simulation), over: self.over_at.is_some() };
         }
     }
 }

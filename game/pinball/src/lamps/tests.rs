@@ -1,6 +1,6 @@
 //! Filaments and their orders.
 
-use super::{FINE, Glow, Mode, filament};
+use super::{FINE, LampEffect, Mode, filament};
 
 #[test]
 fn a_filament_arrives_exactly_and_cools_slower_than_it_heats() {
@@ -20,10 +20,10 @@ fn a_filament_arrives_exactly_and_cools_slower_than_it_heats() {
 fn every_mode_keeps_within_its_range_and_repeats_after_its_period() {
     for mode in [Mode::Steady(300), Mode::Blink, Mode::Pulse, Mode::Breathe, Mode::Strobe, Mode::Chase] {
         for (period_ms, shift_ms) in [(1, 0), (7, 3), (1000, 250), (1400, 5000)] {
-            let glow = Glow { mode, period_ms, shift_ms };
+            let effect = LampEffect { mode, period_ms, shift_ms };
             for tick in 0..2000 {
-                assert!(glow.level(tick) <= 1000, "{glow:?} at {tick}");
-                assert_eq!(glow.level(tick), glow.level(tick + u64::from(period_ms)), "{glow:?} at {tick}");
+                assert!(effect.level(tick) <= 1000, "{effect:?} at {tick}");
+                assert_eq!(effect.level(tick), effect.level(tick + u64::from(period_ms)), "{effect:?} at {tick}");
             }
         }
     }
@@ -31,14 +31,14 @@ fn every_mode_keeps_within_its_range_and_repeats_after_its_period() {
 
 #[test]
 fn a_shifted_lamp_does_the_same_later() {
-    let first = Glow { mode: Mode::Chase, period_ms: 700, shift_ms: 0 };
-    let second = Glow { shift_ms: 100, ..first };
+    let first = LampEffect { mode: Mode::Chase, period_ms: 700, shift_ms: 0 };
+    let second = LampEffect { shift_ms: 100, ..first };
     assert!((0..2000).all(|tick| first.level(tick) == second.level(tick + 100)));
 }
 
 #[test]
 fn a_swell_has_no_jump() {
-    let glow = Glow { mode: Mode::Pulse, period_ms: 1200, shift_ms: 0 };
-    let jump = (0..2400).map(|tick| glow.level(tick).abs_diff(glow.level(tick + 1))).max();
+    let effect = LampEffect { mode: Mode::Pulse, period_ms: 1200, shift_ms: 0 };
+    let jump = (0..2400).map(|tick| effect.level(tick).abs_diff(effect.level(tick + 1))).max();
     assert!(jump <= Some(4), "{jump:?}");
 }

@@ -4,15 +4,16 @@
 //! it may do is `host`, and a script that fails or does not end is cut short with a sentence while the game goes on.
 //! Refuses to know how balls move and how light falls.
 
-mod desk;
+mod ball_search;
 mod display;
 mod host;
 mod literals;
 mod memory;
 mod names;
+mod part_commands;
 mod program;
 mod score;
-mod search;
+mod script_state;
 mod switches;
 mod timers;
 mod value;
@@ -20,17 +21,17 @@ mod value;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub use desk::Desk;
 pub use display::Display;
 pub use program::Program;
 pub use score::Score;
+pub use script_state::ScriptState;
 pub use value::Value;
 
-use crate::lamps::Lamps;
+use crate::lamps::LampController;
 use crate::{Buttons, Failure};
+use ball_search::BallSearch;
 use memory::Memory;
-use physics::{BallPose, Command, Event, Fingerprint};
-use search::Search;
+use physics::{BallPose, Command, Fingerprint, TickEvent};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -51,9 +52,9 @@ pub struct State {
     /// What the script remembers: its `this`.
     memory: Memory,
     /// What the script's calls have done.
-    desk: Desk,
+    script: ScriptState,
     /// The search for balls that have come to rest where no switch is.
-    search: Search,
+    search: BallSearch,
 }
 
 impl State {
@@ -65,22 +66,22 @@ impl State {
 
     /// Adds what serializing the state would add, in less time.
     pub fn add_to(&self, fingerprint: &mut Fingerprint) {
-        let State { memory, desk, search } = self;
+        let State { memory, script, search } = self;
         fingerprint.add_bytes(memory.bytes());
-        fingerprint.add(&(desk, search));
+        fingerprint.add(&(script, search));
     }
 }
 
 /// What the rules are told in a tick.
-pub struct Moment<'a, B: Fn() -> Vec<BallPose>> {
+pub struct TickInput<'a, B: Fn() -> Vec<BallPose>> {
     /// Ticks since the machine was switched on.
     pub now: u64,
     /// The buttons that are down.
     pub buttons: Buttons,
     /// The buttons that were down in the tick before.
     pub before: Buttons,
-    /// What happened on the playfield.
-    pub events: &'a [Event],
+    /// The machine's stream of this tick.
+    pub events: &'a [TickEvent],
     /// The balls on the playfield; asked for only when it matters.
     pub balls: B,
 }
@@ -90,8 +91,12 @@ impl Rules {
     ///
     /// # Errors
     /// If `on_start` fails, with file and line.
-    pub fn new(program: Arc<Program>, seed: u64, lamps: &mut Lamps) -> Result<Rules, Failure> {
-        let state = State { memory: Memory::new(Value::empty_map()), desk: Desk::new(seed), search: Search::default() };
+    pub fn new(program: Arc<Program>, seed: u64, lamps: &mut LampController) -> Result<Rules, Failure> {
+        let state = State {
+            memory: Memory::new(Value::empty_map()),
+            script: ScriptState::new(seed),
+            search: BallSearch::default(),
+        };
         let mut rules = Rules { program, state, complaints: Vec::new() };
         rules.call("on_start", None, lamps, 0);
         match rules.complaints.is_empty() {
@@ -116,13 +121,13 @@ impl Rules {
     }
 
     /// What the display and the score say.
-    pub fn desk(&self) -> &Desk {
-        &self.state.desk
+    pub fn script_state(&self) -> &ScriptState {
+        &self.state.script
     }
 
     /// What the rules want the machine to do in the next tick.
     pub fn take_commands(&mut self) -> Vec<Command> {
-        std::mem::take(&mut self.state.desk.commands)
+        std::mem::take(&mut self.state.script.commands)
     }
 
     /// What went wrong since the last call.
@@ -131,40 +136,46 @@ impl Rules {
     }
 
     /// One millisecond: buttons first, then what happened on the playfield, then timers, then the ball search.
-    pub fn tick(&mut self, moment: &Moment<impl Fn() -> Vec<BallPose>>, lamps: &mut Lamps) {
-        self.state.desk.now = moment.now;
-        for (call, name) in switches::button_edges(moment.before, moment.buttons) {
-            self.tell(call, Some(name), lamps, moment);
+    pub fn tick(&mut self, input: &TickInput<impl Fn() -> Vec<BallPose>>, lamps: &mut LampController) {
+        self.state.script.now = input.now;
+        for (call, name) in switches::button_edges(input.before, input.buttons) {
+            self.notify(call, Some(name), lamps, input);
         }
-        for event in moment.events {
-            if let Some((call, part)) = self.state.desk.note(event) {
+        for event in input.events.iter().filter_map(TickEvent::event) {
+            if let Some((call, part)) = self.state.script.record(event) {
                 let program = self.program.clone();
                 match part.map(|part| program.names().part_name(part)) {
-                    None => self.tell(call, None, lamps, moment),
-                    Some(Some(name)) => self.tell(call, Some(name), lamps, moment),
+                    None => self.notify(call, None, lamps, input),
+                    Some(Some(name)) => self.notify(call, Some(name), lamps, input),
                     // What has no name is none of the script's business.
                     Some(None) => {}
                 }
             }
         }
-        while let Some(name) = self.state.desk.timers.take_due(moment.now) {
-            self.tell("on_timer", Some(&name), lamps, moment);
+        while let Some(name) = self.state.script.timers.take_due(input.now) {
+            self.notify("on_timer", Some(&name), lamps, input);
         }
-        self.state.search.tick(moment, &mut self.state.desk, self.program.names());
+        self.state.search.tick(input, &mut self.state.script, self.program.names());
     }
 
-    fn tell(&mut self, call: &str, name: Option<&str>, lamps: &mut Lamps, moment: &Moment<impl Fn() -> Vec<BallPose>>) {
+    fn notify(
+        &mut self,
+        call: &str,
+        name: Option<&str>,
+        lamps: &mut LampController,
+        input: &TickInput<impl Fn() -> Vec<BallPose>>,
+    ) {
         if self.program.has(call) {
-            let balls = self.state.search.balls_in_play(&(moment.balls)());
+            let balls = self.state.search.balls_in_play(&(input.balls)());
             self.call(call, name, lamps, balls);
         }
     }
 
-    fn call(&mut self, call: &str, name: Option<&str>, lamps: &mut Lamps, balls: u32) {
-        self.state.desk.balls = balls;
-        let State { memory, desk, .. } = &mut self.state;
+    fn call(&mut self, call: &str, name: Option<&str>, lamps: &mut LampController, balls: u32) {
+        self.state.script.balls = balls;
+        let State { memory, script, .. } = &mut self.state;
         let program = &self.program;
-        if let Err(complaint) = memory.change(|memory| program.call(call, name, memory, desk, lamps)) {
+        if let Err(complaint) = memory.change(|memory| program.call(call, name, memory, script, lamps)) {
             self.complain(complaint);
         }
     }

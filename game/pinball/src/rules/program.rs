@@ -1,11 +1,11 @@
 //! A compiled script: shared by every simulation of its table.
 
-use super::desk::Desk;
-use super::host::{self, Hands};
+use super::host::{self, SharedContext};
 use super::literals;
 use super::names::Names;
+use super::script_state::ScriptState;
 use super::value::Value;
-use crate::lamps::Lamps;
+use crate::lamps::LampController;
 use crate::{Failure, Table};
 use rhai::{AST, CallFnOptions, Dynamic, Engine, EvalAltResult, Module, OptimizationLevel, Scope};
 use std::collections::BTreeMap;
@@ -87,20 +87,20 @@ impl Program {
         call: &str,
         name: Option<&str>,
         memory: &mut Value,
-        desk: &mut Desk,
-        lamps: &mut Lamps,
+        script: &mut ScriptState,
+        lamps: &mut LampController,
     ) -> Result<(), String> {
         let Some(line) = self.functions.get(call).copied() else {
             return Ok(());
         };
         let mut this = memory.to_script();
-        let hands = Hands::new(std::mem::take(desk), std::mem::take(lamps), self.names.clone());
+        let shared = SharedContext::new(std::mem::take(script), std::mem::take(lamps), self.names.clone());
         let options =
-            CallFnOptions::new().eval_ast(false).bind_this_ptr(&mut this).with_tag(Dynamic::from(hands.clone()));
+            CallFnOptions::new().eval_ast(false).bind_this_ptr(&mut this).with_tag(Dynamic::from(shared.clone()));
         let arguments: Vec<Dynamic> = name.map(|name| name.to_string().into()).into_iter().collect();
         let answer =
             self.engine.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, call, arguments);
-        (*desk, *lamps) = hands.give_back();
+        (*script, *lamps) = shared.into_parts();
         *memory = Value::from_script(this).map_err(|what| {
             format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
         })?;

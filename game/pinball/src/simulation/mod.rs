@@ -15,10 +15,10 @@ pub use crate::rules::Display;
 pub use digest::Digest;
 pub use snapshot::Snapshot;
 
-use crate::lamps::{Brightness, Eye, LOOK_TICKS, Lamps};
-use crate::rules::{Moment, Program, Rules};
+use crate::lamps::{ADAPTATION_TICKS, ExposureAdaptation, LampBrightness, LampController};
+use crate::rules::{Program, Rules, TickInput};
 use crate::{Buttons, Failure, Table};
-use physics::{Contact, Controls, Event, Fingerprint, Machine, Pose, fingerprint};
+use physics::{Controls, Event, Fingerprint, Machine, Pose, TickEvent, fingerprint};
 use save::Saved;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -33,10 +33,12 @@ pub struct Simulation {
     table: Arc<Table>,
     machine: Machine,
     rules: Rules,
-    lamps: Lamps,
+    lamps: LampController,
     /// What pictures are exposed for; no part of the game.
-    eye: Eye,
-    brightness: Arc<Brightness>,
+    adaptation: ExposureAdaptation,
+    brightness: Arc<LampBrightness>,
+    /// What happened in the last tick.
+    tick_events: Vec<TickEvent>,
     tick: u64,
     /// The buttons of the last tick: the rules hear of changes only.
     buttons: Buttons,
@@ -64,10 +66,20 @@ impl Simulation {
         let program = Arc::new(Program::new(&table)?);
         let layout = Arc::new(table.layout.clone());
         let machine = Machine::new(layout).map_err(|error| refused(&table, &error))?;
-        let mut lamps = Lamps::new(&table);
+        let mut lamps = LampController::new(&table);
         let rules = Rules::new(program, seed, &mut lamps)?;
-        let (eye, brightness) = (Eye::default(), Arc::new(Brightness::new(&table)));
-        Ok(Simulation { table, machine, rules, lamps, eye, brightness, tick: 0, buttons: Buttons::NONE })
+        let (adaptation, brightness) = (ExposureAdaptation::default(), Arc::new(LampBrightness::new(&table)));
+        Ok(Simulation {
+            table,
+            machine,
+            rules,
+            lamps,
+            adaptation,
+            brightness,
+            tick_events: Vec::new(),
+            tick: 0,
+            buttons: Buttons::NONE,
+        })
     }
 
     /// The table that is played.
@@ -81,17 +93,19 @@ impl Simulation {
         self.tick += 1;
         let commands = self.rules.take_commands();
         self.machine.tick(controls(buttons), &commands);
-        let moment = Moment {
+        self.tick_events.clear();
+        self.tick_events.extend(self.machine.tick_events());
+        let input = TickInput {
             now: self.tick,
             buttons,
             before: self.buttons,
-            events: self.machine.events(),
+            events: &self.tick_events,
             balls: || self.machine.balls(),
         };
-        self.rules.tick(&moment, &mut self.lamps);
+        self.rules.tick(&input, &mut self.lamps);
         self.lamps.tick(self.tick);
-        if self.tick.is_multiple_of(LOOK_TICKS) {
-            self.brightness.show(&self.lamps, &self.table, self.tick, &mut self.eye);
+        if self.tick.is_multiple_of(ADAPTATION_TICKS) {
+            self.brightness.show(&self.lamps, &self.table, self.tick, &mut self.adaptation);
         }
         self.buttons = buttons;
     }
@@ -101,14 +115,14 @@ impl Simulation {
         self.tick
     }
 
-    /// What happened in the last tick.
-    pub fn events(&self) -> &[Event] {
-        self.machine.events()
+    /// The stream of the last tick: its events and contacts in order. Rules, bot, debug overlay and sound listen to it.
+    pub fn tick_events(&self) -> &[TickEvent] {
+        &self.tick_events
     }
 
-    /// The impacts of the last tick.
-    pub fn contacts(&self) -> &[Contact] {
-        self.machine.contacts()
+    /// The events of the stream alone.
+    pub fn events(&self) -> impl Iterator<Item = &Event> {
+        self.tick_events.iter().filter_map(TickEvent::event)
     }
 
     /// Where everything is now (cheaper than [`Simulation::snapshot`]).
@@ -127,14 +141,14 @@ impl Simulation {
             tick: self.tick,
             pose: self.pose(),
             lamps: self.lamps.lights(&self.table, self.tick),
-            eye: self.eye,
+            adaptation: self.adaptation,
             display: self.display(),
         }
     }
 
     /// What the display shows (cheaper than [`Simulation::snapshot`]).
     pub fn display(&self) -> Display {
-        self.rules.desk().display()
+        self.rules.script_state().display()
     }
 
     /// What the rules have complained about since the last call, one sentence each with file and line.
@@ -172,7 +186,7 @@ impl Simulation {
             machine: self.machine.save(),
             rules: Cow::Borrowed(self.rules.state()),
             lamps: Cow::Borrowed(&self.lamps),
-            eye: self.eye,
+            adaptation: self.adaptation,
         })
     }
 
@@ -197,8 +211,9 @@ impl Simulation {
             machine: self.machine.restored(&saved.machine).map_err(|error| refused(&self.table, &error))?,
             rules: Rules::restored(self.rules.program().clone(), saved.rules.into_owned()),
             lamps: saved.lamps.into_owned(),
-            eye: saved.eye,
+            adaptation: saved.adaptation,
             brightness: self.brightness.clone(),
+            tick_events: Vec::new(),
             tick: saved.tick,
             buttons: saved.buttons,
         })

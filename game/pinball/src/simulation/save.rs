@@ -1,7 +1,7 @@
 //! A simulation as bytes: what it is saved to, and what its hashes are taken of.
 
 use super::SIMULATION_VERSION;
-use crate::lamps::{Eye, Lamps};
+use crate::lamps::{ExposureAdaptation, LampController};
 use crate::rules::State;
 use crate::{Buttons, Failure, Table};
 use serde::{Deserialize, Serialize};
@@ -27,9 +27,9 @@ pub struct Saved<'a> {
     /// The rules.
     pub rules: Cow<'a, State>,
     /// The lamps.
-    pub lamps: Cow<'a, Lamps>,
+    pub lamps: Cow<'a, LampController>,
     /// The light that somebody has got used to.
-    pub eye: Eye,
+    pub adaptation: ExposureAdaptation,
 }
 
 /// The bytes of a simulation, a checksum at their end.

@@ -1,6 +1,6 @@
 //! What a picture needs to know of a moment: plain data, independent of the simulation it came from.
 
-use crate::lamps::{Eye, LampLight};
+use crate::lamps::{ExposureAdaptation, LampLight};
 use crate::rules::Display;
 use physics::Pose;
 
@@ -14,7 +14,7 @@ pub struct Snapshot {
     /// Each lamp of the table, in its order.
     pub lamps: Vec<LampLight>,
     /// The light that somebody at the table has got used to.
-    pub eye: Eye,
+    pub adaptation: ExposureAdaptation,
     /// What the display shows.
     pub display: Display,
 }

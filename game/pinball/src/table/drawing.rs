@@ -1,12 +1,12 @@
-//! The things in a drawing: which element is what, where, how thick and of which colour.
+//! The table's elements in a drawing: which XML element is what, where, how thick and of which colour.
 //!
-//! Refuses to know what `table.toml` says and what a thing is good for.
+//! Refuses to know what `table.toml` says and what an element is good for.
 
-use super::class::Class;
+use super::element_class::ElementClass;
 use super::outline::Outline;
-use super::place::Place;
 use super::source::{Mistake, Source};
 use super::style::{self, Paint};
+use super::transform::Transform;
 use geometry::{Bounds, DVec2};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
@@ -16,10 +16,10 @@ const MOST_NODES: u32 = 200_000;
 /// Elements that may lie inside each other.
 const DEEPEST: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
-const MOST_THINGS: usize = 20_000;
-/// Pieces and corners of all things together.
+const MOST_ELEMENTS: usize = 20_000;
+/// Pieces and corners of all elements together.
 const MOST_PIECES: usize = 200_000;
-/// How far a thing may reach beyond the playfield, mm.
+/// How far an element may reach beyond the playfield, mm.
 const MARGIN_MM: f64 = 60.0;
 /// The playfield's sides, mm.
 const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
@@ -41,10 +41,10 @@ pub(super) fn parse(source: &Source) -> Result<Document<'_>, Mistake> {
     })
 }
 
-/// One thing.
+/// One element of the table.
 #[derive(Clone, Debug)]
-pub(super) struct Thing {
-    pub class: Class,
+pub(super) struct Element {
+    pub class: ElementClass,
     /// Its id, or a name that no id can be.
     pub name: String,
     /// The byte at which its element begins.
@@ -60,7 +60,7 @@ pub(super) struct Thing {
     pub data: BTreeMap<String, String>,
 }
 
-impl Thing {
+impl Element {
     /// Half of its line's thickness, mm.
     pub fn radius_mm(&self) -> f64 {
         self.thickness_mm * 0.5
@@ -75,19 +75,19 @@ impl Thing {
     }
 }
 
-/// The playfield and the things on it.
+/// The playfield and the elements on it.
 #[derive(Debug)]
 pub(super) struct Drawing {
     pub size_mm: DVec2,
-    pub things: Vec<Thing>,
-    /// What each id is, even of things that could not be read.
-    pub ids: BTreeMap<String, Class>,
-    /// Every thing's class and where it is, even of those that could not be read.
-    pub drawn: Vec<(Class, usize)>,
+    pub elements: Vec<Element>,
+    /// What each id is, even of elements that could not be read.
+    pub ids: BTreeMap<String, ElementClass>,
+    /// Every element's class and where it is, even of those that could not be read.
+    pub drawn: Vec<(ElementClass, usize)>,
 }
 
 impl Drawing {
-    /// Finds the things; every mistake goes to `mistakes`.
+    /// Finds the elements; every mistake goes to `mistakes`.
     pub fn read(source: &Source, document: &Document, mistakes: &mut Vec<Mistake>) -> Drawing {
         let root = document.root_element();
         let size_mm = match size(root) {
@@ -101,16 +101,16 @@ impl Drawing {
             source,
             mistakes,
             size_mm,
-            things: Vec::new(),
+            elements: Vec::new(),
             ids: BTreeMap::new(),
             drawn: Vec::new(),
             pieces: 0,
             too_many: false,
         };
-        reader.children(root, Around { place: Ok(Place::TABLE), depth: 1, drawn: Ok(()) });
-        let Reader { things, ids, drawn, .. } = reader;
+        reader.children(root, Around { transform: Ok(Transform::TABLE), depth: 1, drawn: Ok(()) });
+        let Reader { elements, ids, drawn, .. } = reader;
         let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
-        Drawing { size_mm, things, ids, drawn }
+        Drawing { size_mm, elements, ids, drawn }
     }
 }
 
@@ -136,7 +136,7 @@ fn size(root: Node) -> Result<DVec2, String> {
 /// What an element inherits.
 #[derive(Clone)]
 struct Around {
-    place: Result<Place, String>,
+    transform: Result<Transform, String>,
     depth: usize,
     /// Or the name of an ancestor that is not drawn where it stands.
     drawn: Result<(), String>,
@@ -146,21 +146,21 @@ struct Reader<'a> {
     source: &'a Source,
     mistakes: &'a mut Vec<Mistake>,
     size_mm: DVec2,
-    things: Vec<Thing>,
+    elements: Vec<Element>,
     /// What each id is, and the line that took it.
-    ids: BTreeMap<String, (Class, usize)>,
-    drawn: Vec<(Class, usize)>,
+    ids: BTreeMap<String, (ElementClass, usize)>,
+    drawn: Vec<(ElementClass, usize)>,
     pieces: usize,
     too_many: bool,
 }
 
-/// The class of an element, if it is a thing: the first word that is one.
-pub(super) fn class_of(node: Node) -> Option<Class> {
+/// The class of an XML element, if it is an element of the table: the first word that is a class.
+pub(super) fn class_of(node: Node) -> Option<ElementClass> {
     classes(node).next()
 }
 
-fn classes<'a>(node: Node<'a, '_>) -> impl Iterator<Item = Class> + 'a {
-    node.attribute("class").unwrap_or("").split_ascii_whitespace().filter_map(Class::of)
+fn classes<'a>(node: Node<'a, '_>) -> impl Iterator<Item = ElementClass> + 'a {
+    node.attribute("class").unwrap_or("").split_ascii_whitespace().filter_map(ElementClass::of)
 }
 
 impl Reader<'_> {
@@ -173,20 +173,20 @@ impl Reader<'_> {
             if self.too_many || style::own_property(node, "display") == Some("none") {
                 continue;
             }
-            self.element(node, &around);
+            self.visit(node, &around);
         }
     }
 
-    fn element(&mut self, node: Node, around: &Around) {
+    fn visit(&mut self, node: Node, around: &Around) {
         if around.depth >= DEEPEST {
             return self.mistake(node, format!("more than {DEEPEST} elements lie inside each other; take some out"));
         }
-        let place = match (&around.place, node.attribute("transform")) {
-            (Ok(place), Some(attribute)) => place.transformed(attribute),
-            (place, _) => place.clone(),
+        let transform = match (&around.transform, node.attribute("transform")) {
+            (Ok(transform), Some(attribute)) => transform.transformed(attribute),
+            (transform, _) => transform.clone(),
         };
         if classes(node).next().is_some() {
-            self.thing(node, &place, around);
+            self.element(node, &transform, around);
         } else {
             self.art(node);
         }
@@ -194,22 +194,25 @@ impl Reader<'_> {
             "g" | "a" => around.drawn.clone(),
             other => around.drawn.clone().and(Err(other.to_string())),
         };
-        self.children(node, Around { place, depth: around.depth + 1, drawn });
+        self.children(node, Around { transform, depth: around.depth + 1, drawn });
     }
 
-    /// Whatever is not a thing must be art that can be printed.
+    /// Whatever is no element of the table must be art that can be printed.
     fn art(&mut self, node: Node) {
         let name = node.tag_name().name();
         if matches!(name, "image" | "foreignObject") && node.tag_name().namespace() == Some(SVG) {
             self.mistake(node, format!("`{name}` cannot be printed on a playfield; draw it with shapes"));
         }
-        if let Some(data) = thing_data(node) {
-            self.mistake(node, format!("it has `data-{data}` but its class is no thing; it may be {}", Class::words()));
+        if let Some(data) = element_data(node) {
+            self.mistake(
+                node,
+                format!("it has `data-{data}` but its class is no thing; it may be {}", ElementClass::words()),
+            );
         }
     }
 
-    fn thing(&mut self, node: Node, place: &Result<Place, String>, around: &Around) {
-        let all: Vec<&str> = classes(node).map(Class::word).collect();
+    fn element(&mut self, node: Node, transform: &Result<Transform, String>, around: &Around) {
+        let all: Vec<&str> = classes(node).map(ElementClass::word).collect();
         if all.len() > 1 {
             return self.mistake(node, format!("it is both {}; a thing is one of them", all.join(" and ")));
         }
@@ -217,30 +220,30 @@ impl Reader<'_> {
         if let Err(outside) = &around.drawn {
             return self.mistake(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
         }
-        if self.drawn.len() >= MOST_THINGS {
+        if self.drawn.len() >= MOST_ELEMENTS {
             self.too_many = true;
-            return self.mistake(node, format!("there are more than {MOST_THINGS} things"));
+            return self.mistake(node, format!("there are more than {MOST_ELEMENTS} things"));
         }
         self.drawn.push((class, node.range().start));
         let name = self.name(node, class);
         self.data(node, class, &name);
-        match place.clone().and_then(|place| read_thing(node, class, &name, place)) {
-            Ok(thing) => self.keep(node, thing),
+        match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
+            Ok(element) => self.keep(node, element),
             Err(why) => self.mistake(node, format!("{name}: {why}")),
         }
     }
 
-    fn keep(&mut self, node: Node, thing: Thing) {
-        let bounds = thing.outline.bounds();
+    fn keep(&mut self, node: Node, element: Element) {
+        let bounds = element.outline.bounds();
         let playfield = Bounds::of(DVec2::ZERO, self.size_mm);
         let grown = playfield.grown(MARGIN_MM);
         let inside = grown.contains(bounds.min) && grown.contains(bounds.max) && playfield.overlaps(&bounds);
         if !inside {
             let DVec2 { x, y } = bounds.min;
-            self.mistake(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", thing.name));
+            self.mistake(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", element.name));
         }
-        self.pieces += thing.outline.pieces();
-        self.things.push(thing);
+        self.pieces += element.outline.pieces();
+        self.elements.push(element);
         if self.pieces > MOST_PIECES && !self.too_many {
             self.too_many = true;
             self.mistake(
@@ -250,7 +253,7 @@ impl Reader<'_> {
         }
     }
 
-    fn name(&mut self, node: Node, class: Class) -> String {
+    fn name(&mut self, node: Node, class: ElementClass) -> String {
         // Counted among their like, so that one more plastic gives no wall another name.
         let like = self.drawn.iter().filter(|(other, _)| other.is_part() == class.is_part()).count();
         let unnamed = format!("{}#{}", class.word(), like - 1);
@@ -267,7 +270,7 @@ impl Reader<'_> {
         id.to_string()
     }
 
-    fn data(&mut self, node: Node, class: Class, name: &str) {
+    fn data(&mut self, node: Node, class: ElementClass, name: &str) {
         let unknown = node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-"));
         let unknown: Vec<&str> =
             unknown.filter(|&data| data != "group" && class.data().all(|known| known != data)).collect();
@@ -279,13 +282,13 @@ impl Reader<'_> {
     }
 }
 
-fn thing_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
-    let known = |data: &str| Class::ALL.iter().any(|class| class.data().any(|known| known == data));
+fn element_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    let known = |data: &str| ElementClass::ALL.iter().any(|class| class.data().any(|known| known == data));
     node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-")).find(|data| known(data))
 }
 
-fn read_thing(node: Node, class: Class, name: &str, place: Place) -> Result<Thing, String> {
-    let scale = place.scale()?;
+fn read_element(node: Node, class: ElementClass, name: &str, transform: Transform) -> Result<Element, String> {
+    let scale = transform.scale()?;
     let thickness_mm = style::stroke_width(node)? * scale;
     if !(0.0..=1000.0).contains(&thickness_mm) {
         return Err(format!("its line is {thickness_mm} mm thick; it must be from 0 to 1000 mm"));
@@ -295,11 +298,11 @@ fn read_thing(node: Node, class: Class, name: &str, place: Place) -> Result<Thin
         let key = attribute.name().strip_prefix("data-")?;
         Some((key.to_string(), attribute.value().trim().to_string()))
     });
-    Ok(Thing {
+    Ok(Element {
         class,
         name: name.to_string(),
         at: node.range().start,
-        outline: Outline::of(node, place, scale)?,
+        outline: Outline::of(node, transform, scale)?,
         thickness_mm,
         fill: style::fill(node)?,
         stroke: style::stroke(node)?,

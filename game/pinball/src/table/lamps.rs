@@ -1,42 +1,46 @@
-//! Lamps above the floor and lit windows in it.
+//! From elements to lamps.
 
-use super::class::Class;
-use super::drawing::Thing;
+use super::drawing::Element;
+use super::element_class::ElementClass;
+use super::lamp::{Emitter, Lamp, LampKind};
 use super::numbers::Numbers;
 use super::style::Paint;
-use super::{Emitter, Lamp, LampKind};
 use geometry::{Circle, DVec2};
 
 /// The largest radius of a lamp and the longest half of a tube, mm: what is larger is no part of a table.
 const MOST_MM: f64 = 1000.0;
 
-/// The lamp that a thing is; `group_of` knows the group of the thing with an id.
-pub(super) fn lamp(thing: &Thing, numbers: &Numbers, group_of: impl Fn(&str) -> Option<u16>) -> Result<Lamp, String> {
-    let number = |key| numbers.number(thing.class, &thing.name, key);
-    let kind = match thing.class {
-        Class::Lamp => {
-            let inside = match thing.data.get("inside") {
+/// The lamp that an element is; `group_of` knows the group of the element with an id.
+pub(super) fn lamp(
+    element: &Element,
+    numbers: &Numbers,
+    group_of: impl Fn(&str) -> Option<u16>,
+) -> Result<Lamp, String> {
+    let number = |key| numbers.number(element.class, &element.name, key);
+    let kind = match element.class {
+        ElementClass::Lamp => {
+            let inside = match element.data.get("inside") {
                 Some(id) => Some(group_of(id).ok_or_else(|| format!("data-inside: no solid has the id `{id}`"))?),
                 None => None,
             };
-            let (center_mm, emitter) = form(thing)?;
+            let (center_mm, emitter) = form(element)?;
             let (height_mm, reach_mm) = (number("height_mm"), number("reach_mm"));
             LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside }
         }
         _ => {
-            let outlines_mm = thing.outline.polygons().ok_or("an insert is drawn as closed outlines")?;
+            let outlines_mm = element.outline.polygons().ok_or("an insert is drawn as closed outlines")?;
             LampKind::Insert { outlines_mm }
         }
     };
-    Ok(Lamp { name: thing.name.clone(), color: color(thing)?, power: number("power"), kind })
+    Ok(Lamp { name: element.name.clone(), color: color(element)?, power: number("power"), kind })
 }
 
 /// The middle of a lamp, and what of it shines: a circle is a bulb, a line a tube.
-fn form(thing: &Thing) -> Result<(DVec2, Emitter), String> {
-    if let Some(Circle { center, radius }) = thing.outline.circle() {
+fn form(element: &Element) -> Result<(DVec2, Emitter), String> {
+    if let Some(Circle { center, radius }) = element.outline.circle() {
         return within("the radius", radius).map(|radius_mm| (center, Emitter::Disc { radius_mm }));
     }
-    let line = thing.outline.line().ok_or("a lamp is drawn as a circle (a bulb) or as one straight line (a tube)")?;
+    let line = element.outline.line().ok_or("a lamp is drawn as a circle (a bulb) or as one straight line (a tube)")?;
     let half_mm = line.along() * 0.5;
     let half_length = half_mm.length();
     if half_length < Emitter::LEAST_HALF_MM {
@@ -54,13 +58,13 @@ fn within(what: &str, size_mm: f64) -> Result<f64, String> {
 }
 
 /// A tube shines in the colour of its line, everything else in that of its fill.
-fn color(thing: &Thing) -> Result<[u8; 3], String> {
-    let tube = thing.class == Class::Lamp && thing.outline.line().is_some();
-    let (paint, word) = if tube { (thing.stroke, "stroke") } else { (thing.fill, "fill") };
+fn color(element: &Element) -> Result<[u8; 3], String> {
+    let tube = element.class == ElementClass::Lamp && element.outline.line().is_some();
+    let (paint, word) = if tube { (element.stroke, "stroke") } else { (element.fill, "fill") };
     match paint {
         Paint::Color(color) => Ok(color),
         _ => {
-            let what = thing.class.word();
+            let what = element.class.word();
             Err(format!("the {word} of a {what} is its light; give it one colour, \"#rrggbb\""))
         }
     }

@@ -1,11 +1,11 @@
 //! From a folder to a [`Table`], or to every mistake in it.
 
-use super::class::Class;
-use super::drawing::{self, Drawing, Thing};
+use super::drawing::{self, Drawing, Element};
+use super::element_class::ElementClass;
 use super::numbers::{self, Numbers};
 use super::solids::{self, Groups};
 use super::source::{self, Mistake, Source};
-use super::{Lamp, Relief, Solid, Table, lamps, parts, split};
+use super::{Lamp, Relief, Solid, Table, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -49,12 +49,12 @@ pub(super) fn load(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
     let numbers = &numbers::read(&toml, ids, &mut mistakes);
     let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(told(mistakes)) };
-    let build = Build::new(svg, &drawing.things, numbers, &mut mistakes);
+    let build = Build::new(svg, &drawing.elements, numbers, &mut mistakes);
     complete(svg, drawing, &mut mistakes);
     if !mistakes.is_empty() {
         return Err(told(mistakes));
     }
-    let layers = split::split(&svg.text, document);
+    let printed = layers::split(&svg.text, document);
     let mut table = Table {
         title: numbers.title.clone().unwrap_or_else(|| name.clone()),
         name,
@@ -70,12 +70,12 @@ pub(super) fn load(sources: TableSources) -> Result<Table, Vec<Failure>> {
         size_mm: drawing.size_mm,
         lamps: build.lamps,
         solids: build.solids,
-        floor_svg: layers.floor,
-        tops_svg: layers.tops,
+        floor_svg: printed.floor,
+        tops_svg: printed.tops,
         relief: Relief {
-            svg: layers.relief,
-            wood_svg: layers.wood,
-            tops_wood_svg: layers.tops_wood,
+            svg: printed.relief,
+            wood_svg: printed.wood,
+            tops_wood_svg: printed.tops_wood,
             ..numbers.relief.clone()
         },
         rules: rules.map_or_else(String::new, |rules| rules.text),
@@ -104,22 +104,22 @@ fn ambient(numbers: &Numbers) -> [f32; 3] {
 
 /// What every table must have.
 fn complete(svg: &Source, drawing: &Drawing, mistakes: &mut Vec<Mistake>) {
-    let places = |class| drawing.drawn.iter().filter(move |thing| thing.0 == class).map(|thing| thing.1);
+    let places = |class| drawing.drawn.iter().filter(move |element| element.0 == class).map(|element| element.1);
     for (class, why) in [
-        (Class::Flipper, "a game needs at least one"),
-        (Class::Drain, "a ball could never be lost"),
-        (Class::Plunger, "no ball could come into play"),
+        (ElementClass::Flipper, "a game needs at least one"),
+        (ElementClass::Drain, "a ball could never be lost"),
+        (ElementClass::Plunger, "no ball could come into play"),
     ] {
         if places(class).next().is_none() {
             mistakes.push(svg.mistake(0, format!("the drawing has no {}: {why}", class.word())));
         }
     }
-    for at in places(Class::Plunger).skip(1) {
+    for at in places(ElementClass::Plunger).skip(1) {
         mistakes.push(svg.mistake(at, "there is already a plunger; a table has one"));
     }
 }
 
-/// The things, made into what they are.
+/// The elements, made into what they are.
 struct Build {
     parts: Vec<Part>,
     lamps: Vec<Lamp>,
@@ -127,20 +127,20 @@ struct Build {
 }
 
 impl Build {
-    fn new(svg: &Source, things: &[Thing], numbers: &Numbers, mistakes: &mut Vec<Mistake>) -> Build {
+    fn new(svg: &Source, elements: &[Element], numbers: &Numbers, mistakes: &mut Vec<Mistake>) -> Build {
         let mut build = Build { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = Groups::default();
-        let grouped: Vec<(&Thing, u16)> = things.iter().map(|thing| (thing, groups.of(thing))).collect();
+        let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
-            let solid = |thing: &Thing| thing.name == id && thing.class.has_finish();
-            grouped.iter().find(|(thing, _)| solid(thing)).map(|&(_, group)| group)
+            let solid = |element: &Element| element.name == id && element.class.has_finish();
+            grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group)
         };
         let mut heights = Vec::new();
-        for &(thing, group) in &grouped {
-            let built = build.thing(thing, group, numbers, group_of);
+        for &(element, group) in &grouped {
+            let built = build.element(element, group, numbers, group_of);
             match built {
-                Ok(solids) => heights.extend(solids.into_iter().map(|solid| (solids::height(thing.class), solid))),
-                Err(why) => mistakes.push(svg.mistake(thing.at, format!("{}: {why}", thing.name))),
+                Ok(solids) => heights.extend(solids.into_iter().map(|solid| (solids::height(element.class), solid))),
+                Err(why) => mistakes.push(svg.mistake(element.at, format!("{}: {why}", element.name))),
             }
         }
         heights.sort_by_key(|&(height, _)| height);
@@ -148,25 +148,25 @@ impl Build {
         build
     }
 
-    fn thing(
+    fn element(
         &mut self,
-        thing: &Thing,
+        element: &Element,
         group: u16,
         numbers: &Numbers,
         group_of: impl Fn(&str) -> Option<u16>,
     ) -> Result<Vec<Solid>, String> {
-        match thing.class {
-            Class::Lamp | Class::Insert => {
-                self.lamps.push(lamps::lamp(thing, numbers, group_of)?);
+        match element.class {
+            ElementClass::Lamp | ElementClass::Insert => {
+                self.lamps.push(lamps::lamp(element, numbers, group_of)?);
                 Ok(Vec::new())
             }
-            Class::Plastic => Ok(solids::solid(thing, None, group, numbers)?.into_iter().collect()),
+            ElementClass::Plastic => Ok(solids::solid(element, None, group, numbers)?.into_iter().collect()),
             _ => {
                 let id = PartId(self.parts.len() as u16);
-                let part = Part { name: thing.name.clone(), kind: parts::kind(thing, numbers)? };
+                let part = Part { name: element.name.clone(), kind: parts::kind(element, numbers)? };
                 let solids = match &part.kind {
-                    physics::Kind::Ramp(ramp) => solids::above(thing, id, ramp, group, numbers)?,
-                    _ => solids::solid(thing, Some((id, &part)), group, numbers)?.into_iter().collect(),
+                    physics::Kind::Ramp(ramp) => solids::above(element, id, ramp, group, numbers)?,
+                    _ => solids::solid(element, Some((id, &part)), group, numbers)?.into_iter().collect(),
                 };
                 self.parts.push(part);
                 Ok(solids)

@@ -5,7 +5,7 @@ mod read;
 pub(super) use read::read;
 
 use super::Profile;
-use super::class::Class;
+use super::element_class::ElementClass;
 use super::relief::Relief;
 use physics::Material;
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ pub(super) struct Numbers {
     pub relief: Relief,
     pub materials: BTreeMap<String, Material>,
     pub finishes: BTreeMap<String, FinishWords>,
-    classes: BTreeMap<Class, Settings>,
+    classes: BTreeMap<ElementClass, Settings>,
     parts: BTreeMap<String, Settings>,
 }
 
@@ -42,7 +42,7 @@ pub(super) struct FinishWords {
     pub emission_power: Option<f32>,
 }
 
-/// What is said of a class or of one thing.
+/// What is said of a class or of one element.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Settings {
     material: Option<String>,
@@ -52,24 +52,24 @@ pub(super) struct Settings {
 }
 
 impl Numbers {
-    /// The number `key` of the thing called `name`.
-    pub fn number(&self, class: Class, name: &str, key: &'static str) -> f64 {
+    /// The number `key` of the element called `name`.
+    pub fn number(&self, class: ElementClass, name: &str, key: &'static str) -> f64 {
         let default = class.keys().iter().find(|known| known.name == key).map_or(0.0, |known| known.default);
         self.said(class, name, |settings| settings.numbers.get(key).copied()).unwrap_or(default)
     }
 
-    /// Whether the thing was said to cast a shadow.
-    pub fn shadow(&self, class: Class, name: &str) -> Option<bool> {
+    /// Whether the element was said to cast a shadow.
+    pub fn shadow(&self, class: ElementClass, name: &str) -> Option<bool> {
         self.said(class, name, |settings| settings.shadow)
     }
 
-    /// What the thing was said to be made of.
-    pub fn material(&self, class: Class, name: &str) -> Option<&Material> {
+    /// What the element was said to be made of.
+    pub fn material(&self, class: ElementClass, name: &str) -> Option<&Material> {
         self.said(class, name, |settings| settings.material.as_ref()).and_then(|word| self.materials.get(word))
     }
 
-    /// How the thing was said to look.
-    pub fn finish(&self, class: Class, name: &str) -> Option<&FinishWords> {
+    /// How the element was said to look.
+    pub fn finish(&self, class: ElementClass, name: &str) -> Option<&FinishWords> {
         self.said(class, name, |settings| settings.finish.as_ref()).and_then(|word| self.finishes.get(word))
     }
 
@@ -84,7 +84,7 @@ impl Numbers {
         })
     }
 
-    fn said<'a, T>(&'a self, class: Class, name: &str, what: impl Fn(&'a Settings) -> Option<T>) -> Option<T> {
+    fn said<'a, T>(&'a self, class: ElementClass, name: &str, what: impl Fn(&'a Settings) -> Option<T>) -> Option<T> {
         self.parts.get(name).and_then(&what).or_else(|| self.classes.get(&class).and_then(&what))
     }
 }

@@ -1,9 +1,9 @@
 //! What one element draws, on the table, in millimetres.
 
 use super::path;
-use super::pen::{self, Ellipse, Pen, Piece, Run};
-use super::place::Place;
+use super::path_flattening::{self, Ellipse, PathFlattener, Piece, Subpath};
 use super::style;
+use super::transform::Transform;
 use geometry::{Bounds, Circle, DVec2, Segment};
 use roxmltree::Node;
 
@@ -13,15 +13,15 @@ pub(super) enum Outline {
     /// A circle.
     Circle(Circle),
     /// Lines, at least one, each with some length.
-    Runs(Vec<Run>),
+    Subpaths(Vec<Subpath>),
 }
 
 impl Outline {
     /// What `node` draws at `place`, which enlarges by `scale`.
-    pub fn of(node: Node, place: Place, scale: f64) -> Result<Outline, String> {
-        let mut pen = Pen::new(place, scale);
+    pub fn of(node: Node, transform: Transform, scale: f64) -> Result<Outline, String> {
+        let mut pen = PathFlattener::new(transform, scale);
         match node.tag_name().name() {
-            "circle" => return circle(node, place, scale).map(Outline::Circle),
+            "circle" => return circle(node, transform, scale).map(Outline::Circle),
             "line" => {
                 pen.start(point(node, "x1", "y1")?)?;
                 pen.line(point(node, "x2", "y2")?)?;
@@ -39,15 +39,15 @@ impl Outline {
                 ));
             }
         }
-        let runs = pen.finish();
-        if runs.is_empty() { Err("it has no length".to_string()) } else { Ok(Outline::Runs(runs)) }
+        let subpaths = pen.finish();
+        if subpaths.is_empty() { Err("it has no length".to_string()) } else { Ok(Outline::Subpaths(subpaths)) }
     }
 
     /// The one straight line that this is.
     pub fn line(&self) -> Option<Segment> {
         match self {
-            Outline::Runs(runs) => match runs.as_slice() {
-                [Run { pieces, .. }] => match pieces.as_slice() {
+            Outline::Subpaths(subpaths) => match subpaths.as_slice() {
+                [Subpath { pieces, .. }] => match pieces.as_slice() {
                     [Piece::Segment(segment)] => Some(*segment),
                     _ => None,
                 },
@@ -61,17 +61,17 @@ impl Outline {
     pub fn circle(&self) -> Option<Circle> {
         match self {
             Outline::Circle(circle) => Some(*circle),
-            Outline::Runs(_) => None,
+            Outline::Subpaths(_) => None,
         }
     }
 
     /// The closed polygons that this is, if all of it is closed.
     pub fn polygons(&self) -> Option<Vec<Vec<DVec2>>> {
         match self {
-            Outline::Circle(circle) => Some(vec![pen::circle_polygon(*circle)]),
-            Outline::Runs(runs) => {
-                let closed = runs.iter().all(|run| run.closed && run.polygon.len() > 2);
-                closed.then(|| runs.iter().map(|run| run.polygon.clone()).collect())
+            Outline::Circle(circle) => Some(vec![path_flattening::circle_polygon(*circle)]),
+            Outline::Subpaths(subpaths) => {
+                let closed = subpaths.iter().all(|subpath| subpath.closed && subpath.polygon.len() > 2);
+                closed.then(|| subpaths.iter().map(|subpath| subpath.polygon.clone()).collect())
             }
         }
     }
@@ -80,7 +80,9 @@ impl Outline {
     pub fn pieces(&self) -> usize {
         match self {
             Outline::Circle(_) => 1,
-            Outline::Runs(runs) => runs.iter().map(|run| run.pieces.len() + run.polygon.len()).sum(),
+            Outline::Subpaths(subpaths) => {
+                subpaths.iter().map(|subpath| subpath.pieces.len() + subpath.polygon.len()).sum()
+            }
         }
     }
 
@@ -88,8 +90,8 @@ impl Outline {
     pub fn bounds(&self) -> Bounds {
         match self {
             Outline::Circle(circle) => circle.bounds(),
-            Outline::Runs(runs) => {
-                let boxes = runs.iter().flat_map(|run| &run.pieces).map(|piece| piece.shape(0.0).bounds());
+            Outline::Subpaths(subpaths) => {
+                let boxes = subpaths.iter().flat_map(|subpath| &subpath.pieces).map(|piece| piece.shape(0.0).bounds());
                 boxes.reduce(Bounds::union).unwrap_or(Bounds::of(DVec2::ZERO, DVec2::ZERO))
             }
         }
@@ -108,11 +110,11 @@ fn point(node: Node, x: &str, y: &str) -> Result<DVec2, String> {
     Ok(DVec2::new(number(node, x)?, number(node, y)?))
 }
 
-fn circle(node: Node, place: Place, scale: f64) -> Result<Circle, String> {
+fn circle(node: Node, transform: Transform, scale: f64) -> Result<Circle, String> {
     required(node, "r")?;
     let middle = point(node, "cx", "cy")?;
     let radius = number(node, "r")? * scale;
-    let center = place.point(middle.x, middle.y);
+    let center = transform.point(middle.x, middle.y);
     if radius.is_finite() && radius > 0.0 && center.is_finite() {
         Ok(Circle { center, radius })
     } else {
@@ -120,7 +122,7 @@ fn circle(node: Node, place: Place, scale: f64) -> Result<Circle, String> {
     }
 }
 
-fn corners(node: Node, pen: &mut Pen) -> Result<(), String> {
+fn corners(node: Node, pen: &mut PathFlattener) -> Result<(), String> {
     let text = required(node, "points")?;
     let numbers: Result<Vec<f64>, String> = text
         .split(|c: char| c == ',' || c.is_ascii_whitespace())
@@ -138,7 +140,7 @@ fn corners(node: Node, pen: &mut Pen) -> Result<(), String> {
     Ok(())
 }
 
-fn rect(node: Node, pen: &mut Pen) -> Result<(), String> {
+fn rect(node: Node, pen: &mut PathFlattener) -> Result<(), String> {
     let corner = point(node, "x", "y")?;
     let size = point(node, "width", "height")?;
     if size.min_element() <= 0.0 {

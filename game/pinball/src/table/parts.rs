@@ -1,10 +1,10 @@
-//! What the ball can meet: things and numbers become [`physics::Part`]s, in SI units.
+//! What the ball can meet: elements and numbers become [`physics::Part`]s, in SI units.
 
 mod coils;
 mod ramp;
 
-use super::class::Class;
-use super::drawing::Thing;
+use super::drawing::Element;
+use super::element_class::ElementClass;
 use super::numbers::Numbers;
 use super::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
@@ -18,70 +18,74 @@ const BALL_SLACK_MM: f64 = 0.5;
 /// How far above the plunger's tip a new ball is put down, mm.
 const FEED_GAP_MM: f64 = 2.0;
 
-/// The part that a thing is, or what is wrong with it.
-pub(super) fn kind(thing: &Thing, numbers: &Numbers) -> Result<Kind, String> {
-    let number = |key| numbers.number(thing.class, &thing.name, key);
-    let material = material(thing, numbers);
-    let line = || line(thing);
-    let circle = || circle(thing);
-    let capsule = || line().map(|s| Shape::capsule(s.a, s.b, thing.radius_mm() * M_PER_MM));
-    Ok(match thing.class {
-        Class::Bumper => Kind::Bumper(physics::Bumper {
+/// The part that an element is, or what is wrong with it.
+pub(super) fn kind(element: &Element, numbers: &Numbers) -> Result<Kind, String> {
+    let number = |key| numbers.number(element.class, &element.name, key);
+    let material = material(element, numbers);
+    let line = || line(element);
+    let circle = || circle(element);
+    let capsule = || line().map(|s| Shape::capsule(s.a, s.b, element.radius_mm() * M_PER_MM));
+    Ok(match element.class {
+        ElementClass::Bumper => Kind::Bumper(physics::Bumper {
             circle: circle()?,
             material,
             kick_m_s: number("kick_m_s"),
             threshold_m_s: number("threshold_m_s"),
         }),
-        Class::Slingshot => Kind::Slingshot(physics::Slingshot {
+        ElementClass::Slingshot => Kind::Slingshot(physics::Slingshot {
             segment: line()?,
-            radius_m: thing.radius_mm() * M_PER_MM,
+            radius_m: element.radius_mm() * M_PER_MM,
             material,
             kick_m_s: number("kick_m_s"),
             threshold_m_s: number("threshold_m_s"),
         }),
-        Class::Flipper => Kind::Flipper(flipper(thing, line()?, material, number)?),
-        Class::Target => {
+        ElementClass::Flipper => Kind::Flipper(flipper(element, line()?, material, number)?),
+        ElementClass::Target => {
             Kind::Target(physics::Target { shape: capsule()?, material, threshold_m_s: number("threshold_m_s") })
         }
-        Class::DropTarget => Kind::DropTarget(physics::DropTarget {
+        ElementClass::DropTarget => Kind::DropTarget(physics::DropTarget {
             shape: capsule()?,
             material,
             threshold_m_s: number("threshold_m_s"),
         }),
-        Class::Rollover => Kind::Rollover(physics::Rollover { shape: zone(thing)? }),
-        Class::Drain => Kind::Drain(physics::Drain { shape: zone(thing)? }),
-        Class::Gate => Kind::Gate(physics::Gate { segment: line()?, direction: way(thing)?, material }),
-        Class::Spinner => Kind::Spinner(physics::Spinner { segment: line()?, damping_per_s: number("damping_per_s") }),
-        Class::Saucer => Kind::Saucer(physics::Saucer {
+        ElementClass::Rollover => Kind::Rollover(physics::Rollover { shape: zone(element)? }),
+        ElementClass::Drain => Kind::Drain(physics::Drain { shape: zone(element)? }),
+        ElementClass::Gate => Kind::Gate(physics::Gate { segment: line()?, direction: way(element)?, material }),
+        ElementClass::Spinner => {
+            Kind::Spinner(physics::Spinner { segment: line()?, damping_per_s: number("damping_per_s") })
+        }
+        ElementClass::Saucer => Kind::Saucer(physics::Saucer {
             circle: circle()?,
             capture_m_s: number("capture_m_s"),
-            eject_m_s: trig::direction(degrees(thing, "eject-deg")?) * data(thing, "eject-m-s", 0.05, 20.0)?,
+            eject_m_s: trig::direction(degrees(element, "eject-deg")?) * data(element, "eject-m-s", 0.05, 20.0)?,
         }),
-        Class::Plunger => Kind::Plunger(plunger(thing, line()?, number)),
-        Class::Ramp | Class::WireForm => Kind::Ramp(ramp::ramp(thing, material)?),
-        Class::Kickback => Kind::Kickback(coils::kickback(thing, line()?, number)),
-        Class::Magnet => Kind::Magnet(physics::Magnet { circle: circle()?, pull_m_s2: number("pull_m_s2") }),
-        Class::Diverter => Kind::Flipper(coils::diverter(thing, line()?, material, number)?),
-        Class::CaptiveBall => Kind::CaptiveBall(captive_ball(circle()?, number("threshold_m_s"))?),
+        ElementClass::Plunger => Kind::Plunger(plunger(element, line()?, number)),
+        ElementClass::Ramp | ElementClass::WireForm => Kind::Ramp(ramp::ramp(element, material)?),
+        ElementClass::Kickback => Kind::Kickback(coils::kickback(element, line()?, number)),
+        ElementClass::Magnet => Kind::Magnet(physics::Magnet { circle: circle()?, pull_m_s2: number("pull_m_s2") }),
+        ElementClass::Diverter => Kind::Flipper(coils::diverter(element, line()?, material, number)?),
+        ElementClass::CaptiveBall => Kind::CaptiveBall(captive_ball(circle()?, number("threshold_m_s"))?),
         _ => Kind::Wall(physics::Wall {
-            shapes: surfaces_mm(thing).into_iter().map(|shape| shape.scaled(M_PER_MM)).collect(),
+            shapes: surfaces_mm(element).into_iter().map(|shape| shape.scaled(M_PER_MM)).collect(),
             material,
         }),
     })
 }
 
-/// The surfaces of a standing thing, mm: a painted circle is a disc; any other line is as thick as it is drawn.
-pub(super) fn surfaces_mm(thing: &Thing) -> Vec<Shape> {
-    let radius = thing.radius_mm();
-    match &thing.outline {
-        Outline::Circle(circle) if thing.fill.is_painted() => {
-            let rim = if thing.stroke.is_painted() { radius } else { 0.0 };
+/// The surfaces of a standing element, mm: a painted circle is a disc; any other line is as thick as it is drawn.
+pub(super) fn surfaces_mm(element: &Element) -> Vec<Shape> {
+    let radius = element.radius_mm();
+    match &element.outline {
+        Outline::Circle(circle) if element.fill.is_painted() => {
+            let rim = if element.stroke.is_painted() { radius } else { 0.0 };
             vec![Shape::disc(circle.center, circle.radius + rim)]
         }
         Outline::Circle(circle) => {
             vec![Shape { core: Core::Arc(geometry::Arc::new(*circle, 0.0, TAU)), radius }]
         }
-        Outline::Runs(runs) => runs.iter().flat_map(|run| &run.pieces).map(|piece| piece.shape(radius)).collect(),
+        Outline::Subpaths(subpaths) => {
+            subpaths.iter().flat_map(|subpath| &subpath.pieces).map(|piece| piece.shape(radius)).collect()
+        }
     }
 }
 
@@ -92,62 +96,62 @@ pub(super) fn flipper_mm(flipper: &physics::Flipper) -> Shape {
     Shape { core: Core::Taper(geometry::Taper { a: flipper.base, b }), radius: 0.0 }.scaled(1.0 / M_PER_MM)
 }
 
-fn material(thing: &Thing, numbers: &Numbers) -> Material {
-    let usual = match thing.class {
-        Class::Guide | Class::Diverter => "metal",
-        Class::Rubber | Class::Slingshot => "rubber",
-        Class::Post | Class::Peg => "post",
-        Class::Bumper => "sleeve",
-        Class::Flipper => "flipper-rubber",
-        Class::Target => "target",
-        Class::DropTarget => "drop-target",
-        Class::Gate | Class::WireForm => "wire",
-        Class::Ramp => "metal",
+fn material(element: &Element, numbers: &Numbers) -> Material {
+    let usual = match element.class {
+        ElementClass::Guide | ElementClass::Diverter => "metal",
+        ElementClass::Rubber | ElementClass::Slingshot => "rubber",
+        ElementClass::Post | ElementClass::Peg => "post",
+        ElementClass::Bumper => "sleeve",
+        ElementClass::Flipper => "flipper-rubber",
+        ElementClass::Target => "target",
+        ElementClass::DropTarget => "drop-target",
+        ElementClass::Gate | ElementClass::WireForm => "wire",
+        ElementClass::Ramp => "metal",
         _ => "wood",
     };
-    let said = numbers.material(thing.class, &thing.name).or_else(|| numbers.materials.get(usual));
+    let said = numbers.material(element.class, &element.name).or_else(|| numbers.materials.get(usual));
     said.copied().unwrap_or(Material { restitution: 0.4, falloff_s_per_m: 0.0, friction: 0.25 })
 }
 
-fn line(thing: &Thing) -> Result<Segment, String> {
-    let Segment { a, b } = thing.outline.line().ok_or_else(|| expected(thing, "one straight line"))?;
+fn line(element: &Element) -> Result<Segment, String> {
+    let Segment { a, b } = element.outline.line().ok_or_else(|| expected(element, "one straight line"))?;
     Ok(Segment { a: a * M_PER_MM, b: b * M_PER_MM })
 }
 
-fn circle(thing: &Thing) -> Result<Circle, String> {
-    let Circle { center, radius } = thing.outline.circle().ok_or_else(|| expected(thing, "a circle"))?;
+fn circle(element: &Element) -> Result<Circle, String> {
+    let Circle { center, radius } = element.outline.circle().ok_or_else(|| expected(element, "a circle"))?;
     Ok(Circle { center: center * M_PER_MM, radius: radius * M_PER_MM })
 }
 
-fn expected(thing: &Thing, what: &str) -> String {
-    format!("a {} is drawn as {what}", thing.class.word())
+fn expected(element: &Element, what: &str) -> String {
+    format!("a {} is drawn as {what}", element.class.word())
 }
 
 /// Where a ball's centre is on a rollover or in a drain: in a circle, or within half the thickness of a line. A
 /// rectangle is the capsule down its middle that is as wide.
-fn zone(thing: &Thing) -> Result<Shape, String> {
-    let shape = match &thing.outline {
+fn zone(element: &Element) -> Result<Shape, String> {
+    let shape = match &element.outline {
         Outline::Circle(circle) => Shape::disc(circle.center, circle.radius),
-        Outline::Runs(_) => match thing.outline.line() {
-            Some(segment) if thing.thickness_mm > 0.0 => Shape::capsule(segment.a, segment.b, thing.radius_mm()),
+        Outline::Subpaths(_) => match element.outline.line() {
+            Some(segment) if element.thickness_mm > 0.0 => Shape::capsule(segment.a, segment.b, element.radius_mm()),
             Some(_) => return Err("its line has no thickness, so no ball is ever within it".to_string()),
-            None => middle_of_rect(thing)?,
+            None => middle_of_rect(element)?,
         },
     };
     Ok(shape.scaled(M_PER_MM))
 }
 
-fn middle_of_rect(thing: &Thing) -> Result<Shape, String> {
-    let polygons = thing.outline.polygons().unwrap_or_default();
+fn middle_of_rect(element: &Element) -> Result<Shape, String> {
+    let polygons = element.outline.polygons().unwrap_or_default();
     let [[a, b, c, d]] =
         polygons.iter().flat_map(|polygon| <[DVec2; 4]>::try_from(polygon.clone())).collect::<Vec<_>>()[..]
     else {
-        return Err(expected(thing, "one straight line, a circle or a rectangle"));
+        return Err(expected(element, "one straight line, a circle or a rectangle"));
     };
     let (across, down) = (b - a, d - a);
     let slack = 1e-6 * (across.length_squared() + down.length_squared());
     if (a + c - b - d).length_squared() > slack || across.dot(down).abs() > slack {
-        return Err(expected(thing, "one straight line, a circle or a rectangle"));
+        return Err(expected(element, "one straight line, a circle or a rectangle"));
     }
     let (long, short) = if across.length() >= down.length() { (across, down) } else { (down, across) };
     let start = a + short * 0.5;
@@ -156,17 +160,17 @@ fn middle_of_rect(thing: &Thing) -> Result<Shape, String> {
 }
 
 fn flipper(
-    thing: &Thing,
+    element: &Element,
     line: Segment,
     material: Material,
     number: impl Fn(&'static str) -> f64,
 ) -> Result<physics::Flipper, String> {
-    let control = match thing.data.get("side").map(String::as_str) {
+    let control = match element.data.get("side").map(String::as_str) {
         Some("left") => FlipperControl::Left,
         Some("right") => FlipperControl::Right,
         _ => return Err("a flipper needs data-side=\"left\" or data-side=\"right\"".to_string()),
     };
-    let stroke_deg = data(thing, "up-deg", 10.0, 120.0)?;
+    let stroke_deg = data(element, "up-deg", 10.0, 120.0)?;
     let rest_rad = trig::angle(line.along());
     let stroke_rad = stroke_deg.to_radians();
     let length_m = line.length();
@@ -189,13 +193,13 @@ fn flipper(
     })
 }
 
-fn plunger(thing: &Thing, line: Segment, number: impl Fn(&'static str) -> f64) -> physics::Plunger {
+fn plunger(element: &Element, line: Segment, number: impl Fn(&'static str) -> f64) -> physics::Plunger {
     let stroke_m = line.length();
     let way = -line.along() / stroke_m;
     physics::Plunger {
         feed: line.a + way * (physics::BALL_RADIUS_M + FEED_GAP_MM * M_PER_MM),
         tip: line.a,
-        half_width_m: thing.radius_mm() * M_PER_MM,
+        half_width_m: element.radius_mm() * M_PER_MM,
         direction: way,
         stroke_m,
         pull_s: number("pull_s"),
@@ -213,31 +217,31 @@ fn captive_ball(circle: Circle, threshold_m_s: f64) -> Result<physics::CaptiveBa
 }
 
 /// Straight through the gate, to the side that its drawing names.
-fn way(thing: &Thing) -> Result<DVec2, String> {
+fn way(element: &Element) -> Result<DVec2, String> {
     let expected = "a gate needs data-way=\"up\", \"down\", \"left\", \"right\" or degrees: the way that is free";
-    let word = thing.data.get("way").ok_or(expected)?;
+    let word = element.data.get("way").ok_or(expected)?;
     let way = match word.as_str() {
         "up" => DVec2::NEG_Y,
         "down" => DVec2::Y,
         "left" => DVec2::NEG_X,
         "right" => DVec2::X,
-        _ => trig::direction(degrees(thing, "way").map_err(|_| expected)?),
+        _ => trig::direction(degrees(element, "way").map_err(|_| expected)?),
     };
-    let along = thing.outline.line().and_then(|line| line.along().try_normalize()).unwrap_or(DVec2::X);
+    let along = element.outline.line().and_then(|line| line.along().try_normalize()).unwrap_or(DVec2::X);
     if along.dot(way).abs() > 0.99 {
         return Err("its data-way runs along the gate, so no ball can pass it that way".to_string());
     }
     Ok(along.perp() * 1.0_f64.copysign(along.perp_dot(way)))
 }
 
-fn degrees(thing: &Thing, key: &str) -> Result<f64, String> {
-    data(thing, key, -360.0, 360.0).map(f64::to_radians)
+fn degrees(element: &Element, key: &str) -> Result<f64, String> {
+    data(element, key, -360.0, 360.0).map(f64::to_radians)
 }
 
-fn data(thing: &Thing, key: &str, min: f64, max: f64) -> Result<f64, String> {
+fn data(element: &Element, key: &str, min: f64, max: f64) -> Result<f64, String> {
     let expected = || format!("data-{key} must be a number from {min} to {max}");
     let text =
-        thing.data.get(key).ok_or_else(|| format!("a {} needs data-{key}; {}", thing.class.word(), expected()))?;
+        element.data.get(key).ok_or_else(|| format!("a {} needs data-{key}; {}", element.class.word(), expected()))?;
     let number = text.parse::<f64>().ok().filter(|number| (min..=max).contains(number));
     number.ok_or_else(|| format!("{}, and it is `{text}`", expected()))
 }

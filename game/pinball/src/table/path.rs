@@ -1,11 +1,11 @@
-//! SVG path data, command by command: what is relative, smooth or implied becomes plain strokes of a [`Pen`].
+//! SVG path data, command by command: what is relative, smooth or implied becomes plain strokes of a [`PathFlattener`].
 
-use super::pen::{Ellipse, Pen};
+use super::path_flattening::{Ellipse, PathFlattener};
 use geometry::DVec2;
 use svgtypes::PathSegment;
 
 /// Draws SVG path data.
-pub(super) fn draw(pen: &mut Pen, data: &str) -> Result<(), String> {
+pub(super) fn draw(pen: &mut PathFlattener, data: &str) -> Result<(), String> {
     let mut cursor = Cursor::default();
     for segment in svgtypes::PathParser::from(data) {
         let segment = segment.map_err(|error| format!("its path cannot be read: {error}"))?;
@@ -24,7 +24,7 @@ struct Cursor {
 }
 
 impl Cursor {
-    fn draw(&mut self, pen: &mut Pen, segment: PathSegment) -> Result<(), String> {
+    fn draw(&mut self, pen: &mut PathFlattener, segment: PathSegment) -> Result<(), String> {
         let base = if segment.is_abs() { DVec2::ZERO } else { self.at };
         let point = |x: f64, y: f64| base + DVec2::new(x, y);
         let control = self.control.take();
@@ -61,18 +61,18 @@ impl Cursor {
         }
     }
 
-    fn line(&mut self, pen: &mut Pen, to: DVec2) -> Result<(), String> {
+    fn line(&mut self, pen: &mut PathFlattener, to: DVec2) -> Result<(), String> {
         self.at = to;
         pen.line(to)
     }
 
-    fn cubic(&mut self, pen: &mut Pen, points: [DVec2; 3]) -> Result<(), String> {
+    fn cubic(&mut self, pen: &mut PathFlattener, points: [DVec2; 3]) -> Result<(), String> {
         self.control = Some((true, points[1]));
         self.at = points[2];
         pen.cubic(points)
     }
 
-    fn quadratic(&mut self, pen: &mut Pen, middle: DVec2, to: DVec2) -> Result<(), String> {
+    fn quadratic(&mut self, pen: &mut PathFlattener, middle: DVec2, to: DVec2) -> Result<(), String> {
         let from = self.at;
         let third = |end: DVec2| end + (middle - end) * (2.0 / 3.0);
         self.cubic(pen, [third(from), third(to), to])?;

@@ -4,17 +4,17 @@ mod above;
 
 pub(super) use above::above;
 
-use super::class::Class;
-use super::drawing::Thing;
+use super::drawing::Element;
+use super::element_class::ElementClass;
 use super::numbers::{FinishWords, Numbers};
 use super::outline::Outline;
-use super::pen::Run;
-use super::{Finish, Profile, Solid, parts, rim};
+use super::path_flattening::Subpath;
+use super::{Finish, Profile, Solid, outline_offset, parts};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Part, PartId};
 use std::collections::BTreeMap;
 
-/// Gives each name a number, and each thing without one a number of its own.
+/// Gives each name a number, and each element without one a number of its own.
 #[derive(Debug, Default)]
 pub(super) struct Groups {
     named: BTreeMap<String, u16>,
@@ -22,15 +22,15 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// The number of the thing's group.
-    pub fn of(&mut self, thing: &Thing) -> u16 {
-        let known = thing.group.as_ref().and_then(|name| self.named.get(name));
+    /// The number of the element's group.
+    pub fn of(&mut self, element: &Element) -> u16 {
+        let known = element.group.as_ref().and_then(|name| self.named.get(name));
         if let Some(&group) = known {
             return group;
         }
         let group = self.next;
         self.next += 1;
-        if let Some(name) = &thing.group {
+        if let Some(name) = &element.group {
             self.named.insert(name.clone(), group);
         }
         group
@@ -38,60 +38,62 @@ impl Groups {
 }
 
 /// The heights of the solids: what stands, then flippers, then plastics and caps.
-pub(super) fn height(class: Class) -> u8 {
+pub(super) fn height(class: ElementClass) -> u8 {
     match class {
-        Class::Flipper => 1,
-        Class::Plastic => 2,
+        ElementClass::Flipper => 1,
+        ElementClass::Plastic => 2,
         class if class.is_above() => 3,
         _ => 0,
     }
 }
 
-/// The solid that a thing is, if it is one; `part` is the part that it is, if it is one.
+/// The solid that an element is, if it is one; `part` is the part that it is, if it is one.
 pub(super) fn solid(
-    thing: &Thing,
+    element: &Element,
     part: Option<(PartId, &Part)>,
     group: u16,
     numbers: &Numbers,
 ) -> Result<Option<Solid>, String> {
-    if !thing.class.has_finish() {
+    if !element.class.has_finish() {
         return Ok(None);
     }
-    let (shapes_mm, plastic_mm) = match thing.class {
-        Class::Plastic => plastic(thing)?,
-        class if class.stands() => (parts::surfaces_mm(thing), filled(thing)),
-        _ => (part.map(|(_, part)| shapes_mm(part, thing)).unwrap_or_default(), None),
+    let (shapes_mm, plastic_mm) = match element.class {
+        ElementClass::Plastic => plastic(element)?,
+        class if class.stands() => (parts::surfaces_mm(element), filled(element)),
+        _ => (part.map(|(_, part)| shapes_mm(part, element)).unwrap_or_default(), None),
     };
-    let shadow = numbers.shadow(thing.class, &thing.name).unwrap_or(thing.class != Class::Plastic);
-    let finish = finish(thing, numbers)?;
+    let shadow = numbers.shadow(element.class, &element.name).unwrap_or(element.class != ElementClass::Plastic);
+    let finish = finish(element, numbers)?;
     Ok(Some(Solid { part: part.map(|(id, _)| id), group, shapes_mm, plastic_mm, shadow, finish }))
 }
 
-fn shapes_mm(part: &Part, thing: &Thing) -> Vec<Shape> {
-    let radius = thing.radius_mm();
-    match (&part.kind, &thing.outline) {
-        (Kind::Flipper(flipper), _) if thing.class == Class::Flipper => vec![parts::flipper_mm(flipper)],
+fn shapes_mm(part: &Part, element: &Element) -> Vec<Shape> {
+    let radius = element.radius_mm();
+    match (&part.kind, &element.outline) {
+        (Kind::Flipper(flipper), _) if element.class == ElementClass::Flipper => vec![parts::flipper_mm(flipper)],
         (_, Outline::Circle(circle)) => vec![Shape::disc(circle.center, circle.radius)],
-        (_, Outline::Runs(runs)) => runs.iter().flat_map(|run| &run.pieces).map(|piece| piece.shape(radius)).collect(),
+        (_, Outline::Subpaths(subpaths)) => {
+            subpaths.iter().flat_map(|subpath| &subpath.pieces).map(|piece| piece.shape(radius)).collect()
+        }
     }
 }
 
-/// The top of a standing thing that is painted inside: all of it, out to where the ball meets it.
-fn filled(thing: &Thing) -> Option<Vec<DVec2>> {
-    match &thing.outline {
-        Outline::Runs(runs) if thing.fill.is_painted() => match runs.as_slice() {
-            [Run { closed: true, polygon, .. }] => Some(rim::grown(polygon, thing.radius_mm())),
+/// The top of a standing element that is painted inside: all of it, out to where the ball meets it.
+fn filled(element: &Element) -> Option<Vec<DVec2>> {
+    match &element.outline {
+        Outline::Subpaths(subpaths) if element.fill.is_painted() => match subpaths.as_slice() {
+            [Subpath { closed: true, polygon, .. }] => Some(outline_offset::grown(polygon, element.radius_mm())),
             _ => None,
         },
         _ => None,
     }
 }
 
-fn plastic(thing: &Thing) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String> {
-    match &thing.outline {
+fn plastic(element: &Element) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String> {
+    match &element.outline {
         Outline::Circle(circle) => Ok((vec![Shape::disc(circle.center, circle.radius)], None)),
-        Outline::Runs(runs) => match runs.as_slice() {
-            [Run { closed: true, polygon, pieces }] if polygon.len() > 2 => {
+        Outline::Subpaths(subpaths) => match subpaths.as_slice() {
+            [Subpath { closed: true, polygon, pieces }] if polygon.len() > 2 => {
                 Ok((pieces.iter().map(|piece| piece.shape(0.0)).collect(), Some(polygon.clone())))
             }
             _ => Err("a plastic is drawn as a circle or as one closed outline".to_string()),
@@ -99,20 +101,20 @@ fn plastic(thing: &Thing) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String> {
     }
 }
 
-/// How a thing looks: what its finish says, else its class's usual form, in the colour that it is drawn in.
+/// How an element looks: what its finish says, else its class's usual form, in the colour that it is drawn in.
 ///
 /// # Errors
 /// If the drawing asks for a finish that the numbers do not have.
-fn finish(thing: &Thing, numbers: &Numbers) -> Result<Finish, String> {
-    let words = match thing.data.get("finish") {
+fn finish(element: &Element, numbers: &Numbers) -> Result<Finish, String> {
+    let words = match element.data.get("finish") {
         Some(name) => numbers.finish_named(name)?.clone(),
-        None => numbers.finish(thing.class, &thing.name).cloned().unwrap_or_default(),
+        None => numbers.finish(element.class, &element.name).cloned().unwrap_or_default(),
     };
     let FinishWords { albedo, gloss, profile, opacity, translucency, emission, emission_power } = words;
-    let (usual_profile, usual_gloss) = usual(thing.class);
-    let art = thing.class == Class::Plastic;
+    let (usual_profile, usual_gloss) = usual(element.class);
+    let art = element.class == ElementClass::Plastic;
     // A plastic's colours are in its art, which the albedo multiplies.
-    let drawn = if art { Some([255; 3]) } else { thing.color() };
+    let drawn = if art { Some([255; 3]) } else { element.color() };
     let power = emission_power.unwrap_or(1.0);
     Ok(Finish {
         albedo: linear(albedo.or(drawn).unwrap_or([160; 3])),
@@ -125,18 +127,18 @@ fn finish(thing: &Thing, numbers: &Numbers) -> Result<Finish, String> {
     })
 }
 
-fn usual(class: Class) -> (Profile, f32) {
+fn usual(class: ElementClass) -> (Profile, f32) {
     match class {
-        Class::Ramp => (Profile::Bevel(1.0), 0.6),
-        Class::WireForm => (Profile::Dome, 0.9),
-        Class::Wall => (Profile::Bevel(1.0), 0.15),
-        Class::Guide | Class::Diverter => (Profile::Bevel(0.6), 0.7),
-        Class::Rubber | Class::Slingshot => (Profile::Dome, 0.15),
-        Class::Post | Class::Peg => (Profile::Dome, 0.4),
-        Class::Bumper => (Profile::Bevel(3.0), 0.3),
-        Class::Flipper => (Profile::Bevel(2.5), 0.35),
-        Class::Gate | Class::Spinner => (Profile::Dome, 0.6),
-        Class::Plastic => (Profile::Bevel(1.2), 0.5),
+        ElementClass::Ramp => (Profile::Bevel(1.0), 0.6),
+        ElementClass::WireForm => (Profile::Dome, 0.9),
+        ElementClass::Wall => (Profile::Bevel(1.0), 0.15),
+        ElementClass::Guide | ElementClass::Diverter => (Profile::Bevel(0.6), 0.7),
+        ElementClass::Rubber | ElementClass::Slingshot => (Profile::Dome, 0.15),
+        ElementClass::Post | ElementClass::Peg => (Profile::Dome, 0.4),
+        ElementClass::Bumper => (Profile::Bevel(3.0), 0.3),
+        ElementClass::Flipper => (Profile::Bevel(2.5), 0.35),
+        ElementClass::Gate | ElementClass::Spinner => (Profile::Dome, 0.6),
+        ElementClass::Plastic => (Profile::Bevel(1.2), 0.5),
         _ => (Profile::Bevel(0.8), 0.3),
     }
 }

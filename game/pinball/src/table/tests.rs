@@ -1,9 +1,9 @@
 //! A small table, and what becomes of it.
 
+mod elements;
 mod errors;
 mod fuzz;
 mod hash;
-mod things;
 
 use super::{Table, TableSources};
 

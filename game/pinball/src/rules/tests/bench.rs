@@ -1,14 +1,13 @@
 //! A small table, and a bench on which its rules are played by hand.
 
-use crate::lamps::Lamps;
-use crate::rules::{Moment, Program, Rules};
-use crate::simulation::{Display, LampLight};
+use crate::lamps::{LampController, LampLight};
+use crate::rules::{Display, Program, Rules, TickInput};
 use crate::table::{Lamp, LampKind};
 use crate::{Buttons, Failure, Table};
 use geometry::{Circle, DVec2, Shape};
 use physics::{
     BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, FlipperControl, Kickback, Kind, Layout, Magnet,
-    Material, Part, PartId, Plunger, Rollover, Saucer,
+    Material, Part, PartId, Plunger, Rollover, Saucer, TickEvent,
 };
 use std::sync::Arc;
 
@@ -101,7 +100,7 @@ fn lamp(name: &str) -> Lamp {
 /// Rules without a machine: the test says what happens, and this keeps the balls that the rules ask for.
 pub struct Bench {
     pub rules: Rules,
-    pub lamps: Lamps,
+    pub lamps: LampController,
     pub now: u64,
     pub balls: Vec<BallPose>,
     /// Every order of the rules, in order.
@@ -115,7 +114,7 @@ impl Bench {
     /// Switches the machine on.
     pub fn new(table: Table) -> Result<Bench, Failure> {
         let table = Arc::new(table);
-        let mut lamps = Lamps::new(&table);
+        let mut lamps = LampController::new(&table);
         let rules = Rules::new(Arc::new(Program::new(&table)?), 1, &mut lamps)?;
         let (balls, orders) = (Vec::new(), Vec::new());
         Ok(Bench { rules, lamps, now: 0, balls, orders, buttons: Buttons::NONE, fed: 0, table })
@@ -134,8 +133,9 @@ impl Bench {
         }
         let balls = self.balls.clone();
         let buttons = self.buttons;
-        let moment = Moment { now: self.now, buttons, before: buttons, events: &events, balls: || balls.clone() };
-        self.rules.tick(&moment, &mut self.lamps);
+        let events: Vec<TickEvent> = events.into_iter().map(TickEvent::Event).collect();
+        let input = TickInput { now: self.now, buttons, before: buttons, events: &events, balls: || balls.clone() };
+        self.rules.tick(&input, &mut self.lamps);
         self.lamps.tick(self.now);
     }
 
@@ -151,8 +151,8 @@ impl Bench {
         for (before, buttons) in [(Buttons::NONE, button), (button, Buttons::NONE)] {
             self.now += 1;
             let balls = self.balls.clone();
-            let moment = Moment { now: self.now, buttons, before, events: &[], balls: || balls.clone() };
-            self.rules.tick(&moment, &mut self.lamps);
+            let input = TickInput { now: self.now, buttons, before, events: &[], balls: || balls.clone() };
+            self.rules.tick(&input, &mut self.lamps);
             self.lamps.tick(self.now);
         }
         self.tick(Vec::new());
@@ -207,7 +207,7 @@ impl Bench {
 
     /// What the display shows.
     pub fn display(&self) -> Display {
-        self.rules.desk().display()
+        self.rules.script_state().display()
     }
 
     /// The points of the player at the machine.

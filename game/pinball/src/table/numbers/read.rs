@@ -4,7 +4,7 @@
 
 use super::{FinishWords, Numbers, Settings};
 use crate::table::Profile;
-use crate::table::class::{Class, Key};
+use crate::table::element_class::{ElementClass, Key};
 use crate::table::source::{Mistake, Source};
 use crate::table::style;
 use physics::Material;
@@ -16,7 +16,7 @@ use toml::de::{DeTable, DeValue};
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
 pub(in crate::table) fn read(
     source: &Source,
-    drawn: Option<&BTreeMap<String, Class>>,
+    drawn: Option<&BTreeMap<String, ElementClass>>,
     mistakes: &mut Vec<Mistake>,
 ) -> Numbers {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
@@ -39,7 +39,7 @@ struct Reader<'a> {
     source: &'a Source,
     mistakes: &'a mut Vec<Mistake>,
     numbers: Numbers,
-    drawn: Option<&'a BTreeMap<String, Class>>,
+    drawn: Option<&'a BTreeMap<String, ElementClass>>,
     /// Lines that are not TOML: what they seem to say is no further mistake.
     broken: BTreeSet<usize>,
 }
@@ -137,12 +137,12 @@ impl Reader<'_> {
                 let finish = self.finish(table);
                 self.numbers.finishes.insert(name, finish);
             }
-            "class" => match Class::of(&name) {
+            "class" => match ElementClass::of(&name) {
                 Some(class) => {
                     let settings = self.settings(class, table);
                     self.numbers.classes.insert(class, settings);
                 }
-                None => self.mistake(at, format!("there is no class `{name}`; there are {}", Class::words())),
+                None => self.mistake(at, format!("there is no class `{name}`; there are {}", ElementClass::words())),
             },
             _ => self.part(at, name, table),
         }
@@ -218,7 +218,7 @@ impl Reader<'_> {
         profile
     }
 
-    fn settings(&mut self, class: Class, table: &DeTable) -> Settings {
+    fn settings(&mut self, class: ElementClass, table: &DeTable) -> Settings {
         let mut settings = Settings::default();
         for (key, value) in table {
             let word = key.get_ref().as_ref();
@@ -317,7 +317,7 @@ impl Reader<'_> {
     }
 }
 
-fn setting_words(class: Class) -> String {
+fn setting_words(class: ElementClass) -> String {
     let mut words: Vec<&str> = Vec::new();
     if class.has_material() {
         words.push("material");

@@ -1,7 +1,7 @@
 //! What the rules move by coils: kickbacks and diverters.
 
 use super::{M_PER_MM, data};
-use crate::table::drawing::Thing;
+use crate::table::drawing::Element;
 use geometry::{Circle, Segment, trig};
 use physics::{FlipperControl, Material};
 
@@ -9,11 +9,11 @@ use physics::{FlipperControl, Material};
 const THIN_MM: f64 = 1.0;
 
 /// A kickback's rod: its line goes from the tip at rest to where the tip is when it is fully out.
-pub(super) fn kickback(thing: &Thing, line: Segment, number: impl Fn(&'static str) -> f64) -> physics::Kickback {
+pub(super) fn kickback(element: &Element, line: Segment, number: impl Fn(&'static str) -> f64) -> physics::Kickback {
     let stroke_m = line.length();
     physics::Kickback {
         tip: line.a,
-        half_width_m: thing.radius_mm() * M_PER_MM,
+        half_width_m: element.radius_mm() * M_PER_MM,
         direction: line.along() / stroke_m,
         stroke_m,
         speed_m_s: number("speed_m_s"),
@@ -25,20 +25,20 @@ pub(super) fn kickback(thing: &Thing, line: Segment, number: impl Fn(&'static st
 /// # Errors
 /// If the drawing does not say how far it turns, or its arm is too thin or too short.
 pub(super) fn diverter(
-    thing: &Thing,
+    element: &Element,
     line: Segment,
     material: Material,
     number: impl Fn(&'static str) -> f64,
 ) -> Result<physics::Flipper, String> {
-    let turn_deg = data(thing, "turn-deg", -120.0, 120.0)?;
+    let turn_deg = data(element, "turn-deg", -120.0, 120.0)?;
     if turn_deg.abs() < 5.0 {
         return Err(format!("data-turn-deg must be 5 or more either way, and it is {turn_deg}"));
     }
     let (length_m, rest_rad) = (line.length(), trig::angle(line.along()));
-    if thing.thickness_mm < THIN_MM {
-        return Err(format!("its stroke-width must be {THIN_MM} or more, and it is {}", thing.thickness_mm));
+    if element.thickness_mm < THIN_MM {
+        return Err(format!("its stroke-width must be {THIN_MM} or more, and it is {}", element.thickness_mm));
     }
-    let radius = thing.radius_mm() * M_PER_MM;
+    let radius = element.radius_mm() * M_PER_MM;
     if length_m <= radius {
         return Err("it is thicker than it is long".to_string());
     }

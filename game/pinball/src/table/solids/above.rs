@@ -3,8 +3,8 @@
 //! They hang above the lamps, so they cast no shadows.
 
 use super::finish;
-use crate::table::class::Class;
-use crate::table::drawing::Thing;
+use crate::table::drawing::Element;
+use crate::table::element_class::ElementClass;
 use crate::table::numbers::Numbers;
 use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};
@@ -24,17 +24,17 @@ const MM_PER_M: f64 = 1000.0;
 /// # Errors
 /// If the drawing asks for a finish that the numbers do not have.
 pub(in crate::table) fn above(
-    thing: &Thing,
+    element: &Element,
     id: PartId,
     ramp: &Ramp,
     group: u16,
     numbers: &Numbers,
 ) -> Result<Vec<Solid>, String> {
-    let finish = finish(thing, numbers)?;
+    let finish = finish(element, numbers)?;
     let part = Some(id);
     let solid = |shapes_mm, plastic_mm, finish| Solid { part, group, shapes_mm, plastic_mm, shadow: false, finish };
     let half = ramp.half_width_m;
-    if thing.class == Class::WireForm {
+    if element.class == ElementClass::WireForm {
         let mut wires: Vec<Shape> = hoops(ramp);
         wires.extend(sides(ramp, half, WIRE_MM));
         return Ok(vec![solid(wires, None, finish)]);

@@ -12,7 +12,7 @@ fn the_hash_sees_what_a_game_depends_on_and_no_paint() {
     assert_eq!(read(&repainted, "[class.lamp]\npower = 9\nreach_mm = 99").unwrap().hash, original);
     assert_eq!(read(LAMPS, "ambient = \"#ffffff\"\nname = \"x\"").unwrap().hash, original);
     assert_eq!(read(LAMPS, "[finish.a]\n[class.flipper]\nfinish = \"a\"").unwrap().hash, original);
-    // Where the new thing stands in the drawing must not matter to the names of those after it.
+    // Where the new element stands in the drawing must not matter to the names of those after it.
     let before = SVG.replace("<line class=\"drain\"", r#"<circle class="plastic" r="9"/><line class="drain""#);
     assert_eq!(read_files(&before.replace("{}", LAMPS), "", "").unwrap().hash, original);
     let others = [

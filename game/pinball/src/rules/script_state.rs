@@ -1,9 +1,9 @@
-//! What a script's calls work on: the score, the display, the timers, and the orders to the machine.
+//! Script state: what a script's calls work on: the score, the display, the timers, and the orders to the machine.
 
+use super::display::Display;
 use super::score::Score;
 use super::switches::Switches;
 use super::timers::Timers;
-use crate::rules::Display;
 use geometry::rng::SplitMix64;
 use physics::{Command, Event, EventKind, PartId};
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ const BOB_MS: u64 = 300;
 
 /// Everything that the host keeps for the script.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Desk {
+pub struct ScriptState {
     /// Ticks since the machine was switched on.
     pub now: u64,
     /// Players, points and balls.
@@ -36,7 +36,7 @@ pub struct Desk {
     pub owed: u32,
     /// Flippers obey their buttons.
     pub flippers: bool,
-    /// Bumpers, slingshots, kickbacks and magnets work.
+    /// All coils but those of the flippers work.
     pub kickers: bool,
     /// Until when touches of the tilt bob do not count.
     bob_until: u64,
@@ -61,10 +61,10 @@ impl Message {
     }
 }
 
-impl Desk {
-    /// The desk of a machine that has just been switched on.
-    pub fn new(seed: u64) -> Desk {
-        Desk { random: SplitMix64::new(seed), ..Desk::default() }
+impl ScriptState {
+    /// The script state of a machine that has just been switched on.
+    pub fn new(seed: u64) -> ScriptState {
+        ScriptState { random: SplitMix64::new(seed), ..ScriptState::default() }
     }
 
     /// Queues an order for the next tick. False if too many wait already.
@@ -85,7 +85,7 @@ impl Desk {
 
     /// Shows a message from now on, for `duration_ms` or (0) until another comes. A message with the headline of the one
     /// that is still shown is the same message with other words: it does not come anew.
-    pub fn say(&mut self, lines: Vec<String>, duration_ms: u64) {
+    pub fn show_message(&mut self, lines: Vec<String>, duration_ms: u64) {
         let until = (duration_ms > 0).then(|| self.now.saturating_add(duration_ms));
         let same = !self.message.is_gone(self.now) && self.message.lines.first() == lines.first();
         let since = if same { self.message.since } else { self.now };
@@ -93,7 +93,7 @@ impl Desk {
     }
 
     /// Takes note of an event; the name of the script's function that should hear of it, and the part that it is told.
-    pub fn note(&mut self, event: &Event) -> Option<(&'static str, Option<PartId>)> {
+    pub fn record(&mut self, event: &Event) -> Option<(&'static str, Option<PartId>)> {
         match event.kind {
             EventKind::Closed => {
                 self.switches.set(event.part?, true);

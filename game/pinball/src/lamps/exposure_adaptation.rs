@@ -1,21 +1,21 @@
-//! The light that somebody at the table has got used to: what all lamps give, eased over time.
+//! Exposure adaptation: the light that an eye at the table has adapted to, which pictures are exposed for.
 //!
 //! Integers only, like the lamps, so that a picture of a recording is the same everywhere. It changes nothing in a game:
 //! it is saved with one, for the sake of its pictures, and no part of a hash.
 
-use super::Lamps;
+use super::LampController;
 use crate::Table;
 use crate::table::{Lamp, LampKind};
 use geometry::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Ticks between two looks.
-pub const LOOK_TICKS: u64 = 10;
+pub const ADAPTATION_TICKS: u64 = 10;
 /// Time in which an eye closes all but 1/e of its way to more light, ms.
 const BRIGHTER_MS: i64 = 400;
 /// Time in which it closes all but 1/e of its way to less light, ms.
 const DARKER_MS: i64 = 1200;
-/// The unit of light that is usual: [`Eye::light`] is 1 there.
+/// The unit of light that is usual: [`ExposureAdaptation::light`] is 1 there.
 const USUAL: i64 = 1_000_000;
 /// How much of all lamps at once, each in its own colour, is usual on a table in play.
 const USUAL_PART: f64 = 0.5;
@@ -24,62 +24,65 @@ const USUAL_PART: f64 = 0.5;
 /// reach.
 pub const REFERENCE_MM: f64 = 100.0;
 
-/// Somebody's eye.
+/// The light that an eye has adapted to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Eye {
+pub struct ExposureAdaptation {
     light: i64,
 }
 
-impl Default for Eye {
-    fn default() -> Eye {
-        Eye { light: USUAL }
+impl Default for ExposureAdaptation {
+    fn default() -> ExposureAdaptation {
+        ExposureAdaptation { light: USUAL }
     }
 }
 
-impl Eye {
-    /// What it has got used to, in parts of what is usual.
+impl ExposureAdaptation {
+    /// The light that it has adapted to, in parts of what is usual.
     pub fn light(self) -> f32 {
         self.light as f32 / USUAL as f32
     }
 
-    /// [`LOOK_TICKS`] later, while lamps give `light` (as [`Brightness`] tells it).
-    fn look(&mut self, light: i64) {
+    /// [`ADAPTATION_TICKS`] later, while lamps give `light` (as [`LampBrightness`] tells it).
+    fn adapt(&mut self, light: i64) {
         let gap = light - self.light;
         let time = if gap > 0 { BRIGHTER_MS } else { DARKER_MS };
-        let step = gap * LOOK_TICKS as i64 / time;
+        let step = gap * ADAPTATION_TICKS as i64 / time;
         // What is left of its way when it is too near for a step is seen by nobody.
         self.light = if step == 0 { light } else { self.light + step };
     }
 }
 
-/// How much each lamp of a table is of all light: what an eye has to know of it.
+/// How much each lamp of a table is of all light: what adaptation has to know of it.
 #[derive(Clone, Debug)]
-pub struct Brightness {
+pub struct LampBrightness {
     /// What each lamp gives at its brightest in white, in [`USUAL`]s.
     lamps: Vec<i64>,
 }
 
-impl Brightness {
+impl LampBrightness {
     /// What there is to see on `table`.
-    pub fn new(table: &Table) -> Brightness {
-        let given: Vec<f64> = table.lamps.iter().map(|lamp| given(lamp, table.size_mm)).collect();
-        let own = given.iter().zip(&table.lamps).map(|(given, lamp)| given * luminance(lamp.color) as f64 / 65_025.0);
+    pub fn new(table: &Table) -> LampBrightness {
+        let mean_light: Vec<f64> = table.lamps.iter().map(|lamp| mean_light(lamp, table.size_mm)).collect();
+        let own = mean_light
+            .iter()
+            .zip(&table.lamps)
+            .map(|(mean_light, lamp)| mean_light * luminance(lamp.color) as f64 / 65_025.0);
         let usual = USUAL_PART * own.sum::<f64>();
-        let lamp = |given: &f64| if usual > 0.0 { (given / usual * USUAL as f64) as i64 } else { 0 };
-        Brightness { lamps: given.iter().map(lamp).collect() }
+        let lamp = |mean_light: &f64| if usual > 0.0 { (mean_light / usual * USUAL as f64) as i64 } else { 0 };
+        LampBrightness { lamps: mean_light.iter().map(lamp).collect() }
     }
 
-    /// Shows it to an eye for [`LOOK_TICKS`], as the lamps are now.
-    pub fn show(&self, lamps: &Lamps, table: &Table, now: u64, eye: &mut Eye) {
+    /// Shows it to an eye for [`ADAPTATION_TICKS`], as the lamps are now.
+    pub fn show(&self, lamps: &LampController, table: &Table, now: u64, adaptation: &mut ExposureAdaptation) {
         if self.lamps.is_empty() {
             return;
         }
         let lights = lamps.each_light(table, now);
-        let light = lights.zip(&self.lamps).map(|(light, given)| {
-            let given = *given * i64::from(light.level) / 1000;
-            given * i64::from(luminance(light.color)) / 65_025
+        let light = lights.zip(&self.lamps).map(|(light, mean_light)| {
+            let mean_light = *mean_light * i64::from(light.level) / 1000;
+            mean_light * i64::from(luminance(light.color)) / 65_025
         });
-        eye.look(light.sum());
+        adaptation.adapt(light.sum());
     }
 }
 
@@ -90,7 +93,7 @@ fn luminance([r, g, b]: [u8; 3]) -> u32 {
 }
 
 /// The light of a lamp at its brightest, as a mean over a playfield of `size_mm` on which nothing stands.
-pub fn given(lamp: &Lamp, size_mm: DVec2) -> f64 {
+pub fn mean_light(lamp: &Lamp, size_mm: DVec2) -> f64 {
     let area = size_mm.x * size_mm.y;
     let part = match &lamp.kind {
         LampKind::Bulb { height_mm, reach_mm, .. } => {
@@ -106,8 +109,8 @@ pub fn given(lamp: &Lamp, size_mm: DVec2) -> f64 {
             outlines_mm.iter().map(|outline| covered(outline)).sum::<f64>().abs() / area
         }
     };
-    let given = lamp.power * part;
-    if given.is_finite() { given.max(0.0) } else { 0.0 }
+    let mean_light = lamp.power * part;
+    if mean_light.is_finite() { mean_light.max(0.0) } else { 0.0 }
 }
 
 /// The area of a polygon, mm^2, negative if it goes the other way round.
@@ -123,9 +126,9 @@ mod tests {
     #[test]
     fn it_gets_used_to_light_faster_than_to_darkness_and_ends_there() {
         let after = |from: i64, to: i64, ms: u64| {
-            let mut eye = Eye { light: from };
-            (0..ms / LOOK_TICKS).for_each(|_| eye.look(to));
-            eye.light
+            let mut adaptation = ExposureAdaptation { light: from };
+            (0..ms / ADAPTATION_TICKS).for_each(|_| adaptation.adapt(to));
+            adaptation.light
         };
         let up = after(0, 1_000_000, 400);
         assert!((600_000..660_000).contains(&up), "{up}");

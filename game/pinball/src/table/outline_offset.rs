@@ -1,4 +1,4 @@
-//! A polygon grown by a radius: the top of a solid whose edge is a line with a thickness.
+//! Outline offset: a polygon grown by a radius, the top of a solid whose edge is a line with a thickness.
 
 use geometry::{DVec2, Segment, trig};
 

@@ -1,4 +1,4 @@
-//! What a lamp can be told to do: a level that follows time.
+//! Lamp effects: what a lamp can be told to do, a level that follows time.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub enum Mode {
 
 /// A mode with its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Glow {
+pub struct LampEffect {
     /// The shape.
     pub mode: Mode,
     /// The length of a period, ms, at least 1.
@@ -63,9 +63,9 @@ impl Mode {
     }
 }
 
-impl Glow {
+impl LampEffect {
     /// Dark.
-    pub const OFF: Glow = Glow { mode: Mode::Steady(0), period_ms: 1000, shift_ms: 0 };
+    pub const OFF: LampEffect = LampEffect { mode: Mode::Steady(0), period_ms: 1000, shift_ms: 0 };
 
     /// The level that the filament aims at, 0 to 1000, `tick` ms after the start.
     pub fn level(&self, tick: u64) -> u16 {

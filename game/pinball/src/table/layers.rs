@@ -1,13 +1,13 @@
-//! The art of a drawing, cut into layers: what is printed on the floor, what is printed on plastics and caps, which of
+//! Layers: the art of a drawing, cut apart: what is printed on the floor, what is printed on plastics and caps, which of
 //! both is wood, and how high the floor is.
 //!
 //! The text is cut by byte range and everything else is left as it was, so the art stays what its maker wrote: its
 //! gradients, its sheets, its transforms.
 
-use super::class::Class;
 use super::drawing::class_of;
-use super::place::Place;
+use super::element_class::ElementClass;
 use super::style;
+use super::transform::Transform;
 use roxmltree::{Document, Node};
 use std::fmt::Write;
 use std::ops::Range;
@@ -72,7 +72,7 @@ impl Layer {
     fn refuses(self, node: Node) -> bool {
         let above = matches!(self, Layer::Tops | Layer::TopsWood);
         match class_of(node) {
-            Some(class) => !(above && class == Class::Plastic),
+            Some(class) => !(above && class == ElementClass::Plastic),
             None => (is(node, "relief") && self != Layer::Relief) || (is(node, "plastics") && !above),
         }
     }
@@ -84,7 +84,7 @@ fn is(node: Node, word: &str) -> bool {
 
 /// Plastics and what is printed on them.
 fn is_top(node: Node) -> bool {
-    is(node, "plastics") || class_of(node) == Some(Class::Plastic)
+    is(node, "plastics") || class_of(node) == Some(ElementClass::Plastic)
 }
 
 /// The page's size in print has no meaning here: one unit is one millimetre.
@@ -98,8 +98,8 @@ fn floor_edits(parent: Node, edits: &mut Vec<Edit>) {
     for node in parent.children().filter(Node::is_element) {
         match class_of(node) {
             // A hole and a window are in the floor itself.
-            Some(Class::Saucer) => {}
-            Some(Class::Insert) => edits.push(unlit(node)),
+            Some(ElementClass::Saucer) => {}
+            Some(ElementClass::Insert) => edits.push(unlit(node)),
             Some(_) => edits.push((node.range(), String::new())),
             None if is(node, "plastics") || is(node, "relief") => edits.push((node.range(), String::new())),
             None => floor_edits(node, edits),
@@ -190,11 +190,12 @@ fn unlit(node: Node) -> Edit {
     (node.range(), tag)
 }
 
-/// How much the transforms of an element and its ancestors enlarge it; things have only such that do it uniformly.
+/// How much the transforms of an element and its ancestors enlarge it; elements have only such that do it uniformly.
 fn scale(node: Node) -> f64 {
     let transforms: Vec<&str> = node.ancestors().filter_map(|node| node.attribute("transform")).collect();
-    let place = transforms.iter().rev().try_fold(Place::TABLE, |place, transform| place.transformed(transform));
-    place.and_then(|place| place.scale()).unwrap_or(1.0)
+    let transform =
+        transforms.iter().rev().try_fold(Transform::TABLE, |transform, attribute| transform.transformed(attribute));
+    transform.and_then(|transform| transform.scale()).unwrap_or(1.0)
 }
 
 /// How bright a window's colour is with no light behind it.

@@ -1,9 +1,9 @@
-//! A pen that draws lines made of straight pieces and circular arcs on the table, in millimetres.
+//! Path flattening: paths become subpaths of straight pieces and circular arcs on the table, in millimetres.
 //!
 //! Refuses to know how SVG writes them. Curves that are neither are flattened to [`TOLERANCE_MM`] with nothing but `+ - * / sqrt` and
 //! [`geometry::trig`], so that a drawing gives the same bits on every machine.
 
-use super::place::Place;
+use super::transform::Transform;
 use geometry::{Arc, Circle, DVec2, Segment, Shape, trig};
 use std::f64::consts::{PI, TAU};
 
@@ -15,7 +15,7 @@ const VISIBLE_MM: f64 = 0.05;
 const SAME_POINT_MM: f64 = 1e-6;
 /// Coordinates beyond this are a mistake, mm.
 const FARTHEST_MM: f64 = 1e5;
-/// Pieces and points of one thing beyond this are a mistake.
+/// Pieces and points of one element beyond this are a mistake.
 const MOST_PIECES: usize = 10_000;
 
 /// A straight or circular piece of a line, mm.
@@ -37,37 +37,37 @@ impl Piece {
 
 /// A line that is drawn without lifting the pen, mm.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Run {
+pub(super) struct Subpath {
     /// Its pieces in order.
     pub pieces: Vec<Piece>,
-    /// Its corners and enough points between them to be seen: a closed run does not repeat the first.
+    /// Its corners and enough points between them to be seen: a closed subpath does not repeat the first.
     pub polygon: Vec<DVec2>,
     /// It ends where it began.
     pub closed: bool,
 }
 
-/// Draws runs; coordinates go in as the element has them and come out on the table.
-pub(super) struct Pen {
-    place: Place,
+/// Draws subpaths; coordinates go in as the element has them and come out on the table.
+pub(super) struct PathFlattener {
+    transform: Transform,
     scale: f64,
-    runs: Vec<Run>,
+    subpaths: Vec<Subpath>,
     pieces: usize,
     pen: DVec2,
 }
 
-impl Pen {
+impl PathFlattener {
     /// A pen at `place`, which enlarges by `scale`.
-    pub fn new(place: Place, scale: f64) -> Pen {
-        Pen { place, scale, runs: Vec::new(), pieces: 0, pen: DVec2::ZERO }
+    pub fn new(transform: Transform, scale: f64) -> PathFlattener {
+        PathFlattener { transform, scale, subpaths: Vec::new(), pieces: 0, pen: DVec2::ZERO }
     }
 
-    /// What has been drawn, without runs that have no length.
-    pub fn finish(self) -> Vec<Run> {
-        self.runs.into_iter().filter(|run| !run.pieces.is_empty()).collect()
+    /// What has been drawn, without subpaths that have no length.
+    pub fn finish(self) -> Vec<Subpath> {
+        self.subpaths.into_iter().filter(|subpath| !subpath.pieces.is_empty()).collect()
     }
 
     fn to_table(&self, own: DVec2) -> Result<DVec2, String> {
-        let point = self.place.point(own.x, own.y);
+        let point = self.transform.point(own.x, own.y);
         if point.is_finite() && point.abs().max_element() <= FARTHEST_MM {
             Ok(point)
         } else {
@@ -75,19 +75,19 @@ impl Pen {
         }
     }
 
-    /// Begins a run.
+    /// Begins a subpath.
     pub fn start(&mut self, own: DVec2) -> Result<(), String> {
         self.pen = self.to_table(own)?;
-        self.runs.push(Run { polygon: vec![self.pen], ..Run::default() });
+        self.subpaths.push(Subpath { polygon: vec![self.pen], ..Subpath::default() });
         Ok(())
     }
 
-    fn run(&mut self) -> &mut Run {
-        if self.runs.last().is_none_or(|run| run.closed) {
-            self.runs.push(Run { polygon: vec![self.pen], ..Run::default() });
+    fn subpath(&mut self) -> &mut Subpath {
+        if self.subpaths.last().is_none_or(|subpath| subpath.closed) {
+            self.subpaths.push(Subpath { polygon: vec![self.pen], ..Subpath::default() });
         }
-        let last = self.runs.len() - 1;
-        &mut self.runs[last]
+        let last = self.subpaths.len() - 1;
+        &mut self.subpaths[last]
     }
 
     fn count(&mut self, more: usize) -> Result<(), String> {
@@ -100,9 +100,9 @@ impl Pen {
 
     fn push(&mut self, piece: Piece, to: DVec2) -> Result<(), String> {
         self.count(1)?;
-        let run = self.run();
-        run.pieces.push(piece);
-        run.polygon.push(to);
+        let subpath = self.subpath();
+        subpath.pieces.push(piece);
+        subpath.polygon.push(to);
         self.pen = to;
         Ok(())
     }
@@ -120,14 +120,14 @@ impl Pen {
         self.push(Piece::Segment(Segment { a: self.pen, b: to }), to)
     }
 
-    /// Back to the start of the run.
+    /// Back to the start of the subpath.
     pub fn close(&mut self) -> Result<(), String> {
-        let start = self.run().polygon[0];
+        let start = self.subpath().polygon[0];
         self.line_on_table(start)?;
-        let run = self.run();
-        run.closed = true;
-        if run.polygon.len() > 1 && run.polygon[run.polygon.len() - 1].distance(start) < SAME_POINT_MM {
-            run.polygon.pop();
+        let subpath = self.subpath();
+        subpath.closed = true;
+        if subpath.polygon.len() > 1 && subpath.polygon[subpath.polygon.len() - 1].distance(start) < SAME_POINT_MM {
+            subpath.polygon.pop();
         }
         self.pen = start;
         Ok(())
@@ -170,7 +170,7 @@ impl Pen {
     fn circular_arc(&mut self, radius: f64, ellipse: Ellipse, to: DVec2) -> Result<(), String> {
         let from = self.pen;
         let to = self.to_table(to)?;
-        let clockwise = ellipse.sweep != self.place.mirrors();
+        let clockwise = ellipse.sweep != self.transform.mirrors();
         let (center, start, sweep) = through(from, to, radius, ellipse.large, clockwise);
         let circle = Circle { center, radius: center.distance(from) };
         let arc = Arc::new(circle, start, sweep);
@@ -179,7 +179,7 @@ impl Pen {
         for step in 1..steps {
             let part = step as f64 / steps as f64;
             let between = circle.center + trig::direction(start + sweep * part) * circle.radius;
-            self.run().polygon.push(between);
+            self.subpath().polygon.push(between);
         }
         self.push(Piece::Arc(arc), to)
     }

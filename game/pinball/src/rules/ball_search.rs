@@ -3,11 +3,11 @@
 //! After a while without any switch it fires its coils, three rounds; then it gives the ball up and feeds another. A
 //! ball that was given up and moves again is in play again. It also feeds a ball when a script has lost count.
 
-use super::Moment;
-use super::desk::Desk;
+use super::TickInput;
 use super::names::Names;
+use super::script_state::ScriptState;
 use crate::Buttons;
-use physics::{BALL_RADIUS_M, BallPose, Command, Event, EventKind, Kind, Plunger};
+use physics::{BALL_RADIUS_M, BallPose, Command, Event, EventKind, Kind, Plunger, TickEvent};
 use serde::{Deserialize, Serialize};
 
 /// Silence before the first round, ms: with the rounds and a late look another ball comes within 15 s.
@@ -25,7 +25,7 @@ const FREED_M: f64 = 0.03;
 
 /// Where the search stands.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Search {
+pub struct BallSearch {
     /// When a switch was last heard, or nothing had to be heard.
     quiet_since: u64,
     /// Rounds of this silence.
@@ -42,39 +42,39 @@ struct Lost {
     y_um: i64,
 }
 
-impl Search {
+impl BallSearch {
     /// How many of these balls are in play: all but those that were given up.
     pub fn balls_in_play(&self, balls: &[BallPose]) -> u32 {
         balls.iter().filter(|ball| !self.is_lost(ball)).count() as u32
     }
 
     /// One millisecond.
-    pub fn tick(&mut self, moment: &Moment<impl Fn() -> Vec<BallPose>>, desk: &mut Desk, names: &Names) {
-        if moment.events.iter().any(|event| is_sign_of_life(event, names)) {
-            self.rest(moment.now);
+    pub fn tick(&mut self, input: &TickInput<impl Fn() -> Vec<BallPose>>, script: &mut ScriptState, names: &Names) {
+        if input.events.iter().filter_map(TickEvent::event).any(|event| is_sign_of_life(event, names)) {
+            self.rest(input.now);
         }
-        if !moment.now.is_multiple_of(LOOK_MS) {
+        if !input.now.is_multiple_of(LOOK_MS) {
             return;
         }
-        let balls = (moment.balls)();
+        let balls = (input.balls)();
         self.lost.retain(|lost| balls.iter().any(|ball| lost.lies_at(ball)));
         let waits = balls.iter().any(|ball| names.parts().any(|(_, kind)| waits_at(ball, kind)));
-        if !desk.score.playing || waits {
-            self.rest(moment.now);
+        if !script.score.playing || waits {
+            self.rest(input.now);
             return;
         }
-        let held = moment.buttons.0 & (Buttons::LEFT.0 | Buttons::RIGHT.0) != 0;
+        let held = input.buttons.0 & (Buttons::LEFT.0 | Buttons::RIGHT.0) != 0;
         let patience_ms = if held { HELD_MS } else { QUIET_MS };
-        if moment.now < self.quiet_since + patience_ms + u64::from(self.rounds) * ROUND_MS {
+        if input.now < self.quiet_since + patience_ms + u64::from(self.rounds) * ROUND_MS {
             return;
         }
         if self.rounds < ROUNDS {
             self.rounds += 1;
-            desk.order(Command::BallSearch);
+            script.order(Command::BallSearch);
         } else {
-            self.rest(moment.now);
+            self.rest(input.now);
             self.give_up(&balls);
-            desk.add_ball();
+            script.add_ball();
         }
     }
 

@@ -1,6 +1,7 @@
-//! Whole games, played without a screen, with everything that is worth knowing about them.
+//! Self-play: whole games, played without a screen, with everything that is worth knowing about them.
 
 use super::anomaly::Anomaly;
+use super::game_result::GameResult;
 use super::observer::Observer;
 use super::{Bot, Random, Tour};
 use crate::recording::Recorder;
@@ -39,7 +40,7 @@ impl Player {
 
 /// How much is played, and what is made of it.
 #[derive(Clone, Copy, Debug)]
-pub struct Terms {
+pub struct SelfPlayOptions {
     /// Ticks that may be played.
     pub longest: u64,
     /// When a game is over the next begins at once, until `longest` ticks are played exactly.
@@ -48,21 +49,21 @@ pub struct Terms {
     pub digest: bool,
 }
 
-impl Terms {
+impl SelfPlayOptions {
     /// One game of at most `longest` ticks.
-    pub fn one_game(longest: u64) -> Terms {
-        Terms { longest, again: false, digest: false }
+    pub fn one_game(longest: u64) -> SelfPlayOptions {
+        SelfPlayOptions { longest, again: false, digest: false }
     }
 }
 
 /// What came of a game, or of several that followed each other on the same machine.
-pub struct Trial {
+pub struct SelfPlayRun {
     /// The machine's seed.
     pub seed: u64,
     /// Ticks that were played.
     pub ticks: u64,
-    /// The games, in their order: one, unless the terms say that another follows.
-    pub games: Vec<Played>,
+    /// The games, in their order: one, unless the options say that another follows.
+    pub games: Vec<GameResult>,
     /// How long each ball was in play, ticks.
     pub balls: Vec<u64>,
     /// How often each part's switch closed, by the part's index.
@@ -71,41 +72,35 @@ pub struct Trial {
     pub anomalies: Vec<Anomaly>,
     /// What the rules complained about.
     pub complaints: Vec<String>,
-    /// Of every tick, if the terms ask for it.
+    /// Of every tick, if the options ask for it.
     pub digest: Option<Digest>,
     /// The recording, finished.
     pub recording: Vec<u8>,
 }
 
-/// One of a trial's games.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Played {
-    /// From the game before, or from the switching on, until the next or the end of the trial, ticks.
-    pub ticks: u64,
-    /// The best score of the players.
-    pub score: i64,
-    /// The game came to its end.
-    pub over: bool,
-}
-
-impl Trial {
+impl SelfPlayRun {
     /// The best score of the best game.
     pub fn score(&self) -> i64 {
         self.games.iter().map(|game| game.score).max().unwrap_or(0)
     }
 }
 
-/// Plays on these terms.
+/// Plays with these options.
 ///
 /// # Errors
 /// If the table's rules do not run.
-pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> Result<Trial, Failure> {
+pub fn play(
+    table: &Arc<Table>,
+    seed: u64,
+    mut player: Player,
+    options: SelfPlayOptions,
+) -> Result<SelfPlayRun, Failure> {
     let mut simulation = Simulation::new(table.clone(), seed)?;
     let mut recorder = Recorder::new(Cursor::new(Vec::new()), &simulation, seed).map_err(unrecorded)?;
     let mut observer = Observer::new(table);
-    let mut digest = terms.digest.then(Digest::default);
-    while simulation.ticks() < terms.longest && (terms.again || !observer.finished(simulation.ticks())) {
-        let again = terms.again && observer.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
+    let mut digest = options.digest.then(Digest::default);
+    while simulation.ticks() < options.longest && (options.again || !observer.finished(simulation.ticks())) {
+        let again = options.again && observer.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
         let buttons = player.buttons(&simulation);
         let buttons = buttons.with(Buttons::START, buttons.contains(Buttons::START) || again);
         simulation.tick(buttons);
@@ -116,7 +111,7 @@ pub fn play(table: &Arc<Table>, seed: u64, mut player: Player, terms: Terms) -> 
         }
     }
     let seen = observer.finish(&simulation);
-    Ok(Trial {
+    Ok(SelfPlayRun {
         seed,
         ticks: simulation.ticks(),
         games: seen.games,

@@ -1,4 +1,4 @@
-//! Where an element's coordinates lie on the table: its transforms and its ancestors', as one similarity.
+//! Transform: table millimetres from an element's own coordinates. Its transforms and its ancestors', as one similarity.
 //!
 //! Only moves, turns, mirrors and uniform scales are allowed, because a circle must stay a circle and a line's
 //! thickness must stay one number.
@@ -9,23 +9,23 @@ use svgtypes::{TransformListParser, TransformListToken};
 
 /// Table millimetres from an element's own coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct Transform {
     table_from_own: DAffine2,
 }
 
-impl Place {
+impl Transform {
     /// The drawing's own coordinates.
-    pub const TABLE: Place = Place { table_from_own: DAffine2::IDENTITY };
+    pub const TABLE: Transform = Transform { table_from_own: DAffine2::IDENTITY };
 
     /// The place inside this one that a `transform` attribute says, or what is wrong with it.
-    pub fn transformed(&self, attribute: &str) -> Result<Place, String> {
+    pub fn transformed(&self, attribute: &str) -> Result<Transform, String> {
         let mut table_from_own = self.table_from_own;
         for token in TransformListParser::from(attribute) {
             let token = token.map_err(|error| format!("the transform `{attribute}` cannot be read: {error}"))?;
             table_from_own *= affine(token);
         }
         if table_from_own.is_finite() {
-            Ok(Place { table_from_own })
+            Ok(Transform { table_from_own })
         } else {
             Err(format!("the transform `{attribute}` gives numbers that are too large"))
         }
@@ -80,24 +80,24 @@ mod tests {
 
     #[test]
     fn transforms_apply_from_the_right() {
-        let place = Place::TABLE.transformed("translate(100 0) rotate(90) scale(2)").unwrap();
-        assert!(place.point(10.0, 0.0).distance(DVec2::new(100.0, 20.0)) < 1e-12);
-        assert!((place.scale().unwrap() - 2.0).abs() < 1e-12);
-        assert!(!place.mirrors());
+        let transform = Transform::TABLE.transformed("translate(100 0) rotate(90) scale(2)").unwrap();
+        assert!(transform.point(10.0, 0.0).distance(DVec2::new(100.0, 20.0)) < 1e-12);
+        assert!((transform.scale().unwrap() - 2.0).abs() < 1e-12);
+        assert!(!transform.mirrors());
     }
 
     #[test]
     fn a_turn_may_have_its_own_middle() {
-        let place = Place::TABLE.transformed("rotate(180 50 60)").unwrap();
-        assert!(place.point(40.0, 60.0).distance(DVec2::new(60.0, 60.0)) < 1e-12);
+        let transform = Transform::TABLE.transformed("rotate(180 50 60)").unwrap();
+        assert!(transform.point(40.0, 60.0).distance(DVec2::new(60.0, 60.0)) < 1e-12);
     }
 
     #[test]
     fn a_mirror_is_a_similarity_and_a_stretch_is_not() {
-        let mirror = Place::TABLE.transformed("matrix(-1 0 0 1 514 0)").unwrap();
+        let mirror = Transform::TABLE.transformed("matrix(-1 0 0 1 514 0)").unwrap();
         assert!(mirror.mirrors() && mirror.scale() == Ok(1.0));
         for stretch in ["scale(2 1)", "skewX(10)", "matrix(1 0 0.2 1 0 0)", "scale(0)"] {
-            assert!(Place::TABLE.transformed(stretch).unwrap().scale().is_err(), "{stretch}");
+            assert!(Transform::TABLE.transformed(stretch).unwrap().scale().is_err(), "{stretch}");
         }
     }
 }

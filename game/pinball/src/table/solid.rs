@@ -1,0 +1,49 @@
+//! Solids: what casts a shadow, has a top that can be seen, or both.
+
+use geometry::{DVec2, Shape};
+use physics::PartId;
+
+/// A drawn element that casts a shadow, has a top, or both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// The part that moves it or is hit with it, if any.
+    pub part: Option<PartId>,
+    /// Solids with the same group do not shade each other's tops.
+    pub group: u16,
+    /// What casts its shadow, mm, as drawn (a flipper at rest, a drop target up).
+    pub shapes_mm: Vec<Shape>,
+    /// A plastic's closed outline, mm, where it is not the shapes themselves.
+    pub plastic_mm: Option<Vec<DVec2>>,
+    /// Casts a shadow.
+    pub shadow: bool,
+    /// How its top looks.
+    pub finish: Finish,
+}
+
+/// How a solid's top looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finish {
+    /// Reflectance, linear red, green, blue, 0 to 1. With `art` it multiplies the art.
+    pub albedo: [f32; 3],
+    /// Its form.
+    pub profile: Profile,
+    /// Strength of its highlights: 0 is matt, 1 is polished metal.
+    pub gloss: f32,
+    /// Takes its colour from the plastics' art where that is opaque.
+    pub art: bool,
+    /// Light of its own, linear.
+    pub emission: [f32; 3],
+    /// How much of it there is: 1 is solid, 0 is not there.
+    pub opacity: f32,
+    /// How much of the light below it comes through, in the colour of its albedo.
+    pub translucency: f32,
+}
+
+/// A top's form in cross section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Profile {
+    /// Flat, with an edge rounded over this width, mm.
+    Bevel(f32),
+    /// Round all over: a rubber ring, a wire, a dome.
+    Dome,
+}
