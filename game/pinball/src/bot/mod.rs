@@ -8,25 +8,25 @@
 //! The same seed and the same game give the same play. The bot knows no rule, no lamp and no table by name.
 
 pub mod anomaly;
-mod chance;
 mod game_result;
-mod hands;
+mod input_queue;
 mod lookahead;
 mod observer;
 mod plan;
 mod playfield;
 mod random;
+mod rng;
 pub mod self_play;
 mod shot_value;
 mod tour;
 
-pub use chance::Chance;
 pub use game_result::GameResult;
 pub use random::Random;
+pub use rng::Chance;
 pub use tour::Tour;
 
 use crate::{Buttons, Simulation};
-use hands::{Hands, Move};
+use input_queue::{Hands, Move};
 use lookahead::Future;
 use physics::{BallPose, EventKind};
 use playfield::Playfield;

@@ -1,6 +1,6 @@
 //! Chooses what to do with the flippers: tries a few plans in the mind and takes the best.
 
-use super::hands::Move;
+use super::input_queue::Move;
 use super::lookahead::Future;
 use crate::Buttons;
 use physics::BallPose;

@@ -1,7 +1,7 @@
 //! A player who flips at random: what the bot is measured against.
 
-use super::chance::Chance;
 use super::playfield::Playfield;
+use super::rng::Chance;
 use crate::{Buttons, Simulation};
 
 /// Presses each flipper for a random while, again and again, without looking.

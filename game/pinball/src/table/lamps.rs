@@ -1,9 +1,9 @@
 //! From elements to lamps.
 
+use super::config::Numbers;
 use super::drawing::Element;
 use super::element_class::ElementClass;
 use super::lamp::{Emitter, Lamp, LampKind};
-use super::numbers::Numbers;
 use super::style::Paint;
 use geometry::{Circle, DVec2};
 

@@ -2,20 +2,20 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod config;
 mod drawing;
 mod element_class;
 mod hash;
 mod lamp;
 mod lamps;
 mod layers;
-mod load;
-mod numbers;
+mod normal_map;
 mod outline;
 mod outline_offset;
+mod parse;
 mod parts;
-mod path;
+mod path_data;
 mod path_flattening;
-mod relief;
 mod solid;
 mod solids;
 mod source;
@@ -25,8 +25,8 @@ pub(crate) mod tests;
 mod transform;
 
 pub use lamp::{Emitter, Lamp, LampKind};
-pub use load::{FILES, LIMITS_BYTES, TableSources};
-pub use relief::Relief;
+pub use normal_map::Relief;
+pub use parse::{FILES, LIMITS_BYTES, TableSources};
 pub use solid::{Finish, Profile, Solid};
 
 use crate::Failure;
@@ -74,7 +74,7 @@ impl Table {
     /// # Errors
     /// Every mistake in them, one line each: file, line, what was expected.
     pub fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
-        load::load(sources)
+        parse::load(sources)
     }
 
     /// What mistakes call a file of the table.

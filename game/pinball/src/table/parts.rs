@@ -3,9 +3,9 @@
 mod coils;
 mod ramp;
 
+use super::config::Numbers;
 use super::drawing::Element;
 use super::element_class::ElementClass;
-use super::numbers::Numbers;
 use super::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
 use physics::{FlipperControl, Kind, Material};

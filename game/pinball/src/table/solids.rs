@@ -1,12 +1,12 @@
 //! What casts shadows and has a top that can be seen.
 
-mod above;
+mod ramp;
 
-pub(super) use above::above;
+pub(super) use ramp::above;
 
+use super::config::{FinishWords, Numbers};
 use super::drawing::Element;
 use super::element_class::ElementClass;
-use super::numbers::{FinishWords, Numbers};
 use super::outline::Outline;
 use super::path_flattening::Subpath;
 use super::{Finish, Profile, Solid, outline_offset, parts};

@@ -3,9 +3,9 @@
 //! They hang above the lamps, so they cast no shadows.
 
 use super::finish;
+use crate::table::config::Numbers;
 use crate::table::drawing::Element;
 use crate::table::element_class::ElementClass;
-use crate::table::numbers::Numbers;
 use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};
 use physics::{Leg, PartId, Ramp};

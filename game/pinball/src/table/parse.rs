@@ -1,8 +1,8 @@
 //! From a folder to a [`Table`], or to every mistake in it.
 
+use super::config::{self, Numbers};
 use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
-use super::numbers::{self, Numbers};
 use super::solids::{self, Groups};
 use super::source::{self, Mistake, Source};
 use super::{Lamp, Relief, Solid, Table, lamps, layers, parts};
@@ -47,7 +47,7 @@ pub(super) fn load(sources: TableSources) -> Result<Table, Vec<Failure>> {
         svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut mistakes));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
-    let numbers = &numbers::read(&toml, ids, &mut mistakes);
+    let numbers = &config::read(&toml, ids, &mut mistakes);
     let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(told(mistakes)) };
     let build = Build::new(svg, &drawing.elements, numbers, &mut mistakes);
     complete(svg, drawing, &mut mistakes);

@@ -1,6 +1,6 @@
 //! The bot's hands: what they hold, and what they are about to do.
 
-use super::chance::Chance;
+use super::rng::Chance;
 use crate::Buttons;
 
 /// Standard deviation of the moment at which a finger moves, in ticks (ms).

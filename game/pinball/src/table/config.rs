@@ -1,12 +1,12 @@
 //! What `table.toml` says: materials, finishes, and numbers by class and by id; and what holds when it says nothing.
 
-mod read;
+mod parse;
 
-pub(super) use read::read;
+pub(super) use parse::read;
 
 use super::Profile;
 use super::element_class::ElementClass;
-use super::relief::Relief;
+use super::normal_map::Relief;
 use physics::Material;
 use std::collections::BTreeMap;
 
