@@ -1,11 +1,11 @@
-//! From a folder to a [`Table`], or to every mistake in it.
+//! Parses a table's files to a [`Table`], or to every diagnostic of them.
 
-use super::config::{self, Numbers};
+use super::config::{self, Config};
 use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
-use super::solids::{self, Groups};
-use super::source::{self, Mistake, Source};
-use super::{Lamp, Relief, Solid, Table, lamps, layers, parts};
+use super::solids::{self, ShadowGroups};
+use super::source::{self, Diagnostic, Source};
+use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -15,7 +15,7 @@ pub const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
 pub const LIMITS_BYTES: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
 
 /// Mistakes that are worth reading at once.
-const MOST_TOLD: usize = 100;
+const MAX_REPORTED: usize = 100;
 
 /// What a table is read from.
 #[derive(Clone, Debug)]
@@ -31,79 +31,82 @@ pub struct TableSources {
     pub files: [Result<Vec<u8>, String>; 3],
 }
 
-/// The table that these files say, or every mistake in them.
-pub(super) fn load(sources: TableSources) -> Result<Table, Vec<Failure>> {
+/// The table that these files say, or every diagnostic in them.
+pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let TableSources { name, origin, folder, files } = sources;
-    let mut mistakes = Vec::new();
+    let mut diagnostics = Vec::new();
     let mut file = 0;
     let [svg, toml, rules] = files.map(|bytes| {
         let path = source::path(&origin, FILES[file]);
         let source = Source::read(path, bytes, LIMITS_BYTES[file]);
         file += 1;
-        source.map_err(|mistake| mistakes.push(mistake)).ok()
+        source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
     });
-    let document = svg.as_ref().and_then(|svg| drawing::parse(svg).map_err(|mistake| mistakes.push(mistake)).ok());
+    let document =
+        svg.as_ref().and_then(|svg| drawing::parse_xml(svg).map_err(|diagnostic| diagnostics.push(diagnostic)).ok());
     let drawing =
-        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut mistakes));
+        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
-    let numbers = &config::read(&toml, ids, &mut mistakes);
-    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else { return Err(told(mistakes)) };
-    let build = Build::new(svg, &drawing.elements, numbers, &mut mistakes);
-    complete(svg, drawing, &mut mistakes);
-    if !mistakes.is_empty() {
-        return Err(told(mistakes));
+    let config = &config::parse(&toml, ids, &mut diagnostics);
+    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
+        return Err(failures(diagnostics));
+    };
+    let build = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
+    check_required(svg, drawing, &mut diagnostics);
+    if !diagnostics.is_empty() {
+        return Err(failures(diagnostics));
     }
-    let printed = layers::split(&svg.text, document);
+    let printed = layers::split_layers(&svg.text, document);
     let mut table = Table {
-        title: numbers.title.clone().unwrap_or_else(|| name.clone()),
+        title: config.title.clone().unwrap_or_else(|| name.clone()),
         name,
         origin,
         folder,
         layout: Layout {
             size_m: drawing.size_mm * 0.001,
-            slope_rad: numbers.slope_deg.to_radians(),
-            playfield_friction: numbers.playfield_friction,
+            slope_rad: config.slope_deg.to_radians(),
+            playfield_friction: config.playfield_friction,
             parts: build.parts,
         },
-        materials: numbers.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
+        materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
         size_mm: drawing.size_mm,
         lamps: build.lamps,
         solids: build.solids,
         floor_svg: printed.floor,
         tops_svg: printed.tops,
-        relief: Relief {
-            svg: printed.relief,
+        normal_map: NormalMapInputs {
+            height_svg: printed.height,
             wood_svg: printed.wood,
             tops_wood_svg: printed.tops_wood,
-            ..numbers.relief.clone()
+            ..config.normal_map.clone()
         },
         rules: rules.map_or_else(String::new, |rules| rules.text),
-        ambient: ambient(numbers),
+        ambient: ambient(config),
         hash: 0,
     };
     table.hash = super::hash::of(&table);
     Ok(table)
 }
 
-/// The mistakes as sentences, by file and line.
-fn told(mut mistakes: Vec<Mistake>) -> Vec<Failure> {
-    mistakes.sort();
-    mistakes.dedup();
-    let mut told: Vec<Failure> =
-        mistakes.iter().take(MOST_TOLD).map(|mistake| Failure::new(mistake.to_string())).collect();
-    if mistakes.len() > MOST_TOLD {
-        told.push(Failure::new(format!("and {} more mistakes", mistakes.len() - MOST_TOLD)));
+/// The diagnostics as sentences, by file and line.
+fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
+    diagnostics.sort();
+    diagnostics.dedup();
+    let mut failures: Vec<Failure> =
+        diagnostics.iter().take(MAX_REPORTED).map(|diagnostic| Failure::new(diagnostic.to_string())).collect();
+    if diagnostics.len() > MAX_REPORTED {
+        failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
     }
-    told
+    failures
 }
 
-fn ambient(numbers: &Numbers) -> [f32; 3] {
-    solids::linear(numbers.ambient).map(|light| light * numbers.ambient_power as f32)
+fn ambient(config: &Config) -> [f32; 3] {
+    solids::linear(config.ambient).map(|light| light * config.ambient_power as f32)
 }
 
 /// What every table must have.
-fn complete(svg: &Source, drawing: &Drawing, mistakes: &mut Vec<Mistake>) {
+fn check_required(svg: &Source, drawing: &Drawing, diagnostics: &mut Vec<Diagnostic>) {
     let places = |class| drawing.drawn.iter().filter(move |element| element.0 == class).map(|element| element.1);
     for (class, why) in [
         (ElementClass::Flipper, "a game needs at least one"),
@@ -111,40 +114,42 @@ fn complete(svg: &Source, drawing: &Drawing, mistakes: &mut Vec<Mistake>) {
         (ElementClass::Plunger, "no ball could come into play"),
     ] {
         if places(class).next().is_none() {
-            mistakes.push(svg.mistake(0, format!("the drawing has no {}: {why}", class.word())));
+            diagnostics.push(svg.diagnostic(0, format!("the drawing has no {}: {why}", class.word())));
         }
     }
     for at in places(ElementClass::Plunger).skip(1) {
-        mistakes.push(svg.mistake(at, "there is already a plunger; a table has one"));
+        diagnostics.push(svg.diagnostic(at, "there is already a plunger; a table has one"));
     }
 }
 
-/// The elements, made into what they are.
-struct Build {
+/// What elements are converted to: parts, lamps and solids.
+struct Converted {
     parts: Vec<Part>,
     lamps: Vec<Lamp>,
     solids: Vec<Solid>,
 }
 
-impl Build {
-    fn new(svg: &Source, elements: &[Element], numbers: &Numbers, mistakes: &mut Vec<Mistake>) -> Build {
-        let mut build = Build { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
-        let mut groups = Groups::default();
+impl Converted {
+    fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
+        let mut build = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
+        let mut groups = ShadowGroups::default();
         let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
             let solid = |element: &Element| element.name == id && element.class.has_finish();
             grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group)
         };
-        let mut heights = Vec::new();
+        let mut ordered = Vec::new();
         for &(element, group) in &grouped {
-            let built = build.element(element, group, numbers, group_of);
+            let built = build.element(element, group, config, group_of);
             match built {
-                Ok(solids) => heights.extend(solids.into_iter().map(|solid| (solids::height(element.class), solid))),
-                Err(why) => mistakes.push(svg.mistake(element.at, format!("{}: {why}", element.name))),
+                Ok(solids) => {
+                    ordered.extend(solids.into_iter().map(|solid| (solids::draw_order(element.class), solid)))
+                }
+                Err(why) => diagnostics.push(svg.diagnostic(element.at, format!("{}: {why}", element.name))),
             }
         }
-        heights.sort_by_key(|&(height, _)| height);
-        build.solids = heights.into_iter().map(|(_, solid)| solid).collect();
+        ordered.sort_by_key(|&(order, _)| order);
+        build.solids = ordered.into_iter().map(|(_, solid)| solid).collect();
         build
     }
 
@@ -152,21 +157,21 @@ impl Build {
         &mut self,
         element: &Element,
         group: u16,
-        numbers: &Numbers,
+        config: &Config,
         group_of: impl Fn(&str) -> Option<u16>,
     ) -> Result<Vec<Solid>, String> {
         match element.class {
             ElementClass::Lamp | ElementClass::Insert => {
-                self.lamps.push(lamps::lamp(element, numbers, group_of)?);
+                self.lamps.push(lamps::lamp(element, config, group_of)?);
                 Ok(Vec::new())
             }
-            ElementClass::Plastic => Ok(solids::solid(element, None, group, numbers)?.into_iter().collect()),
+            ElementClass::Plastic => Ok(solids::solid(element, None, group, config)?.into_iter().collect()),
             _ => {
                 let id = PartId(self.parts.len() as u16);
-                let part = Part { name: element.name.clone(), kind: parts::kind(element, numbers)? };
+                let part = Part { name: element.name.clone(), kind: parts::kind(element, config)? };
                 let solids = match &part.kind {
-                    physics::Kind::Ramp(ramp) => solids::above(element, id, ramp, group, numbers)?,
-                    _ => solids::solid(element, Some((id, &part)), group, numbers)?.into_iter().collect(),
+                    physics::Kind::Ramp(ramp) => solids::ramp_solids(element, id, ramp, group, config)?,
+                    _ => solids::solid(element, Some((id, &part)), group, config)?.into_iter().collect(),
                 };
                 self.parts.push(part);
                 Ok(solids)
