@@ -1,4 +1,5 @@
-//! The configuration in `table.toml`: materials, finishes, and numbers by class and by id; and what holds when it says nothing.
+//! The configuration in `table.toml`: materials, finishes, and numbers by class and by id; and what holds when the file
+//! says nothing.
 
 mod parse;
 

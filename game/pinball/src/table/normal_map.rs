@@ -1,4 +1,5 @@
-//! Inputs of the floor's normal map: what is raised, engraved, grained and scratched on a table: numbers, and art whose grey is height.
+//! Inputs of the floor's normal map: what is raised, engraved, grained and scratched on a table, as numbers, and as art
+//! whose grey is height.
 
 /// Inputs of a table's normal map, as its folder says them: a height map, wood masks, and numbers.
 #[derive(Clone, Debug)]

@@ -52,7 +52,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
         return Err(failures(diagnostics));
     };
-    let build = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
+    let converted = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
     if !diagnostics.is_empty() {
         return Err(failures(diagnostics));
@@ -67,12 +67,12 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             size_m: drawing.size_mm * 0.001,
             slope_rad: config.slope_deg.to_radians(),
             playfield_friction: config.playfield_friction,
-            parts: build.parts,
+            parts: converted.parts,
         },
         materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
         size_mm: drawing.size_mm,
-        lamps: build.lamps,
-        solids: build.solids,
+        lamps: converted.lamps,
+        solids: converted.solids,
         floor_svg: printed.floor,
         tops_svg: printed.tops,
         normal_map: NormalMapInputs {
@@ -131,7 +131,7 @@ struct Converted {
 
 impl Converted {
     fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
-        let mut build = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
+        let mut converted = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = ShadowGroups::default();
         let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
@@ -140,7 +140,7 @@ impl Converted {
         };
         let mut ordered = Vec::new();
         for &(element, group) in &grouped {
-            let built = build.element(element, group, config, group_of);
+            let built = converted.element(element, group, config, group_of);
             match built {
                 Ok(solids) => {
                     ordered.extend(solids.into_iter().map(|solid| (solids::draw_order(element.class), solid)))
@@ -149,8 +149,8 @@ impl Converted {
             }
         }
         ordered.sort_by_key(|&(order, _)| order);
-        build.solids = ordered.into_iter().map(|(_, solid)| solid).collect();
-        build
+        converted.solids = ordered.into_iter().map(|(_, solid)| solid).collect();
+        converted
     }
 
     fn element(

@@ -1,4 +1,5 @@
-//! Transform: table millimetres from an element's own coordinates. Its transforms and its ancestors', as one similarity transform.
+//! Transforms: an element's coordinates to the table's, through its own transforms and its ancestors', as one
+//! similarity.
 //!
 //! Only moves, turns, mirrors and uniform scales are allowed, because a circle must stay a circle and a line's
 //! thickness must stay one number.
