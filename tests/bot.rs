@@ -93,7 +93,7 @@ fn the_tour_tilts_the_machine_and_does_not_slam_it() {
     for _ in 0..150_000 {
         let buttons = tour.buttons(&simulation);
         simulation.tick(buttons);
-        slams += simulation.events().iter().filter(|event| event.kind == physics::EventKind::Slam).count();
+        slams += simulation.events().filter(|event| event.kind == physics::EventKind::Slam).count();
         tilted |= simulation.display().tilted;
     }
     assert!(tilted && slams == 0, "tilted: {tilted}, {slams} slams");

@@ -94,7 +94,7 @@ fn on_the_ramp() -> Frame {
         let mut replay = recordings::open(&file).unwrap();
         let ramp = replay.simulation().table().part("ramp").expect("Spectrum has a ramp");
         while replay.step() {
-            if replay.simulation().events().iter().any(|event| event.part == Some(ramp)) {
+            if replay.simulation().events().any(|event| event.part == Some(ramp)) {
                 let snapshot = replay.simulation().snapshot();
                 let mut composer = composer_of(&replay);
                 return composer.draw(Interpolation::at(&snapshot), SIZE, &UiState::default()).unwrap().clone();

@@ -43,5 +43,5 @@ pub use mechanisms::controls::Controls;
 pub use mechanisms::kind::*;
 pub use mechanisms::pose::Pose;
 pub use part::PartId;
-pub use part::event::{Contact, Event, EventKind};
+pub use part::event::{Contact, Event, EventKind, TickEvent};
 pub use part::material::Material;

@@ -110,28 +110,32 @@ fn report(title: &str, functions: &[Function]) {
 /// More lines than this are too long.
 const LONG: usize = 70;
 /// More parameters than this are too many.
-const MOST: usize = 8;
+const MOST: usize = 7;
+
+/// How many functions may be too long, and how many may ask for too much: a table of cases, a kernel whose lanes are kept
+/// in registers.
+const EXCEPTIONS: usize = 2;
+
+/// The functions of the test programs.
+fn of_tests() -> Vec<Function> {
+    let folders = crates().into_iter().map(|folder| format!("{folder}/tests")).chain(["tests".to_string()]);
+    let present = folders.filter(|folder| tree::root().join(folder).exists());
+    let files = present.flat_map(|folder| sources(&folder));
+    files.flat_map(|source| functions(&source.path, &source.code)).collect()
+}
 
 #[test]
 fn a_function_is_one_thought() {
-    let functions = all();
-    report("production code", &functions);
-    let tests: Vec<_> = ["tests".to_string()]
-        .into_iter()
-        .chain(crates().iter().map(|folder| format!("{folder}/tests")))
-        .filter(|folder| tree::root().join(folder).exists())
-        .flat_map(|folder| sources(&folder))
-        .flat_map(|source| self::functions(&source.path, &source.code))
-        .collect();
+    let (production, tests) = (all(), of_tests());
+    report("production code", &production);
     report("test programs", &tests);
-
-    let mut lengths: Vec<_> = functions.iter().map(|function| function.lines).collect();
+    let mut lengths: Vec<_> = production.iter().map(|function| function.lines).collect();
     lengths.sort_unstable();
     let median = lengths[lengths.len() / 2];
     assert!(median <= 7, "the median function has {median} lines");
-    let long: Vec<_> =
-        functions.iter().filter(|function| function.lines > LONG).map(|function| &function.place).collect();
-    assert!(long.len() <= 2, "longer than {LONG} lines: {long:#?}");
+    let long: Vec<_> = production.iter().chain(&tests).filter(|function| function.lines > LONG).collect();
+    let places: Vec<_> = long.iter().map(|function| &function.place).collect();
+    assert!(long.len() <= EXCEPTIONS, "longer than {LONG} lines: {places:#?}");
 }
 
 #[test]
@@ -140,9 +144,9 @@ fn a_function_asks_for_little() {
     for count in 5..=10 {
         println!("{count} parameters: {}", functions.iter().filter(|function| function.parameters == count).count());
     }
-    let greedy: Vec<_> =
-        functions.iter().filter(|function| function.parameters > MOST).map(|function| &function.place).collect();
-    assert!(greedy.is_empty(), "more than {MOST} parameters: {greedy:#?}");
+    let greedy = functions.iter().filter(|function| function.parameters > MOST).map(|function| &function.place);
+    let greedy: Vec<_> = greedy.collect();
+    assert!(greedy.len() <= EXCEPTIONS, "more than {MOST} parameters: {greedy:#?}");
 }
 
 #[test]

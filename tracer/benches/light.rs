@@ -32,7 +32,7 @@ fn table(props: &mut Props, width: usize) -> Scene<'_> {
 fn cold(bencher: Bencher, path: SimdLevel, scene: &Scene) {
     let (mut renderer, mut radiance) = (Renderer::on(path), Radiance::default());
     bencher.bench_local(|| {
-        renderer.forget();
+        renderer.invalidate();
         renderer.render(scene, &mut radiance);
     });
 }

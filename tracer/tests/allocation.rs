@@ -3,7 +3,7 @@
 use geometry::DVec2;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tracer::{DisplayBuffer, HalfRenderer, Renderer, Scene, View, scenes};
+use tracer::{DisplayBuffer, Integrator, Renderer, Scene, View, scenes};
 
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
@@ -34,12 +34,13 @@ static COUNTING: Counting = Counting;
 
 /// All lamps flash, two balls roll to and fro and one floats: when every thread has been everywhere, everything is there.
 /// Which thread goes where is chance, so some rounds are given to become warm; then two in a row must ask for nothing.
-fn asks_for_nothing_once_warm(mut draw: impl FnMut(&Scene, &mut DisplayBuffer) + Send) {
+fn asks_for_nothing_once_warm(integrator: Integrator) {
     let view = View::fit(270, 540, scenes::SIZE_MM);
-    let props = scenes::props(&view);
+    let (props, half) = (scenes::props(&view), scenes::props(&view.halved()).floor);
+    let mut renderer = Renderer::with(integrator);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
     pool.install(|| {
-        let mut scene = scenes::table(view, &props);
+        let mut scene = Scene { half_floor: Some(&half), ..scenes::table(view, &props) };
         scenes::lift(&mut scene, &[12.0]);
         let mut film = DisplayBuffer::default();
         let mut round = || {
@@ -50,7 +51,7 @@ fn asks_for_nothing_once_warm(mut draw: impl FnMut(&Scene, &mut DisplayBuffer) +
                 for (at, lamp) in scene.lamps.iter_mut().enumerate() {
                     lamp.color[0] = 0.2 + ((at + frame) % 5) as f32 * 0.1;
                 }
-                draw(&scene, &mut film);
+                renderer.draw(&scene, 1.0, &mut film);
             }
             ASKED.load(Ordering::Relaxed) - before
         };
@@ -63,9 +64,6 @@ fn asks_for_nothing_once_warm(mut draw: impl FnMut(&Scene, &mut DisplayBuffer) +
 /// One test, since what other tests ask for would be counted too.
 #[test]
 fn a_warm_renderer_allocates_nothing() {
-    let mut renderer = Renderer::new();
-    asks_for_nothing_once_warm(|scene, film| renderer.draw(scene, 1.0, film));
-    let half = scenes::props(&View::fit(270, 540, scenes::SIZE_MM).halved()).floor;
-    let mut renderer = HalfRenderer::new();
-    asks_for_nothing_once_warm(|scene, film| renderer.draw(scene, &half, 1.0, film));
+    asks_for_nothing_once_warm(Integrator::Exact);
+    asks_for_nothing_once_warm(Integrator::HalfResolution);
 }

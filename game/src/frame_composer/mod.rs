@@ -21,7 +21,7 @@ use size_dependent_assets::SizeDependentAssets;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;
-use tracer::{Frame, HalfRenderer, RenderStage, Renderer};
+use tracer::{Frame, Integrator, RenderStage, Renderer, Scene};
 
 /// At which resolution the lamps' light is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,7 +59,6 @@ pub struct FrameComposer {
     hud: Hud,
     frame: Frame,
     renderer: Renderer,
-    half: HalfRenderer,
     light: LightResolution,
     zoom: f64,
     camera: Camera,
@@ -85,7 +84,6 @@ impl FrameComposer {
             hud,
             frame,
             renderer: Renderer::new(),
-            half: HalfRenderer::new(),
             light: LightResolution::Full,
             zoom: 1.0,
             camera: Camera::default(),
@@ -176,7 +174,11 @@ impl FrameComposer {
     fn render(&mut self, snapshot: &Snapshot, start: Instant) {
         let Some(assets) = &mut self.assets else { return };
         let exposure = exposure::exposure(snapshot.adaptation.light());
-        let (view, light) = (assets.view, if self.reference.is_some() { LightResolution::Full } else { self.light });
+        let integrator = match (self.reference, self.light) {
+            (Some(sampling), _) => Integrator::MonteCarlo(sampling),
+            (None, LightResolution::Full) => Integrator::Exact,
+            (None, LightResolution::Half) => Integrator::HalfResolution,
+        };
         let times = &mut self.times;
         let mut last = start;
         let mut clock = |step: Option<RenderStage>| {
@@ -184,30 +186,21 @@ impl FrameComposer {
             let time_ms = match step {
                 None => &mut times.scene_ms,
                 Some(RenderStage::Prepared) => &mut times.prepare_ms,
-                Some(RenderStage::Shaded) => &mut times.shadows_ms,
-                Some(RenderStage::Mirrored) => &mut times.balls_ms,
-                Some(RenderStage::Glared) => &mut times.bloom_ms,
-                Some(RenderStage::Developed) => &mut times.tone_map_ms,
+                Some(RenderStage::Lit) => &mut times.shadows_ms,
+                Some(RenderStage::BallsRendered) => &mut times.balls_ms,
+                Some(RenderStage::Bloomed) => &mut times.bloom_ms,
+                Some(RenderStage::ToneMapped) => &mut times.tone_map_ms,
             };
             *time_ms = ms(last, now);
             last = now;
         };
-        if light == LightResolution::Half
-            && let Some((floor, printed, display)) = assets.half()
-        {
-            let scene = self.scene_builder.scene(&self.table, snapshot, view, printed);
-            clock(None);
-            let half = &mut self.half;
-            self.pool.install(|| half.draw_watched(&scene, floor, exposure, display, &mut |step| clock(Some(step))));
-            return;
-        }
-        let scene = self.scene_builder.scene(&self.table, snapshot, view, &assets.printed);
+        let half_floor = assets.half_floor.as_deref();
+        let scene = self.scene_builder.scene(&self.table, snapshot, assets.view, &assets.printed);
+        let scene = Scene { half_floor, ..scene };
         clock(None);
-        let (renderer, display, reference) = (&mut self.renderer, &mut assets.display_buffer, self.reference);
-        self.pool.install(|| match reference {
-            Some(sampling) => renderer.draw_monte_carlo(&scene, sampling, exposure, display),
-            None => renderer.draw_watched(&scene, exposure, display, &mut |step| clock(Some(step))),
-        });
+        self.renderer.set_integrator(integrator);
+        let (renderer, display) = (&mut self.renderer, &mut assets.display_buffer);
+        self.pool.install(|| renderer.draw_timed(&scene, exposure, display, &mut |step| clock(Some(step))));
     }
 
     /// Puts the playfield into its well, and the HUD around and over it.

@@ -14,7 +14,7 @@ pub struct SizeDependentAssets {
     pub view: View,
     pub printed: Printed,
     /// The floor's art at half the resolution, once it has been asked for.
-    half: Option<Box<Floor>>,
+    pub half_floor: Option<Box<Floor>>,
     /// The playfield's pixels.
     pub display_buffer: DisplayBuffer,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
@@ -36,7 +36,7 @@ impl SizeDependentAssets {
             zoom,
             view,
             printed,
-            half: None,
+            half_floor: None,
             display_buffer: DisplayBuffer::default(),
             shift: (0, 0),
         })
@@ -52,15 +52,10 @@ impl SizeDependentAssets {
     /// # Errors
     /// If it cannot be printed at this size.
     pub fn print_half(&mut self, table: &Table) -> Result<(), Failure> {
-        if self.half.is_none() {
-            self.half = Some(Box::new(print_floor(table, &self.view.halved())?));
+        if self.half_floor.is_none() {
+            self.half_floor = Some(Box::new(print_floor(table, &self.view.halved())?));
         }
         Ok(())
-    }
-
-    /// The art at half the resolution, if it has been printed, and the display buffer.
-    pub fn half(&mut self) -> Option<(&Floor, &Printed, &mut DisplayBuffer)> {
-        Some((self.half.as_deref()?, &self.printed, &mut self.display_buffer))
     }
 
     /// What the window shows of the table, mm.

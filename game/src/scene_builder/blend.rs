@@ -29,14 +29,13 @@ fn blend_pose(a: &Pose, b: &Pose, alpha: f64) -> Pose {
         balls: b.balls.iter().map(ball).collect(),
         captives: b.captives.iter().map(captive).collect(),
         flippers_rad: blend_parts(&a.flippers_rad, &b.flippers_rad, |x, y| mix(x, y, alpha)),
-        flipper_torques_n_m: b.flipper_torques_n_m.clone(),
         drop_targets: blend_parts(&a.drop_targets, &b.drop_targets, |x, y| mix(x, y, alpha)),
         spinners_rad: blend_parts(&a.spinners_rad, &b.spinners_rad, |x, y| mix_angle(x, y, alpha)),
         gates_rad: blend_parts(&a.gates_rad, &b.gates_rad, |x, y| mix(x, y, alpha)),
         kickers: blend_parts(&a.kickers, &b.kickers, |x, y| mix(x, y, alpha)),
-        magnets: b.magnets.clone(),
         plunger: mix(a.plunger, b.plunger, alpha),
         cabinet_m: a.cabinet_m.lerp(b.cabinet_m, alpha),
+        ..b.clone()
     }
 }
 

@@ -23,7 +23,9 @@ use geometry::{DVec2, Shape};
 use ids::FirstIds;
 use motion::Motion;
 use physics::{Kind, Leg};
-use tracer::{Filter, Floor, Glow, Group, ItemId, Mask, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View};
+use tracer::{
+    Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
+};
 
 /// Metres to millimetres.
 const MM_PER_M: f64 = 1000.0;
@@ -78,7 +80,6 @@ pub fn print_floor(table: &Table, view: &View) -> Result<Floor, Failure> {
 /// What of a table a scene is built from: everything that does not change from picture to picture.
 pub struct SceneBuilder {
     actors: Vec<Actor>,
-    filters: Vec<Filter>,
     overhangs: Vec<Overhang>,
     rods: Vec<rod::Rod>,
     /// The first group that no solid uses.
@@ -91,6 +92,8 @@ struct Actor {
     solid: Solid,
     /// What it belongs to in the light.
     group: Group,
+    /// What it is made of.
+    material: Material,
     /// The first ids of its occluders and of its tops.
     ids: FirstIds,
     motion: Motion,
@@ -108,15 +111,13 @@ impl SceneBuilder {
         let rods = rod::Rod::all(&table.layout, Group(free_group), &mut ids);
         let solids = 0..table.solids.len();
         let mut actors: Vec<Actor> = solids.filter_map(|index| Actor::new(table, index, &mut ids)).collect();
-        let mut filters = Vec::new();
-        for actor in actors.iter_mut().filter(|actor| actor.is_filter()) {
+        let mut free_group = free_group;
+        for actor in actors.iter_mut().filter(|actor| actor.material != Material::Opaque) {
             // A group of its own: what it belongs to may be as opaque as ever.
-            let group = Group(free_group.saturating_add(1 + filters.len() as u16));
-            actor.group = group;
-            filters.push(Filter { group, tint: tint(&actor.solid.finish) });
+            free_group = free_group.saturating_add(1);
+            actor.group = Group(free_group);
         }
-        let free_group = free_group.saturating_add(filters.len() as u16);
-        SceneBuilder { actors, filters, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
+        SceneBuilder { actors, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -125,12 +126,12 @@ impl SceneBuilder {
             view,
             lamps: lamps(&table.lamps, &moment.lamps),
             occluders: Vec::with_capacity(2 * self.actors.len()),
-            filters: self.filters.clone(),
             overhangs: self.overhangs.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
             balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
             glows: glows(&table.lamps, &moment.lamps, &printed.masks),
             floor: &printed.floor,
+            half_floor: None,
             ambient: self.ambient,
         };
         self.rods.iter().for_each(|rod| rod.place(&moment.pose, &mut scene));
@@ -169,22 +170,19 @@ impl Actor {
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);
-        let group = Group(solid.group);
+        let (group, material) = (Group(solid.group), material(&solid));
         let (occluders, tops) = motion.most_pieces(&solid);
         let ids = ids.take(occluders, tops);
-        Some(Actor { solid, group, ids, motion, bulb: within.filter(|_| highest), frosted: within.is_some() })
-    }
-
-    /// Whether light passes it on its way over the table.
-    fn is_filter(&self) -> bool {
-        self.solid.shadow && self.solid.finish.translucency > 0.0 && self.solid.plastic_mm.is_none()
+        let (bulb, frosted) = (within.filter(|_| highest), within.is_some());
+        Some(Actor { solid, group, material, ids, motion, bulb, frosted })
     }
 
     fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
-        let (group, ids) = (self.group, self.ids);
+        let (group, material, ids) = (self.group, self.material, self.ids);
         let placed = self.motion.place(&self.solid, &moment.pose);
         if self.solid.shadow {
-            let occluder = |&(number, shape): &(u32, Shape)| Occluder::opaque(ids.occluder(number), shape, group);
+            let occluder =
+                |&(number, shape): &(u32, Shape)| Occluder { id: ids.occluder(number), shape, group, material };
             scene.occluders.extend(placed.shadows.iter().map(occluder));
         }
         let mut finish = placed.finish;
@@ -224,9 +222,14 @@ fn nearness(height_mm: f64) -> f64 {
     EYE_MM / (EYE_MM - height_mm.clamp(0.0, 0.5 * EYE_MM))
 }
 
-/// What a translucent thing lets pass: its colour, as deep as the glass is thick, so squared.
-fn tint(finish: &Finish) -> Rgb {
-    finish.albedo.map(|channel| finish.translucency * channel * channel)
+/// What a solid is made of. Light passes a translucent one on its way over the table, in its colour, as deep as the glass is
+/// thick, so squared; a plastic lies flat above the light.
+fn material(solid: &Solid) -> Material {
+    let &Finish { albedo, translucency, .. } = &solid.finish;
+    if !solid.shadow || translucency <= 0.0 || solid.plastic_mm.is_some() {
+        return Material::Opaque;
+    }
+    Material::Tinted { transmittance: albedo.map(|channel| translucency * channel * channel) }
 }
 
 /// A solid's outlines as it is drawn.

@@ -1,7 +1,7 @@
 //! The contact trail: the last contacts of balls, for as long as they are shown.
 
 use crate::hud::TrailContact;
-use physics::Contact;
+use physics::{Contact, TickEvent};
 use std::collections::VecDeque;
 
 /// How long a contact is shown, ticks.
@@ -14,9 +14,9 @@ const MOST_CONTACTS: usize = 256;
 pub struct ContactTrail(VecDeque<(u64, Contact)>);
 
 impl ContactTrail {
-    /// Adds the contacts of a tick.
-    pub fn add(&mut self, tick: u64, contacts: &[Contact]) {
-        self.0.extend(contacts.iter().map(|&contact| (tick, contact)));
+    /// Adds the contacts in a tick's stream.
+    pub fn add(&mut self, tick: u64, events: &[TickEvent]) {
+        self.0.extend(events.iter().filter_map(TickEvent::contact).map(|&contact| (tick, contact)));
         let surplus = self.0.len().saturating_sub(MOST_CONTACTS);
         self.0.drain(..surplus);
     }

@@ -72,7 +72,7 @@ impl LiveGame {
     /// Plays some ticks with these buttons down.
     pub fn play(&mut self, ticks: u64, buttons: Buttons) {
         let LiveGame { machine, rerun, timeline, contact_trail, .. } = self;
-        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.contacts());
+        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.tick_events());
         if let Some(rerun) = rerun {
             timeline.play(rerun, ticks, after_tick);
             return;

@@ -47,7 +47,7 @@ impl ReplaySession {
     /// Plays some ticks; stands still at the end.
     pub fn play(&mut self, ticks: u64) {
         let contact_trail = &mut self.contact_trail;
-        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.contacts());
+        let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.tick_events());
         let played = self.timeline.play(&mut self.replay, ticks, after_tick);
         self.paused |= played < ticks;
         self.look_for_difference();

@@ -13,7 +13,7 @@ use crate::mechanisms::model::{Model, State};
 use crate::mechanisms::rigid_mechanisms::RigidMechanisms;
 use crate::mechanisms::{self, drop_target, elevation, flap_contact, flipper, kicker, plunger, rod, triggers};
 use crate::part::PartId;
-use crate::part::event::{Contact, Event, EventKind};
+use crate::part::event::{self, Contact, Event, EventKind, TickEvent};
 use crate::solver::step::{Step, StepBuffers};
 use crate::solver::substeps::{self, TickInput};
 use geometry::DVec2;
@@ -179,6 +179,11 @@ impl Machine {
     /// The impacts of the last tick, in order.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// Events and contacts of the last tick as one stream, in order.
+    pub fn tick_events(&self) -> impl Iterator<Item = TickEvent> {
+        event::stream(&self.events, &self.contacts)
     }
 
     /// Of everything that can change what happens next.

@@ -5,6 +5,7 @@ use crate::mechanisms::{flipper, kicker, magnet, rod, saucer};
 use crate::part::event::Event;
 use crate::part::validation::Checked;
 use crate::part::{PartId, index_of};
+use geometry::{Circle, Shape};
 use serde::{Deserialize, Serialize};
 
 pub use crate::mechanisms::captive_ball::CaptiveBall;
@@ -103,6 +104,18 @@ impl Kind {
             Kind::Kickback(own) => own.add_to(part, model),
             Kind::Magnet(own) => own.add_to(part, model),
             Kind::CaptiveBall(own) => own.add_to(part, model),
+        }
+    }
+
+    /// Where it notices a ball without throwing it back, m: over a hole, a switch or a field.
+    pub fn sensor(&self) -> Option<Shape> {
+        let disc = |circle: Circle| Shape::disc(circle.center, circle.radius);
+        match self {
+            Kind::Rollover(own) => Some(own.shape),
+            Kind::Drain(own) => Some(own.shape),
+            Kind::Saucer(own) => Some(disc(own.circle)),
+            Kind::Magnet(own) => Some(disc(own.circle)),
+            _ => None,
         }
     }
 }

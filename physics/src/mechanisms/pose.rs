@@ -3,6 +3,7 @@
 use crate::ball::Ball;
 use crate::ball::pose::BallPose;
 use crate::mechanisms::flap::Flap;
+use crate::mechanisms::kind::Kind;
 use crate::mechanisms::model::{Model, State};
 use crate::mechanisms::rigid_mechanisms::RigidMechanisms;
 use crate::mechanisms::{kicker, magnet};
@@ -64,6 +65,17 @@ impl Pose {
             plunger: plunger(model, state),
             cabinet_m: states.cabinet.offset,
         }
+    }
+}
+
+impl Pose {
+    /// Whether a magnet that is on may hold this ball where it is; `kind_of` says what a part is.
+    pub fn may_hold<'a>(&self, ball: &BallPose, kind_of: impl Fn(PartId) -> Option<&'a Kind>) -> bool {
+        let over = |part: PartId| match kind_of(part) {
+            Some(Kind::Magnet(magnet)) => magnet.circle.center.distance(ball.center) < magnet.circle.radius,
+            _ => false,
+        };
+        self.magnets.iter().any(|&(part, on)| on && over(part))
     }
 }
 

@@ -43,7 +43,7 @@ pub enum EventKind {
     Slam,
 }
 
-/// One impact of a ball, for the debug overlay and for sounds; the rules never see it.
+/// One impact of a ball, for the debug overlay and for sounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// When in the tick, s: from 0 to [`crate::TICK_S`].
@@ -58,4 +58,47 @@ pub struct Contact {
     pub speed_m_s: f64,
     /// The impulse that the ball was given, N s.
     pub impulse_n_s: DVec2,
+    /// How many of the tick's events came before it: its place in [`crate::Machine::tick_events`].
+    pub events_before: usize,
+}
+
+/// One entry of a tick's stream.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TickEvent {
+    /// A switch, a coil or the cabinet did something.
+    Event(Event),
+    /// A ball hit something.
+    Contact(Contact),
+}
+
+impl TickEvent {
+    /// The event, if it is one.
+    pub fn event(&self) -> Option<&Event> {
+        match self {
+            TickEvent::Event(event) => Some(event),
+            TickEvent::Contact(_) => None,
+        }
+    }
+
+    /// The contact, if it is one.
+    pub fn contact(&self) -> Option<&Contact> {
+        match self {
+            TickEvent::Event(_) => None,
+            TickEvent::Contact(contact) => Some(contact),
+        }
+    }
+}
+
+/// Events and contacts of a tick as one stream, in the order in which they happened.
+pub(crate) fn stream<'a>(events: &'a [Event], contacts: &'a [Contact]) -> impl Iterator<Item = TickEvent> + 'a {
+    let mut contacts = contacts.iter().peekable();
+    let mut passed = 0;
+    std::iter::from_fn(move || {
+        if let Some(&contact) = contacts.next_if(|contact| contact.events_before <= passed) {
+            return Some(TickEvent::Contact(contact));
+        }
+        let event = events.get(passed)?;
+        passed += 1;
+        Some(TickEvent::Event(*event))
+    })
 }

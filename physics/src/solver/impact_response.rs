@@ -162,6 +162,7 @@ fn report(step: &mut Step, candidate: &ImpactCandidate, part: Option<PartId>, (a
         normal: candidate.normal,
         speed_m_s: approach,
         impulse_n_s: impulse * BALL_MASS_KG,
+        events_before: step.events.len(),
     });
 }
 

@@ -1,5 +1,5 @@
-//! The race's methods one by one, at three sizes: `cargo bench -p shadow-race --bench methods`. The counter is pixels, so its
-//! gigaitems a second are pixels a nanosecond.
+//! The race's methods one by one, at three sizes: `cargo bench -p shadow-race --bench methods`. The counter is pixels,
+//! so its gigaitems a second are pixels a nanosecond.
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};

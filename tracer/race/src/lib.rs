@@ -1,9 +1,9 @@
 //! The shadow race: a well-known exercise in fast 2D shadows, solved in several ways and to the same picture.
 //!
-//! The scene is 5 x 5 with a point lamp in each corner and three moving circles of radius 1 that never overlap. A pixel's
-//! light is `0.9 / (1 + d^2)` from each lamp that no circle hides, each lamp in its own colour. [`Method`] names the ways
-//! to render it, from literal loops to spans of pixels. Each of them sums red, green and blue as floats and then rounds
-//! them to a 32-bit pixel, and none keeps anything from the frame before.
+//! The scene is 5 x 5 with a point lamp in each corner and three moving circles of radius 1 that never overlap. A
+//! pixel's light is `0.9 / (1 + d^2)` from each lamp that no circle hides, each lamp in its own colour. [`Method`]
+//! names the ways to render it, from literal loops to spans of pixels. Each of them sums red, green and blue as floats
+//! and then rounds them to a 32-bit pixel, and none keeps anything from the frame before.
 //!
 //! The race shares the crate `tracer`'s frames and its SIMD dispatch, and none of its light. [`tracer_scene`] gives the
 //! same scene to the tracer, with lamps of a size.

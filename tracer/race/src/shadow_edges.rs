@@ -1,8 +1,8 @@
 //! The shadow intervals of the circles on a row of pixels, and their ends in order.
 //!
-//! Seen from a lamp, the circle and what lies behind it are a convex region: on one row it is one interval. Its ends are
-//! on the circle until the row is past where a tangent touches, and on the tangent from there on. As the lamps stand in
-//! the corners and the circles nowhere touch a wall, both tangents run away from the lamp across every row.
+//! Seen from a lamp, the circle and what lies behind it are a convex region: on one row it is one interval. Its ends
+//! are on the circle until the row is past where a tangent touches, and on the tangent from there on. As the lamps
+//! stand in the corners and the circles nowhere touch a wall, both tangents run away from the lamp across every row.
 
 use crate::literal::hides;
 use crate::scene::{SIDE_F32, Scene, corner};
@@ -12,8 +12,8 @@ use tracer::simd::dispatch::{LANES, Lanes, max, min};
 /// An end that is nearer than this to a pixel's centre may be on its other side after rounding, pixels.
 const AMBIGUOUS_PX: f32 = 0.01;
 
-/// Near a circle's top and bottom, where half of its width on a row is less than this, the square root magnifies rounding:
-/// its ends are ambiguous too.
+/// Near a circle's top and bottom, where half of its width on a row is less than this, the square root magnifies
+/// rounding: its ends are ambiguous too.
 const TIP_HALF_WIDTH: f32 = 0.01;
 
 /// One end of every shadow, as far as the tangent from the lamp bounds it.
@@ -78,8 +78,8 @@ impl ShadowEdges {
         shadows
     }
 
-    /// The first column of each shadow on the row at height `y`, and the one after its last: the same one where there is
-    /// no shadow.
+    /// The first column of each shadow on the row at height `y`, and the one after its last: the same one where there
+    /// is no shadow.
     #[inline(always)]
     pub fn on_row(&self, scene: &Scene, y: f32) -> [[u32; LANES]; 2] {
         let mut columns = [[0; LANES]; 2];

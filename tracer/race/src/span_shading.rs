@@ -1,8 +1,9 @@
 //! A span of pixels that the same lamps reach, shaded and written.
 //!
-//! There is one loop for each set of lamps (a const generic), without a branch in it; a hidden lamp costs nothing. The two lamps
-//! of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the division, so
-//! that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until they are a pixel.
+//! There is one loop for each set of lamps (a const generic), without a branch in it; a hidden lamp costs nothing. The
+//! two lamps of a wall share a fraction, a/p + b/q = (a q + b p) / (p q), and the upper and the lower pair share the
+//! division, so that a pixel needs only one, for four lamps as for one. Red, green and blue stay in registers until
+//! they are a pixel.
 
 use crate::column_terms::ColumnTerms;
 use crate::scene::{SIDE_F32, color};

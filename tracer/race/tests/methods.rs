@@ -28,8 +28,8 @@ fn frame(
     frame
 }
 
-/// To one 8-bit level, every byte: where an edge of a shadow passes within rounding of a pixel's middle, the fast methods
-/// ask as the literal loops do.
+/// To one 8-bit level, every byte: where an edge of a shadow passes within rounding of a pixel's middle, the fast
+/// methods ask as the literal loops do.
 #[test]
 fn every_method_draws_the_same_picture() {
     let moments = (0..40).map(|moment| (f64::from(moment) * 0.731, 640, 480));

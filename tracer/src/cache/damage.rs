@@ -1,15 +1,16 @@
-//! What is different from the last picture, and where it can be seen: tiles that nothing of it reaches are left as they
-//! are.
+//! Damage: what is different from the last frame, and where it can be seen. Tiles that nothing of it reaches are left as
+//! they are.
 //!
 //! Every answer is on the safe side: a tile that is drawn again for nothing has the same bits as before. What moves
-//! between a lamp and a tile is not known here but to [`crate::past`].
+//! between a lamp and a tile is known to [`crate::cache::frame_history`].
 
 use crate::cache::item_pairing::ItemPairing;
-use crate::cache::tile_cache::TileMemory;
+use crate::cache::tile_cache::TileCache;
+use crate::cache::validity::Event;
 use crate::scene::id::Item;
 use crate::tile::planes::TILE;
 use crate::tile::rect::TileRect;
-use crate::{Ball, Filter, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
+use crate::{Ball, Floor, Glow, ItemId, Lamp, Mask, Overhang, Revision, Rgb, Scene, View};
 use geometry::{Bounds, DVec2};
 use std::cmp::Ordering;
 
@@ -19,14 +20,14 @@ pub(crate) const DAMAGE_MARGIN_MM: f64 = 0.01;
 /// Where the contact shadow ends of a ball that lies on the floor, in the ball's radii.
 const CONTACT_RADII: f64 = 4.0;
 
-/// How far from its middle a ball darkens the light from everywhere, mm.
+/// How far from its middle a ball darkens the ambient light, mm.
 pub(crate) fn contact_mm(ball: &Ball) -> f64 {
     ball.radius_mm * CONTACT_RADII + ball.lift_mm()
 }
 
-/// An insert as the last picture showed it.
+/// An insert as the last frame showed it.
 #[derive(Clone, Debug, PartialEq)]
-struct Inlay {
+struct ShownGlow {
     id: ItemId,
     revision: Revision,
     color: Rgb,
@@ -34,17 +35,17 @@ struct Inlay {
     pixels: [usize; 4],
 }
 
-impl Item for Inlay {
+impl Item for ShownGlow {
     fn id(&self) -> ItemId {
         self.id
     }
 }
 
-/// A lamp that shone in the last picture.
+/// A lamp that shone in the last frame.
 #[derive(Clone, Debug, PartialEq)]
 struct LitLamp {
     lamp: Lamp,
-    /// Its number in the tiles' memory.
+    /// The number by which the tile caches know it.
     number: usize,
 }
 
@@ -75,11 +76,11 @@ impl ArtKey {
     }
 }
 
-impl Inlay {
-    fn new(glow: &Glow) -> Inlay {
+impl ShownGlow {
+    fn new(glow: &Glow) -> ShownGlow {
         let &Mask { revision, x, y, width, .. } = glow.mask;
         let height = glow.mask.height();
-        Inlay { id: glow.id, revision, color: glow.color, pixels: [x, y, x + width, y + height] }
+        ShownGlow { id: glow.id, revision, color: glow.color, pixels: [x, y, x + width, y + height] }
     }
 }
 
@@ -87,31 +88,39 @@ impl Inlay {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Flash {
     circle: (DVec2, f64),
-    /// Its number in the tiles' memory, if what is remembered of it counts.
-    number: Option<usize>,
+    /// The number by which the tile caches know it.
+    number: usize,
 }
 
-/// What the last picture showed beside shadows and tops, and what is new in this one.
+/// The events of a frame that meet every tile.
+#[derive(Clone, Copy, Debug, Default)]
+struct SceneEvents {
+    art_changed: bool,
+    ambient_changed: bool,
+    buffer_replaced: bool,
+}
+
+impl SceneEvents {
+    fn any(self) -> bool {
+        self.art_changed || self.ambient_changed || self.buffer_replaced
+    }
+}
+
+/// What the last frame showed beside shadows and tops, and what is new in this one.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Changes {
+pub(crate) struct Damage {
     lamps: Vec<LitLamp>,
-    inlays: Vec<Inlay>,
+    shown_glows: Vec<ShownGlow>,
     balls: Vec<Ball>,
     overhangs: Vec<Overhang>,
     ambient: Rgb,
-    filters: Vec<Filter>,
     view: Option<View>,
     art: ArtKey,
-    /// The lamps and the glows of this picture, kept for the next.
+    /// The lamps and the inserts of this frame, kept for the next.
     next_lamps: Vec<LitLamp>,
-    next: Vec<Inlay>,
+    next_glows: Vec<ShownGlow>,
     pairing: ItemPairing,
-    /// Whether all is different.
-    pub everything: bool,
-    /// Whether the art is another, or what passes through filters: nothing that was seen holds.
-    pub repainted: bool,
-    /// Whether the light from everywhere is another.
-    dawned: bool,
+    events: SceneEvents,
     /// The lamps that do not shine as they did.
     flashes: Vec<Flash>,
     /// The pixels of inserts that do not glow as they did: left, top, right, bottom.
@@ -119,22 +128,21 @@ pub(crate) struct Changes {
     /// Where a ball is or was, and how far it darkens the floor: a ball mirrors all of the table, so whatever changes may
     /// show in it.
     contacts: Vec<(DVec2, f64)>,
-    /// Whether the balls are as they were.
-    still: bool,
-    /// Where tops are whose own light is not what it was.
+    balls_are_still: bool,
+    /// Where tops are whose emission is not what it was.
     pub tops: Vec<Bounds>,
 }
 
-impl Changes {
-    /// Compares `scene` with the last one and remembers it; [`Changes::tops`] is the caller's.
-    ///
-    /// `number` gives the number by which the tiles' memory knows a lamp.
-    pub fn turn_page(&mut self, scene: &Scene, number: impl FnMut(&Lamp) -> usize) {
+impl Damage {
+    /// Compares `scene` with the last one and keeps it; [`Damage::tops`] is the caller's. `number` gives the number by
+    /// which the tile caches know a lamp; `buffer_is_last` says that the buffer holds the last frame.
+    pub fn advance(&mut self, scene: &Scene, buffer_is_last: bool, number: impl FnMut(&Lamp) -> usize) {
         let art = ArtKey::of(scene.floor);
-        self.repainted = self.art != art || self.view != Some(scene.view) || self.filters != scene.filters;
-        self.filters.clone_from(&scene.filters);
-        self.dawned = self.ambient != scene.ambient;
-        self.everything = self.repainted || self.dawned;
+        self.events = SceneEvents {
+            art_changed: self.art != art || self.view != Some(scene.view),
+            ambient_changed: self.ambient != scene.ambient,
+            buffer_replaced: !buffer_is_last,
+        };
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
         self.compare_lamps(scene, number);
         self.compare_glows(scene);
@@ -142,71 +150,70 @@ impl Changes {
         for ball in self.balls.iter().chain(&scene.balls) {
             self.contacts.push((ball.center_mm, contact_mm(ball)));
         }
-        self.still = self.balls == scene.balls && self.overhangs == scene.overhangs;
+        self.balls_are_still = self.balls == scene.balls && self.overhangs == scene.overhangs;
         self.balls.clone_from(&scene.balls);
         self.overhangs.clone_from(&scene.overhangs);
+    }
+
+    /// Whether the art is another, or the view.
+    pub fn art_changed(&self) -> bool {
+        self.events.art_changed
     }
 
     /// Leaves balls as they are that lie still where nothing is new; nor has anything moved before a lamp.
     pub fn leave_still_balls(&mut self) {
         let quiet = self.flashes.is_empty() && self.glows.is_empty() && self.tops.is_empty();
-        if quiet && self.still && !self.everything {
+        if quiet && self.balls_are_still && !self.events.any() {
             self.contacts.clear();
         }
     }
 
     /// Balls add light up in the lamps' order, so a lamp that has changed places has changed.
     fn compare_lamps(&mut self, scene: &Scene, mut number: impl FnMut(&Lamp) -> usize) {
-        let Changes { lamps, next_lamps, flashes, pairing, .. } = self;
+        let Damage { lamps, next_lamps, flashes, pairing, .. } = self;
         flashes.clear();
         next_lamps.clear();
         let lit = scene.lamps.iter().filter(|lamp| lamp.shines());
         next_lamps.extend(lit.map(|lamp| LitLamp { lamp: *lamp, number: number(lamp) }));
         pairing.each_change(lamps, next_lamps, |LitLamp { lamp, number }| {
-            push_new(flashes, Flash { circle: (lamp.center_mm, lamp.far_mm()), number: Some(*number) });
+            push_new(flashes, Flash { circle: (lamp.center_mm, lamp.far_mm()), number: *number });
         });
         std::mem::swap(lamps, next_lamps);
     }
 
-    /// Notes that a lamp has to be looked at from everywhere.
-    pub fn flash(&mut self, lamp: &Lamp) {
-        self.flashes.push(Flash { circle: (lamp.center_mm, lamp.far_mm()), number: None });
-    }
-
     fn compare_glows(&mut self, scene: &Scene) {
-        let Changes { inlays, next, glows, pairing, .. } = self;
+        let Damage { shown_glows, next_glows, glows, pairing, .. } = self;
         glows.clear();
-        next.clear();
-        next.extend(scene.glows.iter().map(Inlay::new));
-        pairing.each_change(inlays, next, |inlay| push_new(glows, inlay.pixels));
-        std::mem::swap(inlays, next);
+        next_glows.clear();
+        next_glows.extend(scene.glows.iter().map(ShownGlow::new));
+        pairing.each_change(shown_glows, next_glows, |glow| push_new(glows, glow.pixels));
+        std::mem::swap(shown_glows, next_glows);
     }
 
-    /// What may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
-    pub fn near(&self, middle_mm: DVec2, radius_mm: f64, moved_tops: &[Bounds], nearby: &mut Nearby) {
-        (nearby.repainted, nearby.dawned) = (self.repainted, self.dawned);
+    /// The damage that may be seen in the block of tiles round `middle_mm`, `radius_mm` to its corners.
+    pub fn within(&self, middle_mm: DVec2, radius_mm: f64, moved_tops: &[Bounds], block: &mut BlockDamage) {
+        block.events = self.events;
         let room = radius_mm + DAMAGE_MARGIN_MM;
         let bounds = Bounds::of(middle_mm, middle_mm).grown(room);
         let overlapping = |list: &[Bounds], near: &mut Vec<Bounds>| {
             near.clear();
             near.extend(list.iter().filter(|top| top.overlaps(&bounds)));
         };
-        overlapping(moved_tops, &mut nearby.moved_tops);
-        overlapping(&self.tops, &mut nearby.tops);
-        nearby.flashes.clear();
-        nearby.flashes.extend(self.flashes.iter().filter(|flash| is_near(&flash.circle, middle_mm, room)));
-        nearby.contacts.clear();
-        nearby.contacts.extend(self.contacts.iter().filter(|circle| is_near(circle, middle_mm, room)));
-        nearby.glows.clear();
-        nearby.glows.extend_from_slice(&self.glows);
+        overlapping(moved_tops, &mut block.moved_tops);
+        overlapping(&self.tops, &mut block.tops);
+        block.flashes.clear();
+        block.flashes.extend(self.flashes.iter().filter(|flash| is_near(&flash.circle, middle_mm, room)));
+        block.contacts.clear();
+        block.contacts.extend(self.contacts.iter().filter(|circle| is_near(circle, middle_mm, room)));
+        block.glows.clear();
+        block.glows.extend_from_slice(&self.glows);
     }
 }
 
-/// The changes that may be seen in one block of tiles.
+/// The damage that may be seen in one block of tiles.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Nearby {
-    repainted: bool,
-    dawned: bool,
+pub(crate) struct BlockDamage {
+    events: SceneEvents,
     moved_tops: Vec<Bounds>,
     tops: Vec<Bounds>,
     flashes: Vec<Flash>,
@@ -214,25 +221,43 @@ pub(crate) struct Nearby {
     glows: Vec<[usize; 4]>,
 }
 
-impl Nearby {
-    /// Whether the tile at `rect` may look different; `memory`, what it saw in the last picture, forgets what is not so
-    /// any more.
-    pub fn reach(&self, rect: &TileRect, memory: &mut TileMemory) -> bool {
-        let &TileRect { x, y, middle_mm, radius_mm, ref bounds, .. } = rect;
-        let room = radius_mm + DAMAGE_MARGIN_MM;
-        if self.repainted || self.moved_tops.iter().any(|moved| moved.overlaps(bounds)) {
-            memory.forget();
+impl BlockDamage {
+    /// Tells a tile's cache of every event that reaches the tile; says whether the tile may look different from the last
+    /// frame's.
+    pub fn apply(&self, rect: &TileRect, cache: &mut TileCache) -> bool {
+        let overlaps = |list: &[Bounds]| list.iter().any(|top| top.overlaps(&rect.bounds));
+        if self.events.art_changed {
+            cache.apply(Event::ArtChanged);
+        } else if overlaps(&self.moved_tops) {
+            cache.apply(Event::TopMoved);
         }
-        let shines = self.tops.iter().any(|top| top.overlaps(bounds));
-        memory.base.holds &= !shines && !self.dawned;
-        let seen = |flash: &Flash| !flash.number.is_some_and(|number| memory.is_dark(number));
-        !memory.base.holds
-            || self.contacts.iter().any(|circle| is_near(circle, middle_mm, room))
-            || self.flashes.iter().any(|flash| is_near(&flash.circle, middle_mm, room) && seen(flash))
-            || self
-                .glows
-                .iter()
-                .any(|&[left, top, right, bottom]| left < x + TILE && right > x && top < y + TILE && bottom > y)
+        if overlaps(&self.tops) {
+            cache.apply(Event::EmissionChanged);
+        }
+        if self.events.ambient_changed {
+            cache.apply(Event::AmbientChanged);
+        }
+        let redraws = self.redraws(rect, cache);
+        if let Some(event) = redraws {
+            cache.apply(event);
+        }
+        redraws.is_some() || !cache.base().is_valid()
+    }
+
+    /// An event, if there is any, that leaves all layers valid, but gives them other weights or is drawn over them.
+    fn redraws(&self, rect: &TileRect, cache: &TileCache) -> Option<Event> {
+        let &TileRect { x, y, middle_mm, radius_mm, .. } = rect;
+        let room = radius_mm + DAMAGE_MARGIN_MM;
+        let flashes = |flash: &Flash| is_near(&flash.circle, middle_mm, room) && !cache.is_dark(flash.number);
+        let shows =
+            |&[left, top, right, bottom]: &[usize; 4]| left < x + TILE && right > x && top < y + TILE && bottom > y;
+        match () {
+            () if self.events.buffer_replaced => Some(Event::BufferReplaced),
+            () if self.contacts.iter().any(|circle| is_near(circle, middle_mm, room)) => Some(Event::BallMoved),
+            () if self.flashes.iter().any(flashes) => Some(Event::LampFlashed),
+            () if self.glows.iter().any(shows) => Some(Event::GlowChanged),
+            () => None,
+        }
     }
 }
 

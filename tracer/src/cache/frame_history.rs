@@ -1,9 +1,9 @@
 //! What the last picture was made of, what has moved since, and the tiles that remember it.
 
 use crate::cache::item_pairing::ItemPairing;
-use crate::cache::tile_cache::TileMemory;
+use crate::cache::tile_cache::TileCache;
+use crate::cache::validity::Event;
 use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
-use geometry::Bounds;
 
 /// How many lamps are remembered: in a scene of more, every picture is made from nothing.
 pub(crate) const MAX_LAMPS: usize = 160;
@@ -16,7 +16,7 @@ const MAX_MOVES: usize = 200;
 
 /// A lamp that has been seen.
 #[derive(Clone, Debug)]
-pub(crate) struct Known {
+pub(crate) struct KnownLamp {
     /// The lamp, black.
     lamp: Lamp,
     /// What has moved since it shone last: where it was, and where it went.
@@ -29,27 +29,25 @@ pub(crate) struct Known {
 
 /// What the last picture was made of, and what has moved since.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Past {
+pub(crate) struct FrameHistory {
     view: Option<View>,
     occluders: Vec<Occluder>,
     /// The balls that float, not turned.
     airborne: Vec<Ball>,
     /// Those of the picture that is to come.
     next: Vec<Ball>,
-    /// The lamps, by the numbers that [`TileMemory`] knows them by; and those that have been where they are not any more.
-    pub known: Vec<Known>,
+    /// The lamps, by the numbers that [`TileCache`] knows them by; and those that have been where they are not any more.
+    pub known: Vec<KnownLamp>,
     /// The lamps' numbers, in the order of their ids.
     numbers: Vec<(ItemId, usize)>,
     pairing: ItemPairing,
     /// The tiles, band by band.
-    pub bands: Vec<Vec<TileMemory>>,
-    /// Where tops have moved.
-    pub moved_tops: Vec<Bounds>,
+    pub bands: Vec<Vec<TileCache>>,
 }
 
-impl Past {
+impl FrameHistory {
     /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
-    pub fn turn_page(&mut self, scene: &Scene, bands: usize, tiles: usize) {
+    pub fn advance(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
         if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
@@ -57,12 +55,20 @@ impl Past {
             self.numbers.clear();
             self.bands.resize_with(bands, Vec::new);
             for band in &mut self.bands {
-                band.resize_with(tiles, TileMemory::default);
-                band.iter_mut().for_each(TileMemory::forget);
+                band.resize_with(tiles, TileCache::default);
+                band.iter_mut().for_each(|tile| tile.apply(Event::ViewChanged));
             }
         }
-        let Past { occluders: old, airborne, next, known, pairing, .. } = self;
-        pairing.each_change(old, occluders, |moved| known.iter_mut().for_each(|known| known.moved.push(*moved)));
+        let FrameHistory { occluders: old, airborne, next, known, pairing, .. } = self;
+        pairing.each_change(old, occluders, |moved| {
+            // How a tile is lit past tinted groups depends on which of them may be in the way at all, which reaches farther
+            // than their shadows.
+            let everywhere = moved.material.transmittance().is_some();
+            for known in known.iter_mut() {
+                known.lost |= everywhere;
+                known.moved.push(*moved);
+            }
+        });
         next.clear();
         let is_airborne = |ball: &&Ball| ball.is_airborne();
         next.extend(scene.balls.iter().filter(is_airborne).map(|ball| Ball { rotation: [0.0; 4], ..*ball }));
@@ -80,8 +86,8 @@ impl Past {
     }
 
     /// Whether any tile is another than in the last picture.
-    pub fn is_fresh(&self) -> bool {
-        self.bands.iter().flatten().any(|tile| tile.fresh)
+    pub fn any_redrawn(&self) -> bool {
+        self.bands.iter().flatten().any(|tile| tile.redrawn)
     }
 
     /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
@@ -94,7 +100,7 @@ impl Past {
             return self.numbers[at].1;
         }
         let number = self.known.len();
-        self.known.push(Known { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
+        self.known.push(KnownLamp { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
         match at {
             Ok(at) => self.numbers[at].1 = number,
             Err(at) => self.numbers.insert(at, (lamp.id, number)),
@@ -103,7 +109,7 @@ impl Past {
     }
 
     /// The lamp of this number has been looked at from everywhere.
-    pub fn looked_at(&mut self, number: usize) {
+    pub fn lamp_updated(&mut self, number: usize) {
         self.known[number].moved.clear();
         self.known[number].moved_balls.clear();
         self.known[number].lost = false;

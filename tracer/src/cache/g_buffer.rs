@@ -1,6 +1,7 @@
 //! What a tile shows, kept from picture to picture: which pixels of the floor and of every top, how much of them, and
 //! which way they lean. It holds until a top moves in the tile.
 
+use crate::cache::validity::Validity;
 use crate::shading::surface::{Normals, Surface};
 use crate::shading::top_layer::TopLayer;
 use crate::simd::dispatch::{LANES, Lanes};
@@ -9,11 +10,10 @@ use crate::tile::planes::{Plane, TILE};
 
 /// The surfaces of one tile.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Surfaces {
-    /// Whether they are known.
-    pub holds: bool,
+pub(crate) struct CachedGBuffer {
+    pub validity: Validity,
     /// Whether the floor's points are every pixel of the tile.
-    pub whole: bool,
+    pub is_dense: bool,
     /// The floor's pixels, if they are not all.
     pub floor: Vec<u8>,
     /// How much of each pixel of the tile is floor; empty if all of all.
@@ -23,7 +23,7 @@ pub(crate) struct Surfaces {
     layers: usize,
 }
 
-impl Surfaces {
+impl CachedGBuffer {
     /// What the tile shows of tops.
     pub fn tops(&self) -> &[CachedTop] {
         &self.tops[..self.layers]
@@ -50,7 +50,7 @@ fn refill<T: Copy>(list: &mut Vec<T>, contents: &[T]) {
 /// What a tile shows of a top.
 #[derive(Clone, Debug)]
 pub(crate) struct CachedTop {
-    form: usize,
+    slot: usize,
     pixel: Vec<u8>,
     weight: Vec<Lanes>,
     normals: [Vec<Lanes>; 3],
@@ -62,13 +62,13 @@ impl CachedTop {
     /// Nothing.
     fn empty() -> CachedTop {
         let planes = [const { Vec::new() }; 3];
-        CachedTop { form: 0, pixel: Vec::new(), weight: Vec::new(), normals: planes.clone(), print: planes }
+        CachedTop { slot: 0, pixel: Vec::new(), weight: Vec::new(), normals: planes.clone(), print: planes }
     }
 
     /// Keeps what a layer shows.
     fn keep(&mut self, layer: &TopLayer) {
-        let TopLayer { form, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
-        self.form = *form;
+        let TopLayer { slot, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
+        self.slot = *slot;
         refill(&mut self.pixel, &points.pixel[..points.count]);
         let planes: [&Plane; 4] = [weight, &normals.x, &normals.y, &normals.z];
         for (kept, plane) in [&mut self.weight].into_iter().chain(&mut self.normals).zip(planes) {
@@ -81,9 +81,9 @@ impl CachedTop {
 
     /// Makes a layer show it again.
     pub fn unpack(&self, mm_per_px: f32, layer: &mut TopLayer) {
-        let TopLayer { form, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
+        let TopLayer { slot, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
         let Normals { x, y, z } = normals;
-        *form = self.form;
+        *slot = self.slot;
         points.take(&self.pixel, mm_per_px);
         for (plane, packed) in [weight, x, y, z].into_iter().zip([&self.weight].into_iter().chain(&self.normals)) {
             plane[..packed.len()].copy_from_slice(packed);

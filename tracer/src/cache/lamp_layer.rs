@@ -1,214 +1,214 @@
-//! What one tile shows in the light of one lamp: whether that still holds, and the picture.
+//! A layer: one tile in one light, of the lamp's colour or white, in packed planes. What is known of it, and its planes.
+//!
+//! Of bare floor the irradiance is kept, before the albedo: one plane for all three channels.
 
-use crate::cache::cell_means::Gist;
-use crate::cache::packed_planes::{Half, Pair, encode_rows};
-use crate::cache::weighted_sum::scale_of;
+use crate::Group;
+use crate::Rgb;
+use crate::cache::cell_means::CellMeans;
+use crate::cache::packed_planes::{PackedPlanes, PlaneSlot, encode_rows};
+use crate::cache::validity::Validity;
+use crate::cache::weighted_sum::quantization_step;
 use crate::simd::dispatch::SimdLevel;
 use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, RowMask};
-use crate::{Group, Rgb};
 
 /// What is known of a tile in the light of one lamp.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sight {
-    /// Whether anything that is known holds.
-    pub holds: bool,
-    /// Whether there is any light.
-    is_lit: bool,
-    /// Whether the picture's scales are those of the tile with nothing in the way: then rows can be kept one by one.
-    pub gauged: bool,
-    /// Rows of which it does not hold.
-    pub stale: RowMask,
+pub(crate) struct LampState {
+    pub validity: Validity,
+    /// Whether there is any light, as far as it is valid.
+    pub is_lit: bool,
+    /// Whether the layer's quantization steps are those of the tile with nothing in the way: then rows can be kept one by
+    /// one.
+    pub has_step: bool,
     /// What hides the lamp from all of the tile, if it is one group alone.
     pub hidden_by: Option<Group>,
-    /// Which of the tile's pictures it is, if there has been one.
-    pub kept: Option<u16>,
+    /// Which of the tile's layers it is, if there has been one.
+    pub layer: Option<u16>,
 }
 
-impl Sight {
-    /// Whether it is known to be lit.
-    pub fn is_lit(&self) -> bool {
-        self.holds && self.is_lit
-    }
-
-    /// Whether all that can be seen is known.
-    pub fn is_whole(&self) -> bool {
-        self.holds && self.stale == 0
-    }
-
-    /// What has to be made anew.
+impl LampState {
+    /// The rows that have to be made anew.
     pub fn rows_to_make(&self) -> RowMask {
-        if self.holds && (self.stale == 0 || self.is_lit && self.gauged) { self.stale } else { ALL_ROWS }
+        match self.validity {
+            Validity::Valid => 0,
+            Validity::Stale(rows) if self.is_lit && self.has_step => rows,
+            Validity::Stale(_) | Validity::Empty => ALL_ROWS,
+        }
     }
 
-    /// Has been made anew.
-    pub fn renew(&mut self, is_lit: bool, hidden_by: Option<Group>) {
-        (self.holds, self.stale, self.is_lit, self.hidden_by) = (true, 0, is_lit, hidden_by);
+    /// The lamp's light has been made anew.
+    pub fn made_anew(&mut self, is_lit: bool, hidden_by: Option<Group>) {
+        (self.validity, self.is_lit, self.hidden_by) = (Validity::Valid, is_lit, hidden_by);
     }
 }
 
-/// How a picture is kept.
+/// How a layer is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LayerFormat {
-    /// Red, green and blue.
+    /// Radiance: red, green and blue.
     #[default]
-    Colors,
-    /// What arrives at bare floor.
-    Floor,
-    /// The same, and what shines on the floor.
-    GlossyFloor,
+    Rgb,
+    /// Irradiance at bare floor.
+    Irradiance,
+    /// The same, and what the floor's coat reflects.
+    IrradianceSpecular,
 }
 
-/// Half pairs of planes, given away one by one.
+/// The three kinds of planes that a tile keeps, each in a pool of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlaneKind {
+    /// Irradiance at the floor.
+    Irradiance,
+    /// What the floor's coat reflects.
+    Specular,
+    /// Red, green, blue.
+    Rgb,
+}
+
+/// Slots of packed planes, given away one by one.
 #[derive(Clone, Debug)]
-pub(crate) struct Pool<const CHANNELS: usize> {
-    /// The pairs; those that were given away before [`Planes::clear`] are still there.
-    pairs: Vec<[Pair; CHANNELS]>,
+pub(crate) struct PlanePool<const CHANNELS: usize> {
+    /// The planes; those that were given away before [`PlanePools::clear`] are still there.
+    planes: Vec<[PackedPlanes; CHANNELS]>,
     given: u16,
 }
 
-impl<const CHANNELS: usize> Default for Pool<CHANNELS> {
+impl<const CHANNELS: usize> Default for PlanePool<CHANNELS> {
     fn default() -> Self {
-        Pool { pairs: Vec::new(), given: 0 }
+        PlanePool { planes: Vec::new(), given: 0 }
     }
 }
 
-impl<const CHANNELS: usize> Pool<CHANNELS> {
-    /// The pairs of which any half is given away.
-    pub fn pairs(&self) -> &[[Pair; CHANNELS]] {
-        &self.pairs[..usize::from(self.given).div_ceil(2)]
+impl<const CHANNELS: usize> PlanePool<CHANNELS> {
+    /// The packed planes of which any slot is given away.
+    pub fn planes(&self) -> &[[PackedPlanes; CHANNELS]] {
+        &self.planes[..usize::from(self.given).div_ceil(2)]
     }
 
-    /// The half that is in `place`; one is given away if none is.
-    fn take(&mut self, place: &mut Option<Half>) -> (&mut [Pair; CHANNELS], Half) {
-        let half = *place.get_or_insert_with(|| {
+    /// The planes of the slot that is in `place`; one is given away if none is.
+    fn take(&mut self, place: &mut Option<PlaneSlot>) -> (&mut [PackedPlanes; CHANNELS], PlaneSlot) {
+        let slot = *place.get_or_insert_with(|| {
             self.given += 1;
-            Half::after(self.given - 1)
+            PlaneSlot::after(self.given - 1)
         });
-        if half.pair() == self.pairs.len() {
-            self.pairs.push([Pair::NOTHING; CHANNELS]);
+        if slot.index() == self.planes.len() {
+            self.planes.push([PackedPlanes::ZERO; CHANNELS]);
         }
-        (&mut self.pairs[half.pair()], half)
+        (&mut self.planes[slot.index()], slot)
     }
 }
 
-/// The planes of a tile's pictures.
+/// The planes of a tile's layers.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Planes {
-    /// Of what arrives at the floor.
-    pub irradiance: Pool<1>,
-    /// Of what shines there.
-    pub specular: Pool<1>,
-    /// Red, green, blue.
-    pub colors: Pool<3>,
+pub(crate) struct PlanePools {
+    pub irradiance: PlanePool<1>,
+    pub specular: PlanePool<1>,
+    pub rgb: PlanePool<3>,
 }
 
-impl Planes {
-    /// Nothing is given away any more.
+impl PlanePools {
+    /// Takes every slot back.
     pub fn clear(&mut self) {
         self.irradiance.given = 0;
         self.specular.given = 0;
-        self.colors.given = 0;
+        self.rgb.given = 0;
     }
 }
 
-/// A tile's picture: what the bloom needs of it, and where the rest is.
+/// A tile in one light: the means of its cells, and where its planes are.
 #[derive(Clone, Debug, Default)]
 #[repr(align(64))]
-pub(crate) struct Kept {
+pub(crate) struct CachedLayer {
     /// The lamp, by its number.
     pub lamp: u16,
     /// Whether there is any light.
     pub is_lit: bool,
-    /// In which planes.
-    pub form: LayerFormat,
-    /// What the planes' steps are worth, and those of the gloss; 0 if there is none.
-    pub scales: [f32; 2],
-    /// Its means.
-    pub gist: Gist,
-    /// Its places among those that arrive, that shine and that are coloured.
-    halves: [Option<Half>; 3],
+    pub format: LayerFormat,
+    /// The quantization steps of its planes, and of its specular ones; 0 if there is no light.
+    steps: [f32; 2],
+    pub means: CellMeans,
+    /// The slots of its irradiance, its specular planes and its radiance.
+    slots: [Option<PlaneSlot>; 3],
 }
 
-/// A plane, or three, as a part of a sum.
+/// A plane, or three, as a part of a weighted sum.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Part {
-    /// Whether it arrives, shines or is coloured: 0, 1, 2.
-    pub list: usize,
-    /// Where it is.
-    pub half: Half,
-    /// What it is multiplied by.
-    pub gain: Rgb,
+pub(crate) struct WeightedSlot {
+    pub kind: PlaneKind,
+    pub slot: PlaneSlot,
+    pub weight: Rgb,
 }
 
-impl Kept {
+impl CachedLayer {
     /// Darkness, in the light of a lamp.
-    pub fn of(lamp: usize) -> Kept {
-        Kept { lamp: lamp as u16, ..Kept::default() }
+    pub fn of(lamp: usize) -> CachedLayer {
+        CachedLayer { lamp: lamp as u16, ..CachedLayer::default() }
     }
 
-    /// Says what steps of colours are worth.
-    pub fn gauge(&mut self, scale: f32) {
-        (self.form, self.scales) = (LayerFormat::Colors, [scale, 0.0]);
+    /// Becomes radiance in steps of this size.
+    pub fn set_step(&mut self, step: f32) {
+        (self.format, self.steps) = (LayerFormat::Rgb, [step, 0.0]);
     }
 
-    /// Says the same of a floor with nothing in the way.
-    pub fn gauge_floor(&mut self, simd: SimdLevel, floor: &Bare) {
-        self.scales = [floor.irradiance, floor.specular].map(|plane| scale_of(simd, std::slice::from_ref(plane)));
-        self.form = if self.scales[1] > 0.0 { LayerFormat::GlossyFloor } else { LayerFormat::Floor };
+    /// Becomes bare floor, in steps that hold it with nothing in the way.
+    pub fn set_floor_steps(&mut self, simd: SimdLevel, floor: &FloorLight) {
+        let step = |plane: &Plane| quantization_step(simd, std::slice::from_ref(plane));
+        self.steps = [step(floor.irradiance), step(floor.specular)];
+        self.format = if self.steps[1] > 0.0 { LayerFormat::IrradianceSpecular } else { LayerFormat::Irradiance };
     }
 
-    /// Keeps some rows in colours, which were gauged.
-    pub fn keep_colors(&mut self, simd: SimdLevel, light: &RgbTile, rows: RowMask, planes: &mut Planes) {
-        let scale = self.scales[0];
-        let (pairs, half) = planes.colors.take(&mut self.halves[2]);
-        for (plane, pair) in light.iter().zip(&mut *pairs) {
-            encode_rows(simd, plane, &FULLY_VISIBLE, rows, scale, half, pair);
+    /// Keeps some rows of radiance, whose step was set.
+    pub fn keep_rgb(&mut self, simd: SimdLevel, radiance: &RgbTile, rows: RowMask, pools: &mut PlanePools) {
+        let step = self.steps[0];
+        let (planes, slot) = pools.rgb.take(&mut self.slots[PlaneKind::Rgb as usize]);
+        for (plane, packed) in radiance.iter().zip(&mut *planes) {
+            encode_rows(simd, plane, &FULLY_VISIBLE, rows, step, slot, packed);
         }
-        self.gist.keep_colors(simd, pairs, half, scale, rows);
-        self.is_lit = !pairs.iter().all(|pair| pair.is_dark(half));
+        self.means.keep_rgb(simd, planes, slot, step, rows);
+        self.is_lit = !planes.iter().all(|packed| packed.is_dark(slot));
     }
 
-    /// Keeps some rows of a floor, which was gauged.
-    pub fn keep_floor(&mut self, simd: SimdLevel, floor: &Bare, rows: RowMask, planes: &mut Planes) {
-        let scales = self.scales;
-        let ([matt], matt_half) = planes.irradiance.take(&mut self.halves[0]);
-        encode_rows(simd, floor.irradiance, floor.seen, rows, scales[0], matt_half, matt);
-        self.is_lit = !matt.is_dark(matt_half);
-        let matt = (&*matt, matt_half);
-        let gloss = if self.form == LayerFormat::GlossyFloor {
-            let ([gloss], half) = planes.specular.take(&mut self.halves[1]);
-            encode_rows(simd, floor.specular, floor.seen, rows, scales[1], half, gloss);
-            self.is_lit |= !gloss.is_dark(half);
-            (&*gloss, half)
+    /// Keeps some rows of bare floor, whose steps were set.
+    pub fn keep_floor(&mut self, simd: SimdLevel, floor: &FloorLight, rows: RowMask, pools: &mut PlanePools) {
+        let (steps, seen) = (self.steps, floor.visibility);
+        let ([irradiance], slot) = pools.irradiance.take(&mut self.slots[PlaneKind::Irradiance as usize]);
+        encode_rows(simd, floor.irradiance, seen, rows, steps[0], slot, irradiance);
+        self.is_lit = !irradiance.is_dark(slot);
+        let irradiance = (&*irradiance, slot);
+        let specular = if self.format == LayerFormat::IrradianceSpecular {
+            let ([specular], slot) = pools.specular.take(&mut self.slots[PlaneKind::Specular as usize]);
+            encode_rows(simd, floor.specular, seen, rows, steps[1], slot, specular);
+            self.is_lit |= !specular.is_dark(slot);
+            (&*specular, slot)
         } else {
-            matt
+            irradiance
         };
-        self.gist.keep_floor(simd, floor.albedo, [matt, gloss], scales, rows);
+        self.means.keep_floor(simd, floor.albedo, [irradiance, specular], steps, rows);
     }
 
-    /// Adds what it is in light of a colour.
-    pub fn push_parts(&self, color: Rgb, parts: &mut Vec<Part>) {
-        let mut push = |list: usize, scale: f32| {
-            let part = |half| Part { list, half, gain: color.map(|channel| channel * scale) };
-            parts.extend(self.halves[list].map(part));
+    /// Adds its planes, in light of a colour, to the parts of a sum.
+    pub fn push_weighted(&self, color: Rgb, parts: &mut Vec<WeightedSlot>) {
+        let mut push = |kind: PlaneKind, step: f32| {
+            let part = |slot| WeightedSlot { kind, slot, weight: color.map(|channel| channel * step) };
+            parts.extend(self.slots[kind as usize].map(part));
         };
-        match self.form {
-            LayerFormat::Colors => push(2, self.scales[0]),
-            LayerFormat::Floor => push(0, self.scales[0]),
-            LayerFormat::GlossyFloor => {
-                push(0, self.scales[0]);
-                push(1, self.scales[1]);
+        match self.format {
+            LayerFormat::Rgb => push(PlaneKind::Rgb, self.steps[0]),
+            LayerFormat::Irradiance => push(PlaneKind::Irradiance, self.steps[0]),
+            LayerFormat::IrradianceSpecular => {
+                push(PlaneKind::Irradiance, self.steps[0]);
+                push(PlaneKind::Specular, self.steps[1]);
             }
         }
     }
 
-    /// The picture itself, kept in colours; black if there is none.
-    pub fn decode(&self, planes: &Planes, out: &mut RgbTile) {
+    /// The layer itself, kept as radiance; black if there is none.
+    pub fn decode(&self, pools: &PlanePools, out: &mut RgbTile) {
         *out = BLACK;
-        let Some(half) = self.halves[2].filter(|_| self.is_lit) else { return };
-        for (plane, pair) in out.iter_mut().zip(&planes.colors.pairs[half.pair()]) {
+        let Some(slot) = self.slots[PlaneKind::Rgb as usize].filter(|_| self.is_lit) else { return };
+        for (plane, packed) in out.iter_mut().zip(&pools.rgb.planes[slot.index()]) {
             for (row, line) in plane.iter_mut().enumerate() {
-                *line = pair.row(half, row).map(|number| number * self.scales[0]);
+                *line = packed.row(slot, row).map(|number| number * self.steps[0]);
             }
         }
     }
@@ -216,13 +216,12 @@ impl Kept {
 
 /// A tile of bare floor in the light of one lamp.
 #[derive(Clone, Copy)]
-pub(crate) struct Bare<'a> {
-    /// Its reflectance.
+pub(crate) struct FloorLight<'a> {
     pub albedo: &'a RgbTile,
     /// What arrives, and is reflected in the floor's colours.
     pub irradiance: &'a Plane,
-    /// What is reflected in the lamp's own colour.
+    /// What the coat reflects in the lamp's own colour.
     pub specular: &'a Plane,
-    /// How much of both is not in shadow.
-    pub seen: &'a Plane,
+    /// The fraction of both that is not in shadow.
+    pub visibility: &'a Plane,
 }

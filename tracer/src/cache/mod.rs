@@ -11,4 +11,5 @@ pub(crate) mod lamp_set;
 pub(crate) mod packed_planes;
 pub(crate) mod tile_cache;
 pub(crate) mod top_history;
+pub(crate) mod validity;
 pub(crate) mod weighted_sum;

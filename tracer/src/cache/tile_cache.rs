@@ -1,175 +1,235 @@
-//! What was seen in earlier pictures and is still so: most of a table stands still.
+//! The tile cache: what one tile keeps from frame to frame, since most of a table stands still.
 //!
-//! For every tile and lamp the picture of the tile in that lamp's light is kept. It holds until something that casts
-//! shadows moves between the tile and the lamp, or a top moves in the tile; then it is made anew from nothing, so a
-//! picture has the same bits whatever came before it. A lamp is known by where it is, not by its colour or its place in
-//! a list: one that flashes is remembered while it is dark.
+//! For every lamp a layer is kept: the tile in that lamp's light, of the colour white. A layer is valid until an occluder
+//! moves between the tile and the lamp, or a top moves in the tile; then it is made anew, so a frame has the same bits
+//! whatever came before it. Light is linear: a lamp that flashes is another weight in the sum of the layers, and nothing
+//! more. What an event leaves valid is said by [`crate::cache::validity`] and by docs/tile_cache.md.
 
-use crate::cache::cell_means::{CELLS_PER_TILE, Gist, Means, add_gists, means_of};
-use crate::cache::g_buffer::Surfaces;
-use crate::cache::lamp_layer::{Bare, Kept, LayerFormat, Part, Planes, Sight};
-use crate::cache::lamp_set::Numbers;
-use crate::cache::packed_planes::{Gains, Terms};
-use crate::cache::weighted_sum::{Steps, Sum, put_together, scale_of};
+use crate::cache::cell_means::{CELLS_PER_TILE, CellMeans, TileMeans, add_cell_means, means_of};
+use crate::cache::g_buffer::CachedGBuffer;
+use crate::cache::lamp_layer::{CachedLayer, FloorLight, LampState, LayerFormat, PlaneKind, PlanePools, WeightedSlot};
+use crate::cache::lamp_set::LampSet;
+use crate::cache::packed_planes::{PackedWeights, WeightedPlanes};
+use crate::cache::validity::{CachedItem, Effect, Event, Validity, effect};
+use crate::cache::weighted_sum::{Quantizer, WeightedSum, evaluate, quantization_step};
 use crate::scene::GlowKey;
-use crate::simd::dispatch::prefetch;
+use crate::simd::dispatch::{SimdLevel, prefetch};
 use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
-use crate::{Group, Rgb, SimdLevel};
+use crate::{Group, Rgb};
+
+#[cfg(test)]
+mod state_table;
 
 /// The light that a tile is put in.
 pub(crate) struct Illumination<'a> {
-    /// The light from everywhere.
     pub ambient: Rgb,
-    /// Whether that is shaded.
+    /// Whether balls darken the ambient light.
     pub shaded: bool,
-    /// That of lamps, by their numbers.
+    /// The colours of lamps, by their numbers.
     pub lamps: &'a [Rgb],
 }
 
-/// What one tile shows under every known lamp.
+/// What one tile keeps.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct TileMemory {
-    /// Whether this picture's tile is another than the last one's.
-    pub fresh: bool,
-    /// Whether the film shows the tile as it is now, but for its bloom.
-    pub developed: bool,
-    /// Whether it is all bare floor.
-    is_floor: bool,
-    /// The lamps of which all is known, and those of them that light it.
-    whole: Numbers,
-    lit: Numbers,
+pub(crate) struct TileCache {
+    /// Whether this frame's tile is another than the last frame's.
+    pub redrawn: bool,
+    /// The tile's pixels in the display buffer.
+    display: Validity,
+    /// Which surfaces are seen.
+    pub g_buffer: CachedGBuffer,
+    base: BaseLayer,
     /// What is known of each lamp, by its number.
-    sights: Vec<Sight>,
-    /// The pictures of those that have lit it.
-    kept: Vec<Kept>,
-    /// The planes of all pictures.
-    planes: Planes,
-    /// What the halves of these are multiplied by in this picture.
-    gains: [Vec<Gains>; 3],
-    /// What a step of the sums is worth.
-    worth: Rgb,
-    /// The light from everywhere.
-    ambient: Rgb,
-    /// In the light from everywhere, with the light of tops of their own; of a tile of bare floor only what the bloom
-    /// needs of it, in white light.
-    pub base: Sight,
-    kept_base: Kept,
-    /// In the light of inserts, known by their ids and their masks' printings.
-    glows: Vec<(GlowKey, Sight, Kept)>,
-    /// What it shows.
-    pub surfaces: Surfaces,
+    lamps: Vec<LampState>,
+    /// Those of `lamps` that are valid, and those of these that light the tile.
+    valid: LampSet,
+    lit: LampSet,
+    /// The layers of those that have lit it.
+    layers: Vec<CachedLayer>,
+    glows: Vec<GlowLayer>,
+    /// The planes of all layers.
+    pools: PlanePools,
+    sum: TileSum,
 }
 
-impl TileMemory {
-    /// What was seen of a lamp.
-    pub fn sight(&mut self, lamp: usize) -> &mut Sight {
-        if self.sights.len() <= lamp {
-            self.sights.resize_with(lamp + 1, Sight::default);
+/// A tile in ambient light, with the emission of its tops; of a tile of bare floor only the means, in white light.
+#[derive(Clone, Debug, Default)]
+struct BaseLayer {
+    validity: Validity,
+    is_floor: bool,
+    layer: CachedLayer,
+}
+
+/// A tile in the light of an insert.
+#[derive(Clone, Debug)]
+struct GlowLayer {
+    key: GlowKey,
+    validity: Validity,
+    layer: CachedLayer,
+}
+
+/// The weights of a tile's sum in this frame's light.
+#[derive(Clone, Debug, Default)]
+struct TileSum {
+    /// The weights of the irradiance planes, of the specular ones and of radiance.
+    weights: [Vec<PackedWeights>; 3],
+    /// What a step of the sums is worth.
+    step: Rgb,
+    ambient: Rgb,
+}
+
+impl TileCache {
+    /// Notes an event that meets all of the tile.
+    pub fn apply(&mut self, event: Event) {
+        self.display = self.display.after(CachedItem::Display, event);
+        self.g_buffer.validity = self.g_buffer.validity.after(CachedItem::GBuffer, event);
+        self.base.validity = self.base.validity.after(CachedItem::Base, event);
+        if [CachedItem::LampLayer, CachedItem::GlowLayer].iter().all(|&item| effect(item, event) == Effect::Clear) {
+            self.clear_layers();
         }
-        &mut self.sights[lamp]
     }
 
-    /// Notes rows of the tile in which something has moved before a lamp.
-    pub fn stir(&mut self, lamp: usize, rows: RowMask) {
-        self.sights[lamp].stale |= rows;
-        if rows != 0 {
-            self.whole.remove(lamp);
+    /// Notes an event that meets the tile in the light of one lamp.
+    pub fn apply_to_lamp(&mut self, lamp: usize, event: Event) {
+        self.display = self.display.after(CachedItem::Display, event);
+        let state = self.lamp(lamp);
+        state.validity = state.validity.after(CachedItem::LampLayer, event);
+        if !state.validity.is_valid() {
+            self.valid.remove(lamp);
         }
     }
 
-    /// Those of some lamps of which not all is known, or that are lost.
-    pub fn to_make<'a>(&'a self, lamps: &'a Numbers, lost: &'a Numbers) -> impl Iterator<Item = usize> + 'a {
-        lamps.without_or_with(&self.whole, lost)
+    /// Forgets every lamp and every insert, and takes back the planes of all layers.
+    fn clear_layers(&mut self) {
+        (self.valid, self.lit) = (LampSet::default(), LampSet::default());
+        self.lamps.clear();
+        self.layers.clear();
+        self.glows.clear();
+        self.base.layer = CachedLayer::default();
+        self.pools.clear();
     }
 
-    /// What an insert's light does in the tile.
-    pub fn glow(&mut self, glow: GlowKey) -> &mut Sight {
-        let at = self.glows.iter().position(|known| known.0 == glow).unwrap_or_else(|| {
-            self.glows.push((glow, Sight::default(), Kept::default()));
-            self.glows.len() - 1
-        });
-        &mut self.glows[at].1
+    /// What is known of a lamp.
+    pub fn lamp(&mut self, lamp: usize) -> &mut LampState {
+        if self.lamps.len() <= lamp {
+            self.lamps.resize_with(lamp + 1, LampState::default);
+        }
+        &mut self.lamps[lamp]
+    }
+
+    /// Those of some lamps whose layers are not valid.
+    pub fn out_of_date<'a>(&'a self, lamps: &'a LampSet) -> impl Iterator<Item = usize> + 'a {
+        lamps.difference(&self.valid)
     }
 
     /// Whether the tile is known to see nothing of a lamp.
     pub fn is_dark(&self, lamp: usize) -> bool {
-        self.whole.contains(lamp) && !self.lit.contains(lamp)
+        self.valid.contains(lamp) && !self.lit.contains(lamp)
     }
 
-    /// Keeps the picture in the light from everywhere.
-    pub fn keep_base(&mut self, simd: SimdLevel, light: &RgbTile) {
-        self.is_floor = false;
-        self.kept_base.gauge(scale_of(simd, light));
-        self.kept_base.keep_colors(simd, light, ALL_ROWS, &mut self.planes);
-        self.base.renew(self.kept_base.is_lit, None);
+    /// What of the base layer may be used.
+    pub fn base(&self) -> Validity {
+        self.base.validity
     }
 
-    /// Keeps in mind that all of the tile is floor of this reflectance.
+    /// What of the tile's pixels in the display buffer may be used.
+    pub fn display(&self) -> Validity {
+        self.display
+    }
+
+    /// The tile's pixels are in the display buffer.
+    pub fn presented(&mut self) {
+        self.display = Validity::Valid;
+    }
+
+    /// What of the layer of an insert may be used.
+    pub fn glow(&mut self, key: GlowKey) -> Validity {
+        self.glow_layer(key).validity
+    }
+
+    fn glow_layer(&mut self, key: GlowKey) -> &mut GlowLayer {
+        let at = self.glows.iter().position(|glow| glow.key == key).unwrap_or_else(|| {
+            self.glows.push(GlowLayer { key, validity: Validity::Empty, layer: CachedLayer::default() });
+            self.glows.len() - 1
+        });
+        &mut self.glows[at]
+    }
+
+    /// Keeps the tile in ambient light.
+    pub fn keep_base(&mut self, simd: SimdLevel, radiance: &RgbTile) {
+        self.base.is_floor = false;
+        self.base.layer.set_step(quantization_step(simd, radiance));
+        self.base.layer.keep_rgb(simd, radiance, ALL_ROWS, &mut self.pools);
+        self.base.validity = Validity::Valid;
+    }
+
+    /// Keeps that all of the tile is floor of this albedo.
     pub fn keep_floor_base(&mut self, simd: SimdLevel, albedo: &RgbTile) {
-        self.is_floor = true;
         let mut means = [[0.0; CELLS_PER_TILE]; 3];
         means_of(simd, albedo, &mut means);
-        self.kept_base.gist = Gist::of(&means);
-        self.base.renew(false, None);
+        self.base.layer.means = CellMeans::of(&means);
+        (self.base.is_floor, self.base.layer.is_lit, self.base.validity) = (true, false, Validity::Valid);
     }
 
-    /// The place of the picture in a lamp's light: of darkness if there has been none.
-    fn place_of(&mut self, lamp: usize) -> usize {
-        let kept = &mut self.kept;
-        let place = self.sights[lamp].kept.get_or_insert_with(|| {
-            kept.push(Kept::of(lamp));
-            kept.len() as u16 - 1
+    /// The layer of a lamp: of darkness if there has been none.
+    fn layer_of(&mut self, lamp: usize) -> &mut CachedLayer {
+        self.lamp(lamp);
+        let TileCache { lamps, layers, .. } = self;
+        let at = lamps[lamp].layer.get_or_insert_with(|| {
+            layers.push(CachedLayer::of(lamp));
+            layers.len() as u16 - 1
         });
-        usize::from(*place)
+        &mut layers[usize::from(*at)]
     }
 
-    /// Whether a lamp's picture would have to be kept in another way, if it is kept in colours or not.
-    pub fn is_another(&mut self, lamp: usize, colors: bool) -> bool {
-        let place = self.place_of(lamp);
-        (self.kept[place].form == LayerFormat::Colors) != colors
+    /// Whether a lamp's layer would have to be kept in another format, if it is kept as radiance or not.
+    pub fn changes_format(&mut self, lamp: usize, rgb: bool) -> bool {
+        (self.layer_of(lamp).format == LayerFormat::Rgb) != rgb
     }
 
-    /// Says what the steps of a lamp's light, kept in colours, are worth.
-    pub fn gauge(&mut self, lamp: usize, scale: f32) {
-        let place = self.place_of(lamp);
-        self.kept[place].gauge(scale);
-        self.sights[lamp].gauged = true;
+    /// Sets the quantization step of a lamp's layer, kept as radiance.
+    pub fn set_step(&mut self, lamp: usize, step: f32) {
+        self.layer_of(lamp).set_step(step);
+        self.lamps[lamp].has_step = true;
     }
 
-    /// Keeps rows of the picture in a lamp's light, which was gauged.
-    pub fn keep(&mut self, lamp: usize, simd: SimdLevel, light: &RgbTile, rows: RowMask) {
-        let place = self.place_of(lamp);
-        let kept = &mut self.kept[place];
-        kept.keep_colors(simd, light, rows, &mut self.planes);
-        let is_lit = kept.is_lit;
-        self.renew(lamp, is_lit, None);
+    /// Keeps rows of the tile in a lamp's light, whose step was set.
+    pub fn keep_rgb(&mut self, lamp: usize, simd: SimdLevel, radiance: &RgbTile, rows: RowMask) {
+        self.layer_of(lamp);
+        let TileCache { lamps, layers, pools, .. } = self;
+        let Some(at) = lamps[lamp].layer else { return };
+        let layer = &mut layers[usize::from(at)];
+        layer.keep_rgb(simd, radiance, rows, pools);
+        let is_lit = layer.is_lit;
+        self.made_anew(lamp, is_lit, None);
     }
 
-    /// Keeps rows of the picture in a lamp's light of a tile that is all floor; the first time, all of them.
-    pub fn keep_floor(&mut self, lamp: usize, simd: SimdLevel, floor: &Bare, rows: RowMask) {
-        let place = self.place_of(lamp);
-        let kept = &mut self.kept[place];
-        if !self.sights[lamp].gauged || kept.form == LayerFormat::Colors {
-            kept.gauge_floor(simd, floor);
-            self.sights[lamp].gauged = true;
+    /// Keeps rows of a tile of bare floor in a lamp's light; the first time, all of them.
+    pub fn keep_floor(&mut self, lamp: usize, simd: SimdLevel, floor: &FloorLight, rows: RowMask) {
+        self.layer_of(lamp);
+        let TileCache { lamps, layers, pools, .. } = self;
+        let Some(at) = lamps[lamp].layer else { return };
+        let layer = &mut layers[usize::from(at)];
+        if !lamps[lamp].has_step || layer.format == LayerFormat::Rgb {
+            layer.set_floor_steps(simd, floor);
+            lamps[lamp].has_step = true;
         }
-        kept.keep_floor(simd, floor, rows, &mut self.planes);
-        let is_lit = kept.is_lit;
-        self.renew(lamp, is_lit, None);
+        layer.keep_floor(simd, floor, rows, pools);
+        let is_lit = layer.is_lit;
+        self.made_anew(lamp, is_lit, None);
     }
 
-    /// Keeps in mind that a lamp lights nothing, and what hides it if it is one group alone.
+    /// Keeps that a lamp lights nothing, and what hides it if it is one group alone.
     pub fn keep_dark(&mut self, lamp: usize, hidden_by: Option<Group>) {
-        if let Some(kept) = self.sight(lamp).kept {
-            self.kept[usize::from(kept)].is_lit = false;
+        if let Some(layer) = self.lamp(lamp).layer {
+            self.layers[usize::from(layer)].is_lit = false;
         }
-        self.renew(lamp, false, hidden_by);
+        self.made_anew(lamp, false, hidden_by);
     }
 
-    /// A lamp has been looked at.
-    fn renew(&mut self, lamp: usize, is_lit: bool, hidden_by: Option<Group>) {
-        self.sights[lamp].renew(is_lit, hidden_by);
-        self.whole.insert(lamp);
+    fn made_anew(&mut self, lamp: usize, is_lit: bool, hidden_by: Option<Group>) {
+        self.lamp(lamp).made_anew(is_lit, hidden_by);
+        self.valid.insert(lamp);
         if is_lit {
             self.lit.insert(lamp);
         } else {
@@ -177,130 +237,132 @@ impl TileMemory {
         }
     }
 
-    /// Keeps the picture in an insert's light.
-    pub fn keep_glow(&mut self, glow: GlowKey, simd: SimdLevel, light: &RgbTile) {
-        if let Some((_, sight, kept)) = self.glows.iter_mut().find(|known| known.0 == glow) {
-            kept.gauge(scale_of(simd, light));
-            kept.keep_colors(simd, light, ALL_ROWS, &mut self.planes);
-            sight.renew(kept.is_lit, None);
+    /// Keeps the tile in an insert's light.
+    pub fn keep_glow(&mut self, key: GlowKey, simd: SimdLevel, radiance: &RgbTile) {
+        self.glow_layer(key);
+        let TileCache { glows, pools, .. } = self;
+        if let Some(glow) = glows.iter_mut().find(|glow| glow.key == key) {
+            glow.layer.set_step(quantization_step(simd, radiance));
+            glow.layer.keep_rgb(simd, radiance, ALL_ROWS, pools);
+            glow.validity = Validity::Valid;
         }
     }
 
-    /// The pictures that it is put together of, with the colours of their light.
-    fn pictures<'a>(
+    /// The layers that the tile is a sum of, with the colours of their light.
+    fn summands<'a>(
         &'a self,
         light: &'a Illumination,
         glows: impl Iterator<Item = (GlowKey, Rgb)>,
-    ) -> impl Iterator<Item = (&'a Kept, Rgb)> {
-        let base = Some((&self.kept_base, [1.0; 3])).filter(|_| self.base.is_lit() && !light.shaded);
-        let lamps = self.kept.iter().map(|kept| (kept, light.lamps[usize::from(kept.lamp)]));
+    ) -> impl Iterator<Item = (&'a CachedLayer, Rgb)> {
+        let base = Some((&self.base.layer, [1.0; 3])).filter(|_| !light.shaded);
+        let lamps = self.layers.iter().map(|layer| (layer, light.lamps[usize::from(layer.lamp)]));
         // Few tiles have inserts.
         let glows = glows
             .take_while(|_| !self.glows.is_empty())
-            .filter_map(|(key, color)| self.glows.iter().find(|glow| glow.0 == key).map(|(_, _, kept)| (kept, color)));
-        base.into_iter().chain(lamps).chain(glows).filter(|(kept, color)| kept.is_lit && *color != [0.0; 3])
+            .filter_map(|(key, color)| self.glows.iter().find(|glow| glow.key == key).map(|glow| (&glow.layer, color)));
+        base.into_iter().chain(lamps).chain(glows).filter(|(layer, color)| layer.is_lit && *color != [0.0; 3])
     }
 
-    /// Puts the tile in light, and in that of inserts, given by their keys; `means` becomes what the bloom needs of it,
-    /// unless the light from everywhere is shaded. `parts` is room.
-    pub fn light(
+    /// Weighs the layers by the colours of their light and returns the means of the sum's cells, unless the ambient light is
+    /// shaded. `parts` is scratch.
+    pub fn weigh(
         &mut self,
         simd: SimdLevel,
         light: &Illumination,
         glows: impl Iterator<Item = (GlowKey, Rgb)> + Clone,
-        parts: &mut Vec<Part>,
-        means: &mut Means,
-    ) {
-        self.ambient = light.ambient;
+        parts: &mut Vec<WeightedSlot>,
+    ) -> TileMeans {
         parts.clear();
-        self.pictures(light, glows.clone()).for_each(|(kept, color)| kept.push_parts(color, parts));
-        let steps = Steps::of(parts.iter().map(|part| part.gain));
+        self.summands(light, glows.clone()).for_each(|(layer, color)| layer.push_weighted(color, parts));
+        let quantizer = Quantizer::of(parts.iter().map(|part| part.weight));
         let mut sums = [[0; CELLS_PER_TILE]; 3];
-        let gists = self
-            .pictures(light, glows)
-            .map(|(kept, color)| (&kept.gist, steps.whole(color.map(|channel| channel * kept.gist.scale))));
-        add_gists(simd, gists, &mut sums);
+        let cell_means = self.summands(light, glows).map(|(layer, color)| {
+            let means = &layer.means;
+            (means, quantizer.quantize(color.map(|channel| channel * means.step)))
+        });
+        add_cell_means(simd, cell_means, &mut sums);
+        let mut means = [[0.0; CELLS_PER_TILE]; 3];
         for channel in 0..3 {
             for (mean, sum) in means[channel].iter_mut().zip(sums[channel]) {
-                *mean = sum as f32 * steps.worth[channel];
+                *mean = sum as f32 * quantizer.step[channel];
             }
         }
-        if self.is_floor {
-            self.kept_base.gist.add_light(light.ambient, means);
+        if self.base.is_floor {
+            self.base.layer.means.add_light(light.ambient, &mut means);
         }
-        let Planes { irradiance, specular, colors } = &self.planes;
-        let lengths = [irradiance.pairs().len(), specular.pairs().len(), colors.pairs().len()];
-        for (gains, length) in self.gains.iter_mut().zip(lengths) {
-            gains.clear();
-            gains.resize(length, [0; 3]);
-        }
-        for Part { list, half, gain } in parts {
-            let gains = &mut self.gains[*list][half.pair()];
-            let whole = steps.whole(*gain);
-            *gains = [0, 1, 2].map(|channel: usize| gains[channel] | whole[channel] << half.shift());
-        }
-        self.worth = steps.worth;
+        self.sum.set(&self.pools, &quantizer, parts);
+        self.sum.ambient = light.ambient;
+        means
     }
 
-    /// Asks for what [`TileMemory::compose`] will read.
-    fn fetch_planes(&self) {
-        self.gains.iter().for_each(|gains| prefetch(gains));
-        prefetch(self.planes.irradiance.pairs());
-        prefetch(self.planes.specular.pairs());
-        prefetch(self.planes.colors.pairs());
+    /// Asks the memory for what [`TileCache::compose`] will read.
+    fn prefetch_planes(&self) {
+        self.sum.weights.iter().for_each(|weights| prefetch(weights));
+        prefetch(self.pools.irradiance.planes());
+        prefetch(self.pools.specular.planes());
+        prefetch(self.pools.rgb.planes());
     }
 
-    /// Asks for what [`TileMemory::light`] will read.
-    fn fetch_kept(&self) {
-        prefetch(&self.kept);
+    /// Asks the memory for what [`TileCache::weigh`] will read.
+    fn prefetch_layers(&self) {
+        prefetch(&self.layers);
     }
 
-    /// Puts together what the tile shows, on floor of this paint. Where [`TileMemory::light`] was told so, `shade` darkens
-    /// the light from everywhere.
+    /// Puts together what the tile shows, on floor of this albedo. Where [`TileCache::weigh`] was told so, `shade` darkens
+    /// the ambient light.
     pub fn compose(
         &self,
         simd: SimdLevel,
-        paint: &AlbedoTile,
+        albedo: &AlbedoTile,
         shade: Option<impl FnOnce(&mut RgbTile)>,
         out: &mut RgbTile,
     ) {
-        let [irradiance, specular, colors] = &self.gains;
-        let everywhere = if self.is_floor { self.ambient } else { [0.0; 3] };
-        let lamps = Sum {
-            irradiance: Terms { pairs: self.planes.irradiance.pairs(), gains: irradiance },
-            specular: Terms { pairs: self.planes.specular.pairs(), gains: specular },
-            colors: Terms { pairs: self.planes.colors.pairs(), gains: colors },
-            worth: self.worth,
-            everywhere: [0.0; 3],
-        };
+        let ambient = if self.base.is_floor { self.sum.ambient } else { [0.0; 3] };
+        let lamps = self.sum.of(&self.pools);
         let Some(shade) = shade else {
-            return put_together(simd, &Sum { everywhere, ..lamps }, paint, false, out);
+            return evaluate(simd, &WeightedSum { ambient, ..lamps }, albedo, false, out);
         };
-        if self.is_floor {
-            put_together(simd, &Sum { everywhere, ..Sum::NOTHING }, paint, false, out);
+        if self.base.is_floor {
+            evaluate(simd, &WeightedSum { ambient, ..WeightedSum::NOTHING }, albedo, false, out);
         } else {
-            self.kept_base.decode(&self.planes, out);
+            self.base.layer.decode(&self.pools, out);
         }
         shade(out);
-        put_together(simd, &lamps, paint, true, out);
-    }
-
-    /// Nothing holds any more.
-    pub fn forget(&mut self) {
-        self.surfaces.holds = false;
-        self.base = Sight::default();
-        self.developed = false;
-        (self.whole, self.lit) = (Numbers::default(), Numbers::default());
-        self.sights.clear();
-        self.kept.clear();
-        self.glows.clear();
-        self.kept_base = Kept::default();
-        self.planes.clear();
+        evaluate(simd, &lamps, albedo, true, out);
     }
 }
 
-/// Tiles one after another; while one is looked at, what `prefetch` asks for of the next is on its way.
-fn ahead(mut tiles: &mut [TileMemory], prefetch: impl Fn(&TileMemory)) -> impl Iterator<Item = &mut TileMemory> {
+impl TileSum {
+    /// Sets the weights of the planes.
+    fn set(&mut self, pools: &PlanePools, quantizer: &Quantizer, parts: &[WeightedSlot]) {
+        let lengths = [pools.irradiance.planes().len(), pools.specular.planes().len(), pools.rgb.planes().len()];
+        for (weights, length) in self.weights.iter_mut().zip(lengths) {
+            weights.clear();
+            weights.resize(length, [0; 3]);
+        }
+        for WeightedSlot { kind, slot, weight } in parts {
+            let weights = &mut self.weights[*kind as usize][slot.index()];
+            let whole = quantizer.quantize(*weight);
+            *weights = [0, 1, 2].map(|channel: usize| weights[channel] | whole[channel] << slot.shift());
+        }
+        self.step = quantizer.step;
+    }
+
+    /// The weighted planes, without ambient light.
+    fn of<'a>(&'a self, pools: &'a PlanePools) -> WeightedSum<'a> {
+        let weights = |kind: PlaneKind| self.weights[kind as usize].as_slice();
+        WeightedSum {
+            irradiance: WeightedPlanes { planes: pools.irradiance.planes(), weights: weights(PlaneKind::Irradiance) },
+            specular: WeightedPlanes { planes: pools.specular.planes(), weights: weights(PlaneKind::Specular) },
+            rgb: WeightedPlanes { planes: pools.rgb.planes(), weights: weights(PlaneKind::Rgb) },
+            step: self.step,
+            ambient: [0.0; 3],
+        }
+    }
+}
+
+/// Tiles one after another; while one is worked on, what `prefetch` asks for of the next is on its way.
+fn ahead(mut tiles: &mut [TileCache], prefetch: impl Fn(&TileCache)) -> impl Iterator<Item = &mut TileCache> {
     std::iter::from_fn(move || {
         let (tile, others) = std::mem::take(&mut tiles).split_first_mut()?;
         others.first().into_iter().for_each(&prefetch);
@@ -309,12 +371,12 @@ fn ahead(mut tiles: &mut [TileMemory], prefetch: impl Fn(&TileMemory)) -> impl I
     })
 }
 
-/// Tiles that are to be made true.
-pub(crate) fn to_be_lit(tiles: &mut [TileMemory]) -> impl Iterator<Item = &mut TileMemory> {
-    ahead(tiles, TileMemory::fetch_kept)
+/// Tiles that are to be updated.
+pub(crate) fn to_update(tiles: &mut [TileCache]) -> impl Iterator<Item = &mut TileCache> {
+    ahead(tiles, TileCache::prefetch_layers)
 }
 
-/// Tiles that are to be put together.
-pub(crate) fn to_be_composed(tiles: &mut [TileMemory]) -> impl Iterator<Item = &mut TileMemory> {
-    ahead(tiles, TileMemory::fetch_planes)
+/// Tiles that are to be composed.
+pub(crate) fn to_compose(tiles: &mut [TileCache]) -> impl Iterator<Item = &mut TileCache> {
+    ahead(tiles, TileCache::prefetch_planes)
 }

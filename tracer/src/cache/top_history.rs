@@ -46,7 +46,7 @@ impl TopHistory {
 
     /// Becomes the tops of a picture. Where tops have moved goes into `moved`; where their own light is another, into
     /// `relit`. Most tops are where they were in the last picture.
-    pub fn turn_page(&mut self, tops: &[Top], moved: &mut Vec<Bounds>, relit: &mut Vec<Bounds>) {
+    pub fn advance(&mut self, tops: &[Top], moved: &mut Vec<Bounds>, relit: &mut Vec<Bounds>) {
         moved.clear();
         relit.clear();
         self.find_slots(tops, moved);
@@ -147,7 +147,7 @@ mod tests {
             }
             let disc = Shape::disc(random.point_within(DVec2::splat(300.0)), 9.0);
             tops[round % 20].outline = Outline::Shape(disc);
-            history.turn_page(&tops, &mut moved, &mut relit);
+            history.advance(&tops, &mut moved, &mut relit);
             assert_eq!(history.order().len(), tops.len());
             let now: Vec<(Top, usize)> = tops.into_iter().zip(history.order().iter().copied()).collect();
             for (at, (top, slot)) in now.iter().enumerate() {

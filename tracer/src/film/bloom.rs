@@ -1,11 +1,11 @@
 //! Bloom: light that the eye scatters from bright lamps over their neighbourhood.
 //!
-//! A mip chain, as in J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014, with
-//! the cheapest filters that show no blocks:
+//! A mip chain, as in J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014,
+//! with the cheapest filters that show no blocks:
 //! 1. Down: the finest level is the mean of 4 x 4 pixels, each further level the mean of 2 x 2 cells.
 //! 2. Each level is smoothed by the binomial filter 1 2 1 in both directions.
-//! 3. Up: from the coarsest level on, a level is stretched to twice its size, bilinearly (9/16, 3/16, 3/16, 1/16), and added
-//!    to the next finer one.
+//! 3. Up: from the coarsest level on, a level is stretched to twice its size, bilinearly (9/16, 3/16, 3/16, 1/16), and
+//!    added to the next finer one.
 //!
 //! Bloom is linear, and the weights of the levels sum to 1: it moves light and makes none. The levels together have a
 //! twelfth of the picture's pixels.
@@ -209,8 +209,8 @@ fn tent_filter_row(around: &[f32], &MipLevel { width, stride, .. }: &MipLevel, w
     }
 }
 
-/// Bilinear weights of stretching by two: a cell's centre lies a quarter of a coarse cell from the nearest coarse centre,
-/// so the weights are 3/4 and 1/4 in each direction.
+/// Bilinear weights of stretching by two: a cell's centre lies a quarter of a coarse cell from the nearest coarse
+/// centre, so the weights are 3/4 and 1/4 in each direction.
 const NEAR_NEAR: f32 = 9.0 / 16.0;
 /// One direction near, the other far.
 const NEAR_FAR: f32 = 3.0 / 16.0;

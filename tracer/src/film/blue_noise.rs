@@ -16,8 +16,8 @@ const CROWDING_SIGMA: f32 = 1.5;
 /// The part of the cells that the first pattern fills: Ulichney's tenth.
 const FIRST_PATTERN: usize = 10;
 
-/// Any seed but 0 of the xorshift generator (G. Marsaglia, 2003) that makes the first pattern; another would give another
-/// array, as good, and other pixels.
+/// Any seed but 0 of the xorshift generator (G. Marsaglia, 2003) that makes the first pattern; another would give
+/// another array, as good, and other pixels.
 const FIRST_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// How far a cell's influence is followed, cells: 4.7 standard deviations.

@@ -2,6 +2,7 @@
 
 use crate::Frame;
 use crate::film::bloom::BloomPyramid;
+use crate::film::frame_id::FrameId;
 use crate::tile::planes::TILE;
 
 /// Pixels, and what they were made of.
@@ -14,7 +15,7 @@ pub struct DisplayBuffer {
     /// The part that is wanted, if it is not all: the first column and row, and those after the last.
     pub(crate) scissor: Option<[usize; 4]>,
     /// Which renderer drew it, which of its pictures it is, and how it was exposed.
-    pub(crate) source: Option<((u64, u64), f32)>,
+    pub(crate) source: Option<(FrameId, f32)>,
 }
 
 impl DisplayBuffer {

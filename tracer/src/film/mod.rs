@@ -5,6 +5,7 @@ pub(crate) mod bloom;
 pub(crate) mod blue_noise;
 pub(crate) mod display_buffer;
 pub(crate) mod frame;
+pub(crate) mod frame_id;
 pub(crate) mod radiance;
 pub mod srgb;
 pub mod tone_map;

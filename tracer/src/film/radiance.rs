@@ -1,5 +1,6 @@
 //! The light that leaves the table towards the eye, before any film has seen it.
 
+use crate::film::frame_id::FrameId;
 use crate::simd::dispatch::LANES;
 use crate::tile::planes::{Plane, RgbTile};
 
@@ -14,8 +15,8 @@ pub struct Radiance {
     /// Red, green, blue; `stride * height` each.
     pub(crate) planes: [Vec<f32>; 3],
     pub(crate) bloom: crate::film::bloom::BloomPyramid,
-    /// Which renderer drew it, and which of its pictures it is.
-    pub(crate) source: Option<(u64, u64)>,
+    /// The frame that it holds.
+    pub(crate) source: Option<FrameId>,
 }
 
 /// The same light, whoever drew it.

@@ -2,7 +2,8 @@
 //!
 //! Four forms of the one curve, since each caller needs another trade of speed, precision and platform:
 //! - [`decode`]: exact in single precision, through `libm`, for the few colours that people write.
-//! - [`decode_f64`]: exact in double precision, for the judge of pictures, which must not share the renderer's rounding.
+//! - [`decode_f64`]: exact in double precision, for the judge of pictures, which must not share the renderer's
+//!   rounding.
 //! - `decode_fast`: a polynomial for millions of texels: no `pow`, so it vectorizes, and every processor gives the same
 //!   bits.
 //! - `encode_fast`: the same for the tone map's pixels.

@@ -165,11 +165,12 @@ fn round_to_byte(value: f32) -> u32 {
     (clamp(value, 0.0, 255.0) + 8_388_608.0).to_bits() & 0xff
 }
 
-/// Scales light before the filmic curve: art direction, a little brighter than the 0.6 with which Narkowicz matches ACES.
+/// Scales light before the filmic curve: art direction, a little brighter than the 0.6 with which Narkowicz matches
+/// ACES.
 const FILMIC_GAIN: f32 = 0.72;
 
-/// K. Narkowicz, "ACES filmic tone mapping curve", 2016: x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), a fit of the ACES reference
-/// transform.
+/// K. Narkowicz, "ACES filmic tone mapping curve", 2016: x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), a fit of the
+/// ACES reference transform.
 const ACES: [f32; 5] = [2.51, 0.03, 2.43, 0.59, 0.14];
 
 /// Scaled light at which half of the bleaching is reached: art direction.
@@ -183,10 +184,10 @@ const DARKEST: f32 = 1e-5;
 
 /// The filmic curve: unbounded light to light on a screen, 0 to 1, with a toe, a straight middle and a long shoulder.
 ///
-/// 1. The curve is taken of the strongest channel alone, and all channels are scaled alike: hue and saturation stay, so a
-///    red lamp stays red however bright it is.
-/// 2. Beyond white, colours bleach, as film's do: with m the scaled light, a part `BLEACH_MOST m / (m + BLEACH_HALF)` of
-///    the colour is replaced by grey of the curve's value.
+/// 1. The curve is taken of the strongest channel alone, and all channels are scaled alike: hue and saturation stay, so
+///    a red lamp stays red however bright it is.
+/// 2. Beyond white, colours bleach, as film's do: with m the scaled light, a part `BLEACH_MOST m / (m + BLEACH_HALF)`
+///    of the colour is replaced by grey of the curve's value.
 #[inline(always)]
 fn filmic_curve([r, g, b]: [f32; 3]) -> [f32; 3] {
     let strongest = max(max(r, g), max(b, DARKEST));

@@ -1,253 +1,281 @@
-//! A tile in the light of one lamp: what stands between them, how much of the lamp each point sees, and what its surfaces
-//! make of that.
+//! Direct light: a tile in the light of one lamp. What stands between them, which fraction of the lamp each sample sees,
+//! and what its surface makes of that.
 
-use crate::cache::weighted_sum::scale_of;
-use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
+use crate::cache::weighted_sum::quantization_step;
+use crate::realtime::frame_context::{ActiveLamp, FrameContext};
+use crate::realtime::g_buffer::GBuffer;
 use crate::shading::falloff::Falloff;
 use crate::shading::surface::{apply_visibility, floor_irradiance, shade_floor, shade_top};
 use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, SimdLevel, set_bits};
-use crate::tile::packed_samples::PackedSamples;
-use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, RgbTile, RowMask};
+use crate::simd::dispatch::LANES;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, RowMask};
 use crate::tile::rect::TileRect;
-use crate::visibility::blockers::VisibilityClass;
+use crate::visibility::blockers::{Blockers, VisibilityClass};
+use crate::visibility::fraction::IntervalScratch;
+use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::query::VisibilityQuery;
-use crate::visibility::shaft::Shaft;
-use crate::visibility::transmission;
+use crate::visibility::transmission::{self, MAX_TINTED, TintedGroup};
 use crate::{Group, Rgb};
 
 /// What a lamp lights of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lighted {
-    /// Nothing.
-    Dark,
-    /// Bare floor, and nothing of its light is tinted; how much of the lamp it sees.
+pub(crate) enum Lit {
+    /// Nothing; which group hides the lamp, if it is one group alone.
+    Nothing { hidden_by: Option<Group> },
+    /// Bare floor in light that nothing tints, of this visibility: the floor's planes of [`LampLight`] hold it.
     Floor(VisibilityClass),
-    /// Anything.
-    Colors,
+    /// Anything: [`LampLight::radiance`] holds it.
+    Rgb,
 }
 
-impl Workspace {
-    /// Puts some rows of the tile in the light of one lamp, of the colour white, into [`Workspace::picture`], or if it is
-    /// all floor, into [`Workspace::irradiance`] and [`Workspace::specular`], before what is in the way, which is in
-    /// [`Workspace::fraction`].
-    pub(crate) fn light(&mut self, stage: &Stage, at: usize, rect: &TileRect, layers: usize, rows: RowMask) -> Lighted {
-        self.look_at(stage, at, rect);
-        let near = &self.near[at];
-        let met = transmission::on_path(&stage.scene.filters, |group| near.casts(group));
-        if met.as_slice().is_empty() {
-            if layers == 0 {
-                let verdict = self.light_floor_past(stage, at, rect, &[], rows);
-                return if verdict == VisibilityClass::Umbra { Lighted::Dark } else { Lighted::Floor(verdict) };
-            }
-            let lit = self.light_past(stage, at, rect, layers, &[], rows);
-            return if lit { Lighted::Colors } else { Lighted::Dark };
+/// A tile in the light of one lamp, of the colour white.
+pub(crate) struct LampLight {
+    /// Irradiance at the floor's samples, with nothing in the way.
+    pub irradiance: Plane,
+    /// What the floor's coat reflects in the lamp's own colour, with nothing in the way.
+    pub specular: Plane,
+    /// The fraction of the lamp that the last samples saw, where that is partial.
+    pub visibility: Plane,
+    /// What the tile sends to the eye.
+    pub radiance: RgbTile,
+}
+
+impl LampLight {
+    /// Darkness.
+    pub fn new() -> LampLight {
+        let [irradiance, specular, visibility] = BLACK;
+        LampLight { irradiance, specular, visibility, radiance: BLACK }
+    }
+}
+
+/// Scratch for one lamp's light: what it holds has no meaning between two calls.
+pub(crate) struct LightScratch {
+    blockers: Blockers,
+    intervals: IntervalScratch,
+    /// A layer's light at its samples.
+    pub packed: RgbTile,
+    /// The sum over the sets of tinted groups.
+    sum: RgbTile,
+}
+
+impl LightScratch {
+    /// Nothing yet.
+    pub fn new() -> LightScratch {
+        LightScratch { blockers: Blockers::default(), intervals: IntervalScratch::default(), packed: BLACK, sum: BLACK }
+    }
+}
+
+/// One lamp and one tile.
+#[derive(Clone, Copy)]
+pub(crate) struct LampOnTile<'a> {
+    pub frame: &'a FrameContext<'a>,
+    pub lamp: &'a ActiveLamp,
+    pub rect: &'a TileRect,
+    pub g_buffer: &'a GBuffer,
+    pub falloff: Falloff,
+}
+
+/// What may stand between a lamp and a tile: occluders that were classified for the tile, but for some groups.
+#[derive(Clone, Copy)]
+struct Obstacles<'a> {
+    occluders: &'a PotentialOccluders,
+    without: &'a [Group],
+}
+
+impl<'a> LampOnTile<'a> {
+    /// The lamp as the tile's samples meet it.
+    pub fn new(frame: &'a FrameContext, lamp: &'a ActiveLamp, rect: &'a TileRect, g_buffer: &'a GBuffer) -> Self {
+        LampOnTile { frame, lamp, rect, g_buffer, falloff: Falloff::new(&lamp.lamp, rect.middle_mm) }
+    }
+
+    /// Puts some rows of the tile in the lamp's light, past `occluders`.
+    pub fn light(
+        &self,
+        occluders: &PotentialOccluders,
+        rows: RowMask,
+        scratch: &mut LightScratch,
+        out: &mut LampLight,
+    ) -> Lit {
+        let on_path = transmission::on_path(self.frame.tinted, |group| occluders.casts(group));
+        let obstacles = Obstacles { occluders, without: &[] };
+        if !on_path.as_slice().is_empty() {
+            return self.light_through(on_path.as_slice(), occluders, rows, scratch, out);
         }
+        if self.g_buffer.tops().is_empty() {
+            return match self.light_floor_past(obstacles, rows, scratch, out) {
+                VisibilityClass::Umbra => Lit::Nothing { hidden_by: scratch.blockers.hidden_by },
+                class => Lit::Floor(class),
+            };
+        }
+        if self.light_past(obstacles, rows, scratch, out) { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
+    }
+
+    /// [`LampOnTile::light`] through tinted groups: the sum over the sets of them that may be taken away.
+    fn light_through(
+        &self,
+        tinted: &[TintedGroup],
+        occluders: &PotentialOccluders,
+        rows: RowMask,
+        scratch: &mut LightScratch,
+        out: &mut LampLight,
+    ) -> Lit {
         let mut lit = false;
-        self.sum = BLACK;
-        transmission::each_subset(met.as_slice(), |away, part| {
-            if part != [0.0; 3] && self.light_past(stage, at, rect, layers, away, rows) {
+        scratch.sum = BLACK;
+        transmission::each_subset(tinted, |without, part| {
+            let obstacles = Obstacles { occluders, without };
+            if part != [0.0; 3] && self.light_past(obstacles, rows, scratch, out) {
                 lit = true;
-                add(&self.picture, part, &mut self.sum);
+                add(&out.radiance, part, &mut scratch.sum);
             }
         });
-        self.picture = self.sum;
-        // What hides the lamp with every filter away is more than one group can be blamed for.
-        self.blockers.hidden_by = None;
-        if lit { Lighted::Colors } else { Lighted::Dark }
+        out.radiance = scratch.sum;
+        // What hides the lamp with every tinted group away is more than one group can be blamed for.
+        if lit { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
     }
 
-    /// What a step is worth where the tile is kept in the light of one lamp: that of all the light that it would show were
-    /// nothing in the way.
-    pub(crate) fn gauge(&mut self, stage: &Stage, at: usize, rect: &TileRect, layers: usize) -> f32 {
-        std::mem::swap(&mut self.picture, &mut self.sum);
-        let falloff = Falloff::new(&stage.lamps[at].lamp, rect.middle_mm);
-        self.picture = BLACK;
-        if self.whole || self.floor.count > 0 {
-            self.light_floor(stage, falloff, ALL_ROWS);
-            self.paint(stage.simd, ALL_ROWS);
+    /// The quantization step of the tile's layer: that of all the light that it would show were nothing in the way.
+    pub fn unoccluded_step(&self, scratch: &mut LightScratch, out: &mut LampLight) -> f32 {
+        let LightScratch { packed, sum, .. } = scratch;
+        *sum = BLACK;
+        if self.g_buffer.has_floor() {
+            self.light_floor(ALL_ROWS, out);
+            self.shade_floor(ALL_ROWS, [&out.irradiance, &out.specular], packed, sum);
         }
-        for layer in 0..layers {
-            self.light_top(stage, falloff, layer, ALL_ROWS, VisibilityClass::Lit);
+        for top in self.g_buffer.tops() {
+            self.light_top(top, ALL_ROWS, &FULLY_VISIBLE, packed, sum);
         }
-        let scale = scale_of(stage.simd, &self.picture);
-        std::mem::swap(&mut self.picture, &mut self.sum);
-        scale
+        quantization_step(self.frame.simd, sum)
     }
 
-    /// Finds how much of a lamp the floor sees, past everything but some groups, and puts its light into
-    /// [`Workspace::irradiance`] and [`Workspace::specular`].
+    /// Puts the floor in light past obstacles, into the floor's planes; how much of the lamp it sees.
     fn light_floor_past(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        rect: &TileRect,
-        away: &[Group],
+        &self,
+        obstacles: Obstacles,
         rows: RowMask,
+        scratch: &mut LightScratch,
+        out: &mut LampLight,
     ) -> VisibilityClass {
-        let verdict = self.sees(stage, at, rect, None, away, rows);
-        if verdict != VisibilityClass::Umbra {
-            self.light_floor(stage, Falloff::new(&stage.lamps[at].lamp, rect.middle_mm), rows);
+        let class = self.visibility(obstacles, None, rows, scratch, &mut out.visibility);
+        if class != VisibilityClass::Umbra {
+            self.light_floor(rows, out);
         }
-        verdict
+        class
     }
 
-    /// Puts the floor in a lamp's light with nothing in the way, into [`Workspace::irradiance`] and [`Workspace::specular`].
-    pub(crate) fn light_floor(&mut self, stage: &Stage, falloff: Falloff, rows: RowMask) {
-        let blocks = self.floor_blocks(rows);
-        let points = if self.whole { stage.full_tile } else { &self.floor };
-        let (irradiance, specular) = (&mut self.irradiance, &mut self.specular);
-        floor_irradiance(
-            stage.simd,
-            points,
-            blocks,
-            &self.ground,
-            falloff,
-            stage.scene.floor.gloss,
-            irradiance,
-            specular,
-        );
+    /// Puts the floor in light with nothing in the way, into the floor's planes.
+    pub fn light_floor(&self, rows: RowMask, out: &mut LampLight) {
+        let (samples, blocks) = (self.g_buffer.floor_samples(self.frame), self.g_buffer.floor_blocks(rows));
+        let (floor, gloss) = (&self.g_buffer.floor, self.frame.scene.floor.gloss);
+        let LampLight { irradiance, specular, .. } = out;
+        floor_irradiance(self.frame.simd, samples, blocks, floor, self.falloff, gloss, irradiance, specular);
     }
 
-    /// The blocks of the floor's points that are in some rows.
-    fn floor_blocks(&self, rows: RowMask) -> u16 {
-        if self.whole { rows } else { self.floor.blocks_in(rows) }
+    /// Takes what is hidden of the lamp from the floor's planes.
+    pub fn apply_floor_visibility(&self, rows: RowMask, out: &mut LampLight) {
+        let LampLight { irradiance, specular, visibility, .. } = out;
+        apply_visibility(self.frame.simd, self.g_buffer.floor_blocks(rows), visibility, irradiance, specular);
     }
 
-    /// Takes from [`Workspace::irradiance`] and [`Workspace::specular`] what is in the way.
-    pub(crate) fn veil(&mut self, simd: SimdLevel, verdict: VisibilityClass, rows: RowMask) {
-        if verdict == VisibilityClass::Partial {
-            apply_visibility(simd, self.floor_blocks(rows), &self.fraction, &mut self.irradiance, &mut self.specular);
-        }
-    }
-
-    /// Puts the floor's picture, of what arrives and of what shines, into some rows of [`Workspace::picture`], which
-    /// was dark.
-    pub(crate) fn paint(&mut self, simd: SimdLevel, rows: RowMask) {
-        let (blocks, albedo) = (self.floor_blocks(rows), &self.ground.albedo);
-        if self.whole {
-            shade_floor(simd, blocks, albedo, &self.irradiance, &self.specular, &mut self.picture);
-        } else {
-            shade_floor(simd, blocks, albedo, &self.irradiance, &self.specular, &mut self.packed);
-            scatter(&self.floor, blocks, &self.packed, &mut self.picture);
-        }
-    }
-
-    /// [`Workspace::light`], past everything but some groups.
-    fn light_past(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        rect: &TileRect,
-        layers: usize,
-        away: &[Group],
+    /// Adds the floor of an irradiance and a specular plane to some rows of `out`, which were black.
+    pub fn shade_floor(
+        &self,
         rows: RowMask,
-    ) -> bool {
-        self.picture = BLACK;
-        let bare = self.whole || self.floor.count > 0;
-        let floor = if bare { self.light_floor_past(stage, at, rect, away, rows) } else { VisibilityClass::Umbra };
-        let mut lit = floor != VisibilityClass::Umbra;
-        if lit {
-            self.veil(stage.simd, floor, rows);
-            self.paint(stage.simd, rows);
+        [irradiance, specular]: [&Plane; 2],
+        packed: &mut RgbTile,
+        out: &mut RgbTile,
+    ) {
+        let (blocks, albedo) = (self.g_buffer.floor_blocks(rows), &self.g_buffer.floor.albedo);
+        match self.g_buffer.packed_floor() {
+            None => shade_floor(self.frame.simd, blocks, albedo, irradiance, specular, out),
+            Some(samples) => {
+                shade_floor(self.frame.simd, blocks, albedo, irradiance, specular, packed);
+                samples.scatter(blocks, packed, out);
+            }
         }
-        let falloff = Falloff::new(&stage.lamps[at].lamp, rect.middle_mm);
-        for layer in 0..layers {
-            let verdict = self.sees(stage, at, rect, Some(layer), away, rows);
-            if verdict != VisibilityClass::Umbra {
+    }
+
+    /// Puts all surfaces in light past obstacles, into [`LampLight::radiance`]; whether any is lit.
+    fn light_past(&self, obstacles: Obstacles, rows: RowMask, scratch: &mut LightScratch, out: &mut LampLight) -> bool {
+        out.radiance = BLACK;
+        let mut lit = false;
+        if self.g_buffer.has_floor() {
+            let class = self.light_floor_past(obstacles, rows, scratch, out);
+            if class != VisibilityClass::Umbra {
                 lit = true;
-                self.light_top(stage, falloff, layer, rows, verdict);
+                if class == VisibilityClass::Partial {
+                    self.apply_floor_visibility(rows, out);
+                }
+                let LampLight { irradiance, specular, radiance, .. } = out;
+                self.shade_floor(rows, [irradiance, specular], &mut scratch.packed, radiance);
+            }
+        }
+        for top in self.g_buffer.tops() {
+            let class = self.visibility(obstacles, Some(top), rows, scratch, &mut out.visibility);
+            if class != VisibilityClass::Umbra {
+                lit = true;
+                let visibility = if class == VisibilityClass::Lit { &FULLY_VISIBLE } else { &out.visibility };
+                self.light_top(top, rows, visibility, &mut scratch.packed, &mut out.radiance);
             }
         }
         lit
     }
 
-    /// Adds some rows of a top's picture to [`Workspace::picture`].
-    pub(crate) fn light_top(
-        &mut self,
-        stage: &Stage,
-        falloff: Falloff,
-        layer: usize,
+    /// Adds some rows of a top, of which each sample sees a fraction of the lamp, to `out`.
+    pub fn light_top(
+        &self,
+        top: &TopLayer,
         rows: RowMask,
-        verdict: VisibilityClass,
+        visibility: &Plane,
+        packed: &mut RgbTile,
+        out: &mut RgbTile,
     ) {
-        let TopLayer { form, points, surface, .. } = &self.tops[layer];
-        let (finish, blocks) = (&stage.tops.top(*form).finish, points.blocks_in(rows));
-        let fraction = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &self.fraction };
-        shade_top(stage.simd, points, blocks, surface, finish, falloff, fraction, &mut self.packed);
-        scatter(points, blocks, &self.packed, &mut self.picture);
+        let TopLayer { slot, points, surface, .. } = top;
+        let (finish, blocks) = (&self.frame.tops.top(*slot).finish, points.blocks_in(rows));
+        shade_top(self.frame.simd, points, blocks, surface, finish, self.falloff, visibility, packed);
+        points.scatter(blocks, packed, out);
     }
 
-    /// Finds what may stand between a lamp and the tile.
-    fn look_at(&mut self, stage: &Stage, at: usize, rect: &TileRect) {
-        let Lit { lamp, potential_occluders, .. } = &stage.lamps[at];
-        let near = &mut self.near[at];
-        if !self.is_near[at] {
-            let around = Shaft::new(lamp, self.block.0, self.block.1);
-            potential_occluders.narrow(stage.simd, &around, near, Some((lamp, stage.disc_chains)));
-            self.is_near[at] = true;
-        }
-        near.classify(stage.simd, &Shaft::new(lamp, rect.middle_mm, rect.radius_mm));
-    }
-
-    /// Finds how much of a lamp that was looked at each point of the floor or of a top sees, past everything but some
-    /// groups and the top's own.
-    fn sees(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        rect: &TileRect,
-        layer: Option<usize>,
-        away: &[Group],
+    /// The fraction of the lamp that the samples of the floor or of a top see, past obstacles but the top's own group.
+    fn visibility(
+        &self,
+        obstacles: Obstacles,
+        top: Option<&TopLayer>,
         rows: RowMask,
+        scratch: &mut LightScratch,
+        fraction: &mut Plane,
     ) -> VisibilityClass {
-        let mut without = [Group(0); transmission::MAX_FILTERS + 1];
-        without[..away.len()].copy_from_slice(away);
-        let mut own = None;
-        let (points, blocks) = if let Some(layer) = layer {
-            let TopLayer { form, points, .. } = &self.tops[layer];
-            own = Some(stage.tops.top(*form).group);
-            (points, points.blocks_in(rows))
-        } else {
-            (if self.whole { stage.full_tile } else { &self.floor }, self.floor_blocks(rows))
+        let own = top.map(|top| self.frame.tops.top(top.slot).group);
+        let (samples, blocks) = match top {
+            Some(top) => (&top.points, top.points.blocks_in(rows)),
+            None => (self.g_buffer.floor_samples(self.frame), self.g_buffer.floor_blocks(rows)),
         };
-        let count = away.len() + own.iter().len();
-        without[away.len()..count].copy_from_slice(own.as_slice());
+        let mut without = [Group(0); MAX_TINTED + 1];
+        let away = obstacles.without.len();
+        let count = away + own.iter().len();
+        without[..away].copy_from_slice(obstacles.without);
+        without[away..count].copy_from_slice(own.as_slice());
         let mut query = VisibilityQuery {
-            simd: stage.simd,
-            disc_chains: stage.disc_chains,
-            lamp: &stage.lamps[at].lamp,
-            airborne: &stage.lamps[at].airborne,
-            occluders: &self.near[at],
-            rect,
-            blockers: &mut self.blockers,
-            scratch: &mut self.intervals,
-            fraction: &mut self.fraction,
+            simd: self.frame.simd,
+            disc_chains: self.frame.disc_chains,
+            lamp: &self.lamp.lamp,
+            airborne: &self.lamp.airborne,
+            occluders: obstacles.occluders,
+            rect: self.rect,
+            blockers: &mut scratch.blockers,
+            scratch: &mut scratch.intervals,
+            fraction,
         };
-        query.evaluate(points, blocks, &without[..count], own)
+        query.evaluate(samples, blocks, &without[..count], own)
     }
 }
 
-/// Adds a picture in light of a colour.
-pub(crate) fn add(picture: &RgbTile, color: Rgb, sum: &mut RgbTile) {
-    for ((sum, picture), color) in sum.iter_mut().zip(picture).zip(color) {
-        for (sum, line) in sum.iter_mut().zip(picture) {
+/// Adds a tile in light of a colour.
+pub(crate) fn add(tile: &RgbTile, color: Rgb, sum: &mut RgbTile) {
+    for ((sum, plane), color) in sum.iter_mut().zip(tile).zip(color) {
+        for (sum, line) in sum.iter_mut().zip(plane) {
             for i in 0..LANES {
                 sum[i] += line[i] * color;
             }
-        }
-    }
-}
-
-/// Adds the light of some blocks of packed points to the pixels that they are.
-pub(crate) fn scatter(points: &PackedSamples, blocks: u16, packed: &RgbTile, picture: &mut RgbTile) {
-    let [red, green, blue] = picture.each_mut().map(|plane| plane.as_flattened_mut());
-    for block in set_bits(blocks).take_while(|&block| block < points.blocks()) {
-        let pixels = &points.pixel[block * LANES..(block * LANES + LANES).min(points.count)];
-        for (at, &pixel) in pixels.iter().enumerate() {
-            red[usize::from(pixel)] += packed[0][block][at];
-            green[usize::from(pixel)] += packed[1][block][at];
-            blue[usize::from(pixel)] += packed[2][block][at];
         }
     }
 }

@@ -1,18 +1,20 @@
 //! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
 //!
 //! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
-//! resolution by [`crate::upscale`]. What glows by itself, the balls and the bloom are made at the full resolution, as
-//! [`Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
+//! resolution by [`crate::realtime::joint_upsampling`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! [`crate::Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
-use crate::realtime::joint_upsampling::{Guides, Print};
-use crate::realtime::renderer::drawable;
+use crate::realtime::exact_renderer::{ExactRenderer, drawable};
+use crate::realtime::joint_upsampling::{Guides, UpsampleKernel};
 use crate::realtime::schedule::write_planes;
+use crate::scene::NO_FLOOR;
+use crate::scene::validation::CheckScratch;
 use crate::shading::chrome_ball::BallSprite;
 use crate::simd::dispatch::{LANES, SimdLevel};
 use crate::tile::planes::{BLACK, RgbTile, TILE};
-use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Renderer, Scene, View};
+use crate::{DisplayBuffer, Finish, Floor, ItemId, Radiance, RenderStage, Scene, View};
 use rayon::prelude::*;
 
 mod lists;
@@ -21,27 +23,27 @@ use lists::{Lists, add_lamps};
 
 /// Draws scenes in light of half the resolution. Keep one from frame to frame: it allocates only when a scene has more
 /// in it than before.
-pub struct HalfRenderer {
+pub(crate) struct HalfRenderer {
     simd: SimdLevel,
     /// All light but what surfaces have of their own, at half the resolution, without the balls.
     lamps: Layer,
     /// Under a white sky: at half the resolution, and at the full one.
     guides: [Layer; 2],
     /// Which surface is seen, as a number: at half the resolution, and at the full one.
-    marks: [Layer; 2],
+    surface_ids: [Layer; 2],
     /// Light that surfaces have of their own, at the full resolution.
     glows: Layer,
     /// The lists of the layers' scenes.
     lists: Lists,
     tiles: Vec<Tile>,
     /// Room to check a scene in.
-    ids: Vec<ItemId>,
+    scratch: CheckScratch,
 }
 
 /// A tile of the picture.
 #[derive(Clone, Debug)]
 struct Tile {
-    print: Print,
+    kernel: UpsampleKernel,
     /// Whether a surface has light of its own.
     glows: bool,
     /// Whether it is not on the film as it should be.
@@ -50,16 +52,16 @@ struct Tile {
 
 /// A picture that only what has changed is made anew of.
 struct Layer {
-    renderer: Renderer,
+    renderer: ExactRenderer,
     radiance: Radiance,
     /// Whether any tile of the last one was made anew.
-    fresh: bool,
+    redrawn: bool,
 }
 
 impl Layer {
     fn render(&mut self, scene: &Scene) {
         self.renderer.render_table(scene, &mut self.radiance);
-        self.fresh = self.renderer.is_fresh();
+        self.redrawn = self.renderer.any_redrawn();
     }
 
     /// Renders `scene` with this art, from this view.
@@ -69,72 +71,55 @@ impl Layer {
     }
 }
 
-impl Default for HalfRenderer {
-    fn default() -> HalfRenderer {
-        HalfRenderer::new()
-    }
-}
-
 impl HalfRenderer {
-    /// A renderer for this machine's best instruction set.
-    pub fn new() -> HalfRenderer {
-        HalfRenderer::on(SimdLevel::best())
-    }
-
     /// A renderer on a chosen instruction set: the same bits on each.
     pub fn on(simd: SimdLevel) -> HalfRenderer {
-        let layer = || Layer { renderer: Renderer::on(simd), radiance: Radiance::default(), fresh: true };
+        let layer = || Layer { renderer: ExactRenderer::on(simd), radiance: Radiance::default(), redrawn: true };
         HalfRenderer {
             simd,
             lamps: layer(),
             guides: [layer(), layer()],
-            marks: [layer(), layer()],
+            surface_ids: [layer(), layer()],
             glows: layer(),
             lists: Lists::default(),
             tiles: Vec::new(),
-            ids: Vec::new(),
+            scratch: CheckScratch::default(),
         }
     }
 
-    /// Renders `scene`, whose art at [`View::halved`] is `half`, on the threads of the current rayon pool: the same bits on
+    /// Renders `scene`, whose art at [`View::halved`] is [`Scene::half_floor`], on the threads of the current rayon pool: the same bits on
     /// any number. What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
-    pub fn render(&mut self, scene: &Scene, half: &Floor, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
+    pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
         radiance.resize(scene.view.width, scene.view.height);
-        let known = radiance.source == Some(self.lamps.renderer.picture());
-        self.find_light(scene, half, known, &mut radiance.bloom, &mut |_| {});
+        let known = radiance.source == Some(self.lamps.renderer.frame_id());
+        self.find_light(scene, known, &mut radiance.bloom, &mut |_| {});
         self.compose(radiance);
-        radiance.source = Some(self.lamps.renderer.picture());
+        radiance.source = Some(self.lamps.renderer.frame_id());
     }
 
-    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go.
-    pub fn draw(&mut self, scene: &Scene, half: &Floor, exposure: f32, display: &mut DisplayBuffer) {
-        self.draw_watched(scene, half, exposure, display, &mut |_| {});
-    }
-
-    /// [`HalfRenderer::draw`] for somebody with a clock: calls `done` after each step.
-    pub fn draw_watched(
+    /// Renders `scene` as [`HalfRenderer::render`] does, and tone-maps it in one go. Calls `done` after each step.
+    pub fn draw_timed(
         &mut self,
         scene: &Scene,
-        half: &Floor,
         exposure: f32,
         display: &mut DisplayBuffer,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return display.resize(0, 0) };
+        let Some(scene) = &drawable(scene, &mut self.scratch) else { return display.resize(0, 0) };
         display.resize(scene.view.width, scene.view.height);
-        let known = display.source == Some((self.lamps.renderer.picture(), exposure));
-        self.find_light(scene, half, known, &mut display.bloom, done);
-        self.develop(exposure, display);
-        done(RenderStage::Developed);
-        display.source = Some((self.lamps.renderer.picture(), exposure));
+        let known = display.source == Some((self.lamps.renderer.frame_id(), exposure));
+        self.find_light(scene, known, &mut display.bloom, done);
+        self.tone_map(exposure, display);
+        done(RenderStage::ToneMapped);
+        display.source = Some((self.lamps.renderer.frame_id(), exposure));
     }
 
-    /// Forgets what earlier pictures showed, as [`Renderer::forget`] does.
-    pub fn forget(&mut self) {
-        let HalfRenderer { lamps, guides, marks, glows, .. } = self;
-        for layer in [lamps, glows].into_iter().chain(guides).chain(marks) {
-            layer.renderer.forget();
+    /// Forgets what earlier pictures showed, as [`crate::Renderer::forget`] does.
+    pub fn invalidate(&mut self) {
+        let HalfRenderer { lamps, guides, surface_ids, glows, .. } = self;
+        for layer in [lamps, glows].into_iter().chain(guides).chain(surface_ids) {
+            layer.renderer.invalidate();
         }
     }
 
@@ -142,37 +127,37 @@ impl HalfRenderer {
     fn find_light(
         &mut self,
         scene: &Scene,
-        half: &Floor,
         known: bool,
         bloom: &mut BloomPyramid,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        self.render_layers(scene, half, done);
-        let changed = self.look_for_stale(&scene.view, known);
+        self.render_layers(scene, done);
+        let changed = self.find_stale(&scene.view, known);
         if changed {
-            self.take_means(bloom);
+            self.write_means(bloom);
         }
-        done(RenderStage::Shaded);
+        done(RenderStage::Lit);
         self.lamps.renderer.render_balls(scene, bloom);
-        done(RenderStage::Mirrored);
+        done(RenderStage::BallsRendered);
         if changed {
             bloom.compute(self.simd);
         }
-        done(RenderStage::Glared);
+        done(RenderStage::Bloomed);
     }
 
     /// Makes every layer true: each is a picture of a scene of its own, with a part of what is in `scene`.
-    fn render_layers(&mut self, scene: &Scene, half: &Floor, done: &mut (dyn FnMut(RenderStage) + Send)) {
-        let (full, half) = ((scene.floor, scene.view), (half, scene.view.halved()));
+    fn render_layers(&mut self, scene: &Scene, done: &mut (dyn FnMut(RenderStage) + Send)) {
+        let half_floor = scene.half_floor.unwrap_or(&NO_FLOOR);
+        let (full, half) = ((scene.floor, scene.view), (half_floor, scene.view.halved()));
         let mut layer = self.lists.surfaces_of(scene);
         self.glows.render(&layer);
         layer.glows.clear();
         for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
-            top.finish = Finish { emission: [mark(top.id), 0.0, 0.0], art: false, ..original.finish };
+            top.finish = Finish { emission: [surface_id(top.id), 0.0, 0.0], art: false, ..original.finish };
         }
-        let [half_marks, full_marks] = &mut self.marks;
-        full_marks.render_at(full, &mut layer);
-        half_marks.render_at(half, &mut layer);
+        let [half_surface_ids, full_surface_ids] = &mut self.surface_ids;
+        full_surface_ids.render_at(full, &mut layer);
+        half_surface_ids.render_at(half, &mut layer);
         for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
             top.finish = Finish { emission: [0.0; 3], ..original.finish };
         }
@@ -187,17 +172,24 @@ impl HalfRenderer {
     }
 
     /// Finds which tiles have to be developed again; says whether there is any.
-    fn look_for_stale(&mut self, view: &View, known: bool) -> bool {
-        let HalfRenderer { simd, lamps, guides: [half_guide, guide], marks: [half_marks, marks], glows, tiles, .. } =
-            self;
+    fn find_stale(&mut self, view: &View, known: bool) -> bool {
+        let HalfRenderer {
+            simd,
+            lamps,
+            guides: [half_guide, guide],
+            surface_ids: [half_surface_ids, surface_ids],
+            glows,
+            tiles,
+            ..
+        } = self;
         let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
         let another = tiles.len() != across * down;
-        tiles.resize(across * down, Tile { print: Print::none(), glows: false, stale: true });
+        tiles.resize(across * down, Tile { kernel: UpsampleKernel::none(), glows: false, stale: true });
         let guides = Guides {
             half_guide: &half_guide.radiance,
-            half_marks: &half_marks.radiance,
+            half_surface_ids: &half_surface_ids.radiance,
             guide: &guide.radiance,
-            marks: &marks.radiance,
+            surface_ids: &surface_ids.radiance,
         };
         let half = view.halved();
         let look = |(at, tile): (usize, &mut Tile)| {
@@ -205,29 +197,32 @@ impl HalfRenderer {
             let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
             let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
             let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
-            let is_fresh = |layer: &Layer| another || layer.fresh && layer.renderer.is_fresh_at(view, x, y);
-            let is_fresh_around =
-                |layer: &Layer| layer.fresh && corners.iter().any(|&(x, y)| layer.renderer.is_fresh_at(&half, x, y));
-            let printed =
-                is_fresh(guide) || is_fresh(marks) || is_fresh_around(half_guide) || is_fresh_around(half_marks);
+            let is_redrawn = |layer: &Layer| another || layer.redrawn && layer.renderer.is_redrawn_at(view, x, y);
+            let is_redrawn_around = |layer: &Layer| {
+                layer.redrawn && corners.iter().any(|&(x, y)| layer.renderer.is_redrawn_at(&half, x, y))
+            };
+            let printed = is_redrawn(guide)
+                || is_redrawn(surface_ids)
+                || is_redrawn_around(half_guide)
+                || is_redrawn_around(half_surface_ids);
             if printed {
-                tile.print.take(*simd, guides, x, y);
+                tile.kernel.take(*simd, guides, x, y);
             }
-            let glowing = is_fresh(glows);
+            let glowing = is_redrawn(glows);
             if glowing {
                 let mut light = BLACK;
                 glows.radiance.read_tile(x, y, &mut light);
                 tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
             }
-            let fresh = !known || printed || glowing || is_fresh_around(lamps);
-            tile.stale |= fresh;
-            fresh
+            let redrawn = !known || printed || glowing || is_redrawn_around(lamps);
+            tile.stale |= redrawn;
+            redrawn
         };
         tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
     }
 
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
-    fn take_means(&self, bloom: &mut BloomPyramid) {
+    fn write_means(&self, bloom: &mut BloomPyramid) {
         let lamps = &self.lamps.radiance;
         let glows = self.glows.radiance.bloom.means();
         let (Some((level, means)), Some((_, glows))) = (bloom.means_mut(), glows) else { return };
@@ -260,12 +255,12 @@ impl HalfRenderer {
     }
 
     /// Tone-maps the tiles that are not on display as they should be.
-    fn develop(&mut self, exposure: f32, display: &mut DisplayBuffer) {
+    fn tone_map(&mut self, exposure: f32, display: &mut DisplayBuffer) {
         let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
         let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
         let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
-            let (mut out, mut developed) = (BLACK, [[0; LANES]; TILE]);
+            let (mut out, mut mapped) = (BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
                 tile.stale |= bloom.has_changed_at(x, y);
@@ -274,8 +269,8 @@ impl HalfRenderer {
                 }
                 tile.stale = false;
                 surfaces.compose(tile, x, y, &mut out);
-                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut developed);
-                tone_map::store_tile(&developed, x, width, pixels);
+                tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut mapped);
+                tone_map::store_tile(&mapped, x, width, pixels);
             }
         });
     }
@@ -291,12 +286,12 @@ struct Surfaces<'a> {
 
 impl<'a> Surfaces<'a> {
     fn of(simd: SimdLevel, lamps: &'a Layer, glows: &'a Layer) -> Surfaces<'a> {
-        Surfaces { simd, light: &lamps.radiance, glows: &glows.radiance, balls: lamps.renderer.ball_sprites() }
+        Surfaces { simd, light: &lamps.radiance, glows: &glows.radiance, balls: lamps.renderer.sprites() }
     }
 
     /// Puts together the tile whose upper left pixel is (`x`, `y`).
     fn compose(&self, tile: &Tile, x: usize, y: usize, out: &mut RgbTile) {
-        tile.print.light(self.simd, self.light, x, y, out);
+        tile.kernel.apply(self.simd, self.light, x, y, out);
         if tile.glows {
             let mut own = BLACK;
             self.glows.read_tile(x, y, &mut own);
@@ -315,13 +310,13 @@ fn add(more: &RgbTile, light: &mut RgbTile) {
 }
 
 /// The ids that marks tell apart; single precision has no finer turns for more.
-const MARKS: u32 = 4096;
+const SURFACE_IDS: u32 = 4096;
 
 /// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of tops of
 /// neighbouring ids (multiples of the golden ratio are as far from each other as they can be). Tops whose ids are
-/// [`MARKS`] apart have the same one: where they meet, light bleeds from one to the other.
-fn mark(id: ItemId) -> f32 {
-    let turns = (id.0 % MARKS) as f32 * 0.618_034;
+/// [`SURFACE_IDS`] apart have the same one: where they meet, light bleeds from one to the other.
+fn surface_id(id: ItemId) -> f32 {
+    let turns = (id.0 % SURFACE_IDS) as f32 * 0.618_034;
     0.25 + 0.75 * (turns - turns.floor())
 }
 

@@ -6,7 +6,7 @@
 //! surface count next to nothing: joint bilateral upsampling (J. Kopf, M. Cohen, D. Lischinski, M. Uyttendaele, 2007).
 //!
 //! All but the light stands still where nothing moves, so a tile keeps the weights of each pixel's four neighbours and
-//! the guides' quotient ([`Print`]). This module refuses to know where light, guide and mark come from.
+//! the guides' quotient ([`UpsampleKernel`]). This module refuses to know where light, guide and mark come from.
 
 use crate::Radiance;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
@@ -39,7 +39,7 @@ const BLACK_SPREAD: Spread = [[[0.0; LANES]; 2]; HALF_TILE_SIDE];
 /// What turns the light around a tile into the tile's own.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub(crate) struct Print {
+pub(crate) struct UpsampleKernel {
     /// How much the four nearest half-resolution pixels count, for each (sorted) pixel: the largest 255.
     weights: [[u8; AREA]; 4],
     /// The guide over the weighted sum of the guides around it, red, green and blue, times [`MAX_WEIGHT`].
@@ -50,22 +50,22 @@ pub(crate) struct Print {
 #[derive(Clone, Copy)]
 pub(crate) struct Guides<'a> {
     pub half_guide: &'a Radiance,
-    pub half_marks: &'a Radiance,
+    pub half_surface_ids: &'a Radiance,
     pub guide: &'a Radiance,
-    pub marks: &'a Radiance,
+    pub surface_ids: &'a Radiance,
 }
 
-impl Print {
+impl UpsampleKernel {
     /// Nothing.
-    pub fn none() -> Print {
-        Print { weights: [[0; AREA]; 4], quotients: [[0; AREA]; 3] }
+    pub fn none() -> UpsampleKernel {
+        UpsampleKernel { weights: [[0; AREA]; 4], quotients: [[0; AREA]; 3] }
     }
 
     /// Becomes that of the tile whose upper left pixel, at the full resolution, is (`x`, `y`).
     pub fn take(&mut self, simd: SimdLevel, guides: Guides, x: usize, y: usize) {
         let (mut around, mut plane) = (BLACK_SPREAD, [[0.0; LANES]; TILE]);
-        read(guides.half_marks, 0, x, y, &mut around);
-        guides.marks.read_plane(0, x, y, &mut plane);
+        read(guides.half_surface_ids, 0, x, y, &mut around);
+        guides.surface_ids.read_plane(0, x, y, &mut plane);
         weigh(simd, &plane, &around, &mut self.weights);
         for channel in 0..3 {
             read(guides.half_guide, channel, x, y, &mut around);
@@ -75,7 +75,7 @@ impl Print {
     }
 
     /// The tile in this light, found at half the resolution; its upper left pixel is (`x`, `y`).
-    pub fn light(&self, simd: SimdLevel, light: &Radiance, x: usize, y: usize, out: &mut RgbTile) {
+    pub fn apply(&self, simd: SimdLevel, light: &Radiance, x: usize, y: usize, out: &mut RgbTile) {
         let mut around = BLACK_SPREAD;
         for channel in 0..3 {
             read(light, channel, x, y, &mut around);
@@ -107,7 +107,7 @@ fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
 
 multiversion! {
     /// Weighs the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
-    fn weigh(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
+    fn weigh(surface_id: &Plane, surface_ids: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
 }
 multiversion! {
     /// Divides the guide by the weighted sum of those around it.
@@ -141,13 +141,14 @@ fn sorted(line: &Lanes) -> Lanes {
 
 /// All four weights are multiplied by all four distances, which saves divisions: only their proportions count.
 #[inline(always)]
-fn weigh_lanes(mark: &Plane, marks: &Spread, weights: &mut [[u8; AREA]; 4]) {
+fn weigh_lanes(surface_id: &Plane, surface_ids: &Spread, weights: &mut [[u8; AREA]; 4]) {
     for row in 0..TILE {
         let (near, far) = nearest(row);
-        let mark = sorted(&mark[row]);
-        let ([a, b], [c, d]) = (&marks[near], &marks[far]);
+        let surface_id = sorted(&surface_id[row]);
+        let ([a, b], [c, d]) = (&surface_ids[near], &surface_ids[far]);
         for i in 0..LANES {
-            let (da, db, dc, dd) = (mark[i] - a[i], mark[i] - b[i], mark[i] - c[i], mark[i] - d[i]);
+            let (da, db, dc, dd) =
+                (surface_id[i] - a[i], surface_id[i] - b[i], surface_id[i] - c[i], surface_id[i] - d[i]);
             let (qa, qb) = (LIKENESS + da * da, LIKENESS + db * db);
             let (qc, qd) = (LIKENESS + dc * dc, LIKENESS + dd * dd);
             let (ab, cd) = (qa * qb, qc * qd);

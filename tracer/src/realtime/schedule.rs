@@ -1,10 +1,10 @@
-//! The picture in bands of blocks of tiles, which threads share out, and where tiles are put.
+//! The tile schedule: a picture in bands of blocks of tiles, which threads share out, and where tiles are put.
 
-use crate::Scene;
-use crate::cache::cell_means::Means;
+use crate::cache::cell_means::TileMeans;
 use crate::film::bloom::{CELL_PX, MipLevel};
 use crate::tile::planes::{RgbTile, TILE};
 use crate::tile::rect::TileRect;
+use crate::{Scene, View};
 use rayon::prelude::*;
 
 /// Pixels along the side of a block of tiles, which share what is found out about their neighbourhood.
@@ -29,6 +29,14 @@ pub(crate) fn each_tile<T>(
     }
 }
 
+/// The band and the place in it of the tile that a pixel is in.
+pub(crate) fn tile_at(view: &View, x: usize, y: usize) -> (usize, usize) {
+    let (band, block) = (y / BLOCK, x / BLOCK);
+    let tiles = |from: usize, end: usize| (end.min(from + BLOCK) - from).div_ceil(TILE);
+    let (rows, columns) = (tiles(band * BLOCK, view.height), tiles(block * BLOCK, view.width));
+    (band, block * (BLOCK / TILE) * rows + y % BLOCK / TILE * columns + x % BLOCK / TILE)
+}
+
 /// The rows of cells of every band of blocks.
 pub(crate) fn means_bands(
     level: MipLevel,
@@ -49,7 +57,7 @@ pub(crate) fn write_planes(tile: &RgbTile, x: usize, y: usize, stride: usize, pl
 }
 
 /// Writes the means of a tile into a band of cells, as far as the level reaches.
-pub(crate) fn write_means(found: &Means, x: usize, y: usize, level: &MipLevel, means: &mut [&mut [f32]; 3]) {
+pub(crate) fn write_means(found: &TileMeans, x: usize, y: usize, level: &MipLevel, means: &mut [&mut [f32]; 3]) {
     for (plane, found) in means.iter_mut().zip(found) {
         let rows = plane[y / CELL_PX * level.stride..].chunks_mut(level.stride);
         for (row, cells) in rows.zip(found.as_chunks::<{ TILE / CELL_PX }>().0) {

@@ -6,11 +6,11 @@ pub enum RenderStage {
     /// What is new in the scene is known.
     Prepared,
     /// Shadows and surfaces are found where something has moved.
-    Shaded,
+    Lit,
     /// The balls mirror the table.
-    Mirrored,
+    BallsRendered,
     /// The bloom is taken.
-    Glared,
+    Bloomed,
     /// All lamps are summed up, and the sums are pixels.
-    Developed,
+    ToneMapped,
 }

@@ -1,407 +1,235 @@
-//! One tile of the picture: what of its memory does not hold any more is made anew, lamp by lamp, and put together.
+//! The tile renderer: the passes that make one tile. Each takes the frame context, where the tile is and what it works
+//! on, and returns what it finds; planes are written where the caller says.
 //!
 //! Lamps are the outer loop: what stands between a lamp and the tile is found once, and serves the floor and every top
 //! in the tile.
 
-use crate::cache::cell_means::{CELLS_PER_TILE, Means, means_of};
-use crate::cache::damage::{Changes, DAMAGE_MARGIN_MM, Nearby, is_near};
-use crate::cache::g_buffer::Surfaces;
-use crate::cache::lamp_layer::{Bare, Part};
-use crate::cache::lamp_set::Numbers;
-use crate::cache::tile_cache::{Illumination, TileMemory};
-use crate::cache::top_history::TopHistory;
-use crate::realtime::compose::{has_contacts, shade_contacts};
-use crate::realtime::direct_light::{Lighted, add};
-use crate::realtime::schedule::BLOCK;
-use crate::scene::GlowKey;
-use crate::shading::albedo_map::{Albedo, AlbedoMap};
-use crate::shading::chrome_ball;
-use crate::shading::coverage::SignedDistance;
-use crate::shading::surface::{Normals, Surface};
-use crate::shading::top_layer::TopLayer;
-use crate::simd::dispatch::{LANES, SimdLevel};
-use crate::tile::packed_samples::PackedSamples;
-use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, Plane, RgbTile, TILE};
+use crate::cache::cell_means::{TileMeans, means_of};
+use crate::cache::g_buffer::CachedGBuffer;
+use crate::cache::lamp_layer::{FloorLight, WeightedSlot};
+use crate::cache::tile_cache::{Illumination, TileCache};
+use crate::realtime::ambient_light::{shade_ambient, shade_insert};
+use crate::realtime::block_context::BlockContext;
+use crate::realtime::contact_shadow::{has_contacts, shade_contacts};
+use crate::realtime::direct_light::{LampLight, LampOnTile, LightScratch, Lit, add};
+use crate::realtime::frame_context::FrameContext;
+use crate::realtime::g_buffer::GBuffer;
+use crate::shading::chrome_ball::BallSprite;
+use crate::tile::planes::{ALL_ROWS, BLACK, FULLY_VISIBLE, RgbTile, RowMask};
 use crate::tile::rect::TileRect;
-use crate::visibility::airborne_shadow::AirborneShadow;
-use crate::visibility::blockers::{Blockers, VisibilityClass};
-use crate::visibility::disc_chain::DiscChains;
-use crate::visibility::fraction::IntervalScratch;
-use crate::visibility::potential_occluders::PotentialOccluders;
-use crate::visibility::shadow_bounds::ShadowBounds;
-use crate::{Lamp, Rgb, Scene};
-use geometry::{Bounds, DVec2};
+use crate::visibility::blockers::VisibilityClass;
 
-/// Everything that the tiles of one picture have in common.
-pub(crate) struct Stage<'a> {
-    pub simd: SimdLevel,
-    pub scene: &'a Scene<'a>,
-    pub disc_chains: &'a DiscChains,
-    /// The lamps that shine.
-    pub lamps: &'a [Lit],
-    /// The light of each lamp that is remembered, and its place among those that shine, by its number.
-    pub colors: &'a [Rgb],
-    pub places: &'a [usize],
-    /// The lamps of which nothing is remembered.
-    pub lost: &'a Numbers,
-    /// Where tops have moved since the last picture.
-    pub moved_tops: &'a [Bounds],
-    /// What else is different from the last picture.
-    pub changes: &'a Changes,
-    /// The tops and their outlines.
-    pub tops: &'a TopHistory,
-    /// Every pixel of a tile.
-    pub full_tile: &'a PackedSamples,
-    /// The floor's art.
-    pub art: &'a AlbedoMap,
-}
-
-impl Stage<'_> {
-    /// The inserts that glow, with their colours.
-    pub fn glows(&self) -> impl Iterator<Item = (GlowKey, Rgb)> + Clone {
-        self.scene.glows.iter().map(|glow| (glow.key(), glow.color))
-    }
-}
-
-/// A lamp that shines.
-pub(crate) struct Lit {
-    /// The lamp.
-    pub lamp: Lamp,
-    /// Where its light ends: the middle and the radius of a circle, mm.
-    pub circle: (DVec2, f64),
-    /// What may stand in its way.
-    pub potential_occluders: PotentialOccluders,
-    /// The balls in the air that may hide it.
-    pub airborne: Vec<AirborneShadow>,
-    /// What has moved since it was looked at last.
-    pub things: DiscChains,
-    /// Where the shadows of these may fall.
-    pub moved: Vec<ShadowBounds>,
-    /// Whether nothing is remembered of it.
-    pub lost: bool,
-    /// Its number in the tiles' memory.
-    pub number: usize,
-}
-
-impl Lit {
-    /// A lamp of which nothing else is known.
-    pub fn new(lamp: &Lamp, number: usize) -> Lit {
-        let (potential_occluders, things) = (PotentialOccluders::default(), DiscChains::default());
-        let circle = (lamp.center_mm, lamp.far_mm());
-        Lit {
-            lamp: *lamp,
-            circle,
-            potential_occluders,
-            airborne: Vec::new(),
-            things,
-            moved: Vec::new(),
-            lost: true,
-            number,
-        }
-    }
-}
-
-/// What a thread needs to make tiles; kept, so that nothing is allocated once it is warm.
-pub(crate) struct Workspace {
-    pub(crate) block: (DVec2, f64),
-    /// Whether the block's own lists are made.
-    entered: bool,
-    pub(crate) near: Vec<PotentialOccluders>,
-    pub(crate) is_near: Vec<bool>,
-    moved: Vec<Vec<ShadowBounds>>,
-    /// The lamps that reach the block: their places in the list, and their numbers.
-    lit: Vec<usize>,
-    reaching: Numbers,
-    /// Those that have to be looked at from a tile.
-    to_make: Vec<usize>,
-    /// What a tile is put together of.
-    parts: Vec<Part>,
-    /// The lamps before which something has moved.
-    stirred: Vec<usize>,
-    /// What else is different.
-    nearby: Nearby,
-    pub(crate) forms: Vec<usize>,
-    pub(crate) blockers: Blockers,
-    pub(crate) intervals: IntervalScratch,
-    pub(crate) fraction: Plane,
-    /// Whether the floor's points are every pixel of the tile.
-    pub(crate) whole: bool,
-    pub(crate) floor: PackedSamples,
-    pub(crate) ground: Surface,
-    pub(crate) tops: Vec<TopLayer>,
-    pub(crate) edge: SignedDistance,
-    /// How much of each pixel is floor.
-    pub(crate) remaining: Plane,
-    /// The art of the floor, where its points are not every pixel; else that is in `ground`.
-    pub(crate) art: RgbTile,
-    /// And which way it leans.
-    pub(crate) normals: Normals,
-    pub(crate) printed: Albedo,
-    /// The light of one layer, packed.
-    pub(crate) packed: RgbTile,
-    /// What arrives at the floor's points of one lamp's light, and what shines there.
-    pub(crate) irradiance: Plane,
-    pub(crate) specular: Plane,
+/// The scratch that one thread makes tiles with; kept, so that nothing is allocated once it is warm.
+pub(crate) struct TileRenderer {
+    /// What the tile's block has found out.
+    pub block: BlockContext,
+    /// The tile's surfaces.
+    pub g_buffer: GBuffer,
     /// The tile in the light of one lamp.
-    pub(crate) picture: RgbTile,
-    /// Room to sum up pictures with filters and without.
-    pub(crate) sum: RgbTile,
-    /// What the bloom needs of the tile.
-    pub means: Means,
-    /// The tile under all lamps, where that is what is made.
-    pub out: RgbTile,
+    pub light: LampLight,
+    /// Scratch for that.
+    pub scratch: LightScratch,
+    /// A tile's light that no lamp gives, or its sum.
+    radiance: RgbTile,
+    /// The numbers of the lamps, and the places of the inserts, whose layers have to be made anew.
+    lamps_to_make: Vec<usize>,
+    glows_to_make: Vec<usize>,
+    /// The planes that a tile's sum is made of.
+    weighted: Vec<WeightedSlot>,
 }
 
-impl Workspace {
+impl TileRenderer {
     /// Nothing yet.
-    pub fn new() -> Workspace {
-        let zero = [[0.0; LANES]; TILE];
-        Workspace {
-            block: (DVec2::ZERO, 0.0),
-            entered: false,
-            near: Vec::new(),
-            is_near: Vec::new(),
-            moved: Vec::new(),
-            lit: Vec::new(),
-            reaching: Numbers::default(),
-            to_make: Vec::new(),
-            parts: Vec::new(),
-            stirred: Vec::new(),
-            nearby: Nearby::default(),
-            forms: Vec::new(),
-            blockers: Blockers::default(),
-            intervals: IntervalScratch::default(),
-            fraction: zero,
-            whole: true,
-            floor: PackedSamples::none(),
-            ground: Surface::none(),
-            tops: Vec::new(),
-            edge: SignedDistance::none(),
-            remaining: zero,
-            art: BLACK,
-            normals: Normals::flat(),
-            printed: Albedo::none(),
-            packed: BLACK,
-            irradiance: zero,
-            specular: zero,
-            picture: BLACK,
-            sum: BLACK,
-            means: [[0.0; CELLS_PER_TILE]; 3],
-            out: BLACK,
+    pub fn new() -> TileRenderer {
+        TileRenderer {
+            block: BlockContext::default(),
+            g_buffer: GBuffer::new(),
+            light: LampLight::new(),
+            scratch: LightScratch::new(),
+            radiance: BLACK,
+            lamps_to_make: Vec::new(),
+            glows_to_make: Vec::new(),
+            weighted: Vec::new(),
         }
     }
 
-    /// Makes ready for the block of tiles that `rect` is in, unless it is `last` and has been entered.
-    pub fn enter_block_at(&mut self, stage: &Stage, rect: &TileRect, last: &mut Option<(usize, usize)>) {
-        let block = (rect.x / BLOCK * BLOCK, rect.y / BLOCK * BLOCK);
-        if *last != Some(block) {
-            *last = Some(block);
-            self.enter_block(stage, block.0, block.1, BLOCK);
+    /// Makes anew what is not valid in a tile's cache, and sets the weights of its sum; the means of the sum's cells.
+    pub fn update(&mut self, frame: &FrameContext, rect: &TileRect, cache: &mut TileCache) -> TileMeans {
+        self.block.gather(frame);
+        self.find_out_of_date(frame, rect, cache);
+        let makes_base = !cache.base().is_valid();
+        if makes_base || !self.lamps_to_make.is_empty() || !self.glows_to_make.is_empty() {
+            self.g_buffer.fetch(frame, rect, self.block.tops(), &mut cache.g_buffer);
         }
+        if makes_base {
+            self.update_base(frame, rect, cache);
+        }
+        for index in 0..self.lamps_to_make.len() {
+            let at = frame.lamps.places[self.lamps_to_make[index]];
+            self.update_lamp(frame, at, rect, cache);
+        }
+        for &at in &self.glows_to_make {
+            let glow = &frame.scene.glows[at];
+            shade_insert(&self.g_buffer, rect, glow.mask, &mut self.radiance);
+            rect.clamp_to_edge(&mut self.radiance.each_mut());
+            cache.keep_glow(glow.key(), frame.simd, &self.radiance);
+        }
+        self.weigh(frame, rect, cache)
     }
 
-    /// Makes ready for the tiles of a block of the screen, from (`x`, `y`) on, `side` pixels wide and high.
-    fn enter_block(&mut self, stage: &Stage, x: usize, y: usize, side: usize) {
-        let view = &stage.scene.view;
-        let half = side as f64 * 0.5 * view.mm_per_px;
-        let corner = view.origin_mm + DVec2::new(x as f64, y as f64) * view.mm_per_px;
-        let middle = corner + DVec2::splat(half);
-        self.block = (middle, half * std::f64::consts::SQRT_2);
-        self.entered = false;
-        // Never shorter: other renderers share the thread, and what they have grown is not given back.
-        self.moved.resize_with(stage.lamps.len().max(self.moved.len()), Vec::new);
-        self.stirred.clear();
-        stage.changes.near(self.block.0, self.block.1, stage.moved_tops, &mut self.nearby);
-        for (at, Lit { circle, moved, .. }) in stage.lamps.iter().enumerate() {
-            if moved.is_empty() || !is_near(circle, middle, self.block.1) {
-                continue;
+    /// Finds the layers that are out of date. One of a lamp whose light does not come here is dark without a look.
+    fn find_out_of_date(&mut self, frame: &FrameContext, rect: &TileRect, cache: &mut TileCache) {
+        let lamps = frame.lamps;
+        self.lamps_to_make.clear();
+        self.lamps_to_make.extend(cache.out_of_date(self.block.reaching()));
+        self.lamps_to_make.retain(|&number| {
+            let lamp = &lamps.list[lamps.places[number]];
+            let reached = rect.is_reached_by(&lamp.lamp);
+            if !reached {
+                cache.keep_dark(number, None);
             }
-            self.moved[at].clear();
-            self.moved[at].extend(moved.iter().filter(|bounds| bounds.may_reach(middle, half)));
-            if !self.moved[at].is_empty() {
-                self.stirred.push(at);
+            reached
+        });
+        self.glows_to_make.clear();
+        for (at, glow) in frame.scene.glows.iter().enumerate() {
+            if rect.overlaps_mask(glow.mask) && !cache.glow(glow.key()).is_valid() {
+                self.glows_to_make.push(at);
             }
         }
     }
 
-    /// Finds what all tiles of the block that are made have in common.
-    fn enter(&mut self, stage: &Stage) {
-        if self.entered {
-            return;
+    /// Makes the base layer anew: of bare floor its albedo is enough, whatever the ambient light.
+    fn update_base(&mut self, frame: &FrameContext, rect: &TileRect, cache: &mut TileCache) {
+        if self.g_buffer.tops().is_empty() {
+            return cache.keep_floor_base(frame.simd, &self.g_buffer.floor.albedo);
         }
-        self.entered = true;
-        let (middle, radius) = self.block;
-        let half = radius / std::f64::consts::SQRT_2;
-        let bounds = Bounds::of(middle, middle).grown(half + 2.0 * stage.scene.view.mm_per_px);
-        self.forms.clear();
-        let overlaps = |&slot: &usize| stage.tops.outline(slot).is_some_and(|outline| outline.bounds.overlaps(&bounds));
-        self.forms.extend(stage.tops.order().iter().copied().filter(overlaps));
-        self.near.resize_with(stage.lamps.len().max(self.near.len()), PotentialOccluders::default);
-        self.is_near.clear();
-        self.is_near.resize(stage.lamps.len(), false);
-        self.lit.clear();
-        let reaches = |lit: &Lit| is_near(&lit.circle, middle, radius + DAMAGE_MARGIN_MM);
-        self.lit.extend((0..stage.lamps.len()).filter(|&at| reaches(&stage.lamps[at])));
-        self.reaching = Numbers::default();
-        self.lit.iter().for_each(|&at| self.reaching.insert(stage.lamps[at].number));
+        shade_ambient(frame, &self.g_buffer, &mut self.scratch.packed, &mut self.radiance);
+        rect.clamp_to_edge(&mut self.radiance.each_mut());
+        cache.keep_base(frame.simd, &self.radiance);
     }
 
-    /// Whether the tile may look different from the last picture's; forgets what was seen there and no longer holds.
-    pub fn differs(&mut self, stage: &Stage, rect: &TileRect, memory: &mut TileMemory) -> bool {
-        let mut differs = self.nearby.reach(rect, memory) || stage.changes.everything;
-        for &at in &self.stirred {
-            let Lit { lamp, number, .. } = &stage.lamps[at];
-            let (sight, moved) = (*memory.sight(*number), &self.moved[at]);
-            // What one group hides stays hidden while that group stands still.
-            let hidden = sight.hidden_by.is_some_and(|group| moved.iter().all(|bounds| bounds.group != group));
-            if !sight.holds || hidden || !rect.is_reached_by(lamp) {
-                continue;
-            }
-            let reaching = moved.iter().filter(|bounds| bounds.may_reach(rect.middle_mm, rect.half_mm));
-            let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(rect, stage.scene.view.mm_per_px));
-            memory.stir(*number, rows);
-            differs |= !sight.is_whole() || rows != 0;
+    /// Makes anew what is not valid of the tile in the light of one lamp.
+    fn update_lamp(&mut self, frame: &FrameContext, at: usize, rect: &TileRect, cache: &mut TileCache) {
+        let TileRenderer { block, g_buffer, light, scratch, .. } = self;
+        let lamp = &frame.lamps.list[at];
+        // Beyond the picture's edge rows are repeated.
+        let mut rows = if rect.is_unclipped() { cache.lamp(lamp.number).rows_to_make() } else { ALL_ROWS };
+        let on_tile = LampOnTile::new(frame, lamp, rect, g_buffer);
+        let occluders = block.occluders(frame, at, rect);
+        let mut lit = on_tile.light(occluders, rows, scratch, light);
+        let changes_format = match lit {
+            Lit::Nothing { .. } => false,
+            Lit::Floor(_) => cache.changes_format(lamp.number, false),
+            Lit::Rgb => cache.changes_format(lamp.number, true),
+        };
+        if changes_format && rows != ALL_ROWS {
+            rows = ALL_ROWS;
+            lit = on_tile.light(occluders, rows, scratch, light);
         }
-        differs
+        if lit == Lit::Rgb && (changes_format || !cache.lamp(lamp.number).has_step) {
+            cache.set_step(lamp.number, on_tile.unoccluded_step(scratch, light));
+        }
+        store_lamp(frame, &on_tile, (lit, rows), light, cache);
     }
 
-    /// Makes anew what is not remembered of the tile, and its means, in [`Workspace::means`].
-    pub fn remember(&mut self, stage: &Stage, rect: &TileRect, memory: &mut TileMemory) {
-        self.enter(stage);
-        let mut layers = None;
-        if !memory.base.holds {
-            let layers = *layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
-            if layers == 0 {
-                memory.keep_floor_base(stage.simd, &self.ground.albedo);
-            } else {
-                self.light_from_everywhere(stage, layers);
-                rect.clamp_to_edge(&mut self.picture.each_mut());
-                memory.keep_base(stage.simd, &self.picture);
-            }
-        }
-        self.to_make.clear();
-        self.to_make.extend(memory.to_make(&self.reaching, stage.lost));
-        for index in 0..self.to_make.len() {
-            let at = stage.places[self.to_make[index]];
-            self.remember_lamp(stage, at, rect, memory, &mut layers);
-        }
-        for glow in stage.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
-            if !memory.glow(glow.key()).holds {
-                layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
-                self.glow(rect, glow.mask);
-                rect.clamp_to_edge(&mut self.picture.each_mut());
-                memory.keep_glow(glow.key(), stage.simd, &self.picture);
-            }
-        }
-        let shaded = has_contacts(stage, rect);
-        let light = Illumination { ambient: stage.scene.ambient, shaded, lamps: stage.colors };
-        memory.light(stage.simd, &light, stage.glows(), &mut self.parts, &mut self.means);
+    /// Weighs the layers of a tile whose cache is valid by the colours of their light; the means of the sum's cells.
+    fn weigh(&mut self, frame: &FrameContext, rect: &TileRect, cache: &mut TileCache) -> TileMeans {
+        let shaded = has_contacts(frame, rect);
+        let light = Illumination { ambient: frame.scene.ambient, shaded, lamps: &frame.lamps.colors };
+        let mut means = cache.weigh(frame.simd, &light, frame.glows(), &mut self.weighted);
         if shaded {
-            self.compose(stage, rect, memory, &[]);
-            means_of(stage.simd, &self.out, &mut self.means);
+            compose(frame, rect, cache, &[], &mut self.radiance);
+            means_of(frame.simd, &self.radiance, &mut means);
         }
+        means
     }
 
-    /// Makes anew what is not remembered of the tile in the light of one lamp; `layers`, once the surfaces are recalled,
-    /// is how many tops there are.
-    fn remember_lamp(
-        &mut self,
-        stage: &Stage,
-        at: usize,
-        rect: &TileRect,
-        memory: &mut TileMemory,
-        layers: &mut Option<usize>,
-    ) {
-        let &Lit { ref lamp, lost, number, .. } = &stage.lamps[at];
-        let sight = memory.sight(number);
-        sight.holds &= !lost;
-        let mut rows = sight.rows_to_make();
-        if !rect.is_reached_by(lamp) {
-            return memory.keep_dark(number, None);
-        }
-        if !rect.is_unclipped() {
-            // Beyond the picture's edge rows are repeated.
-            rows = ALL_ROWS;
-        }
-        let layers = *layers.get_or_insert_with(|| self.recall(stage, rect, &mut memory.surfaces));
-        let mut lighted = self.light(stage, at, rect, layers, rows);
-        let colors = lighted == Lighted::Colors;
-        let another = lighted != Lighted::Dark && memory.is_another(number, colors);
-        if another && rows != ALL_ROWS {
-            rows = ALL_ROWS;
-            lighted = self.light(stage, at, rect, layers, rows);
-        }
-        if colors && (another || !memory.sight(number).gauged) {
-            memory.gauge(number, self.gauge(stage, at, rect, layers));
-        }
-        match lighted {
-            Lighted::Dark => {
-                let alone = memory.surfaces.tops().is_empty();
-                memory.keep_dark(number, self.blockers.hidden_by.filter(|_| alone));
-            }
-            Lighted::Floor(verdict) => {
-                let Workspace { irradiance, specular, fraction, ground, .. } = self;
-                rect.clamp_to_edge(&mut [&mut *irradiance, specular, fraction]);
-                let seen = if verdict == VisibilityClass::Lit { &FULLY_VISIBLE } else { &*fraction };
-                let floor = Bare { albedo: &ground.albedo, irradiance, specular, seen };
-                memory.keep_floor(number, stage.simd, &floor, rows);
-            }
-            Lighted::Colors => {
-                rect.clamp_to_edge(&mut self.picture.each_mut());
-                memory.keep(number, stage.simd, &self.picture, rows);
-            }
-        }
-    }
-
-    /// Puts together what a tile whose memory is true shows, with the balls over it, in [`Workspace::out`].
-    pub fn compose(&mut self, stage: &Stage, rect: &TileRect, memory: &TileMemory, balls: &[chrome_ball::BallSprite]) {
-        let paint = stage.art.tile(rect.x, rect.y);
-        let shade = has_contacts(stage, rect).then_some(|out: &mut RgbTile| shade_contacts(stage, rect, out));
-        memory.compose(stage.simd, paint, shade, &mut self.out);
-        for ball in balls {
-            ball.blend(rect.x, rect.y, &mut self.out);
-        }
-    }
-
-    /// Makes the tile under all lamps, with nothing remembered and nothing rounded, in [`Workspace::out`].
-    pub fn render(&mut self, stage: &Stage, rect: &TileRect) {
-        let layers = self.render_unlit(stage, rect);
-        for index in 0..self.lit.len() {
-            let at = self.lit[index];
-            let lamp = &stage.lamps[at].lamp;
-            if !rect.is_reached_by(lamp) {
+    /// The tile under all lamps, with nothing cached and nothing quantized.
+    pub fn render_uncached(&mut self, frame: &FrameContext, rect: &TileRect, out: &mut RgbTile) {
+        self.render_unlit(frame, rect, out);
+        for index in 0..self.block.lamps().len() {
+            let at = self.block.lamps()[index];
+            let TileRenderer { block, g_buffer, light, scratch, .. } = self;
+            let lamp = &frame.lamps.list[at];
+            if !rect.is_reached_by(&lamp.lamp) {
                 continue;
             }
-            match self.light(stage, at, rect, layers, ALL_ROWS) {
-                Lighted::Dark => continue,
-                Lighted::Floor(verdict) => {
-                    self.veil(stage.simd, verdict, ALL_ROWS);
-                    self.picture = BLACK;
-                    self.paint(stage.simd, ALL_ROWS);
-                }
-                Lighted::Colors => {}
+            let on_tile = LampOnTile::new(frame, lamp, rect, g_buffer);
+            match on_tile.light(block.occluders(frame, at, rect), ALL_ROWS, scratch, light) {
+                Lit::Nothing { .. } => continue,
+                Lit::Floor(class) => shade_bare_floor(&on_tile, class, scratch, light),
+                Lit::Rgb => {}
             }
-            add(&self.picture, lamp.color, &mut self.out);
+            add(&light.radiance, lamp.lamp.color, out);
         }
-        self.render_glows(stage, rect);
+        self.render_glows(frame, rect, out);
     }
 
-    /// Makes the tile in the light from everywhere, in [`Workspace::out`]; says how many tops there are.
-    pub fn render_unlit(&mut self, stage: &Stage, rect: &TileRect) -> usize {
-        self.enter(stage);
-        let layers = self.recall(stage, rect, &mut Surfaces::default());
-        self.light_from_everywhere(stage, layers);
-        self.out = self.picture;
-        shade_contacts(stage, rect, &mut self.out);
-        layers
+    /// The tile in ambient light, with its surfaces in [`TileRenderer::g_buffer`].
+    pub fn render_unlit(&mut self, frame: &FrameContext, rect: &TileRect, out: &mut RgbTile) {
+        self.block.gather(frame);
+        self.g_buffer.fetch(frame, rect, self.block.tops(), &mut CachedGBuffer::default());
+        shade_ambient(frame, &self.g_buffer, &mut self.scratch.packed, out);
+        shade_contacts(frame, rect, out);
     }
 
-    /// Adds the light of inserts to [`Workspace::out`], which is complete with them.
-    pub fn render_glows(&mut self, stage: &Stage, rect: &TileRect) {
-        for glow in stage.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
-            self.glow(rect, glow.mask);
-            add(&self.picture, glow.color, &mut self.out);
+    /// Adds the light of inserts: the last of an uncached tile.
+    pub fn render_glows(&mut self, frame: &FrameContext, rect: &TileRect, out: &mut RgbTile) {
+        for glow in frame.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
+            shade_insert(&self.g_buffer, rect, glow.mask, &mut self.radiance);
+            add(&self.radiance, glow.color, out);
         }
-        rect.clamp_to_edge(&mut self.out.each_mut());
+        rect.clamp_to_edge(&mut out.each_mut());
+    }
+}
+
+/// Stores some rows of a tile in the light of one lamp.
+fn store_lamp(
+    frame: &FrameContext,
+    on_tile: &LampOnTile,
+    (lit, rows): (Lit, RowMask),
+    light: &mut LampLight,
+    cache: &mut TileCache,
+) {
+    let (number, rect, simd) = (on_tile.lamp.number, on_tile.rect, frame.simd);
+    match lit {
+        Lit::Nothing { hidden_by } => cache.keep_dark(number, hidden_by),
+        Lit::Floor(class) => {
+            let LampLight { irradiance, specular, visibility, .. } = light;
+            rect.clamp_to_edge(&mut [&mut *irradiance, specular, visibility]);
+            let visibility = if class == VisibilityClass::Lit { &FULLY_VISIBLE } else { &*visibility };
+            let floor = FloorLight { albedo: &on_tile.g_buffer.floor.albedo, irradiance, specular, visibility };
+            cache.keep_floor(number, simd, &floor, rows);
+        }
+        Lit::Rgb => {
+            rect.clamp_to_edge(&mut light.radiance.each_mut());
+            cache.keep_rgb(number, simd, &light.radiance, rows);
+        }
+    }
+}
+
+/// Makes the radiance of a tile of bare floor from the floor's planes.
+fn shade_bare_floor(on_tile: &LampOnTile, class: VisibilityClass, scratch: &mut LightScratch, light: &mut LampLight) {
+    if class == VisibilityClass::Partial {
+        on_tile.apply_floor_visibility(ALL_ROWS, light);
+    }
+    let LampLight { irradiance, specular, radiance, .. } = light;
+    *radiance = BLACK;
+    on_tile.shade_floor(ALL_ROWS, [irradiance, specular], &mut scratch.packed, radiance);
+}
+
+/// Puts together what a tile whose cache is valid shows, with the balls over it.
+pub(crate) fn compose(
+    frame: &FrameContext,
+    rect: &TileRect,
+    cache: &TileCache,
+    sprites: &[BallSprite],
+    out: &mut RgbTile,
+) {
+    let albedo = frame.albedo.tile(rect.x, rect.y);
+    let shade = has_contacts(frame, rect).then_some(|out: &mut RgbTile| shade_contacts(frame, rect, out));
+    cache.compose(frame.simd, albedo, shade, out);
+    for sprite in sprites {
+        sprite.blend(rect.x, rect.y, out);
     }
 }

@@ -14,6 +14,8 @@ mod airborne;
 mod picture;
 mod rays;
 
+pub(crate) use picture::render;
+
 /// How a lamp is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {

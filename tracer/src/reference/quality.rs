@@ -4,6 +4,7 @@
 //! where a point touches an outline is the hard case, so half of the points are chosen there.
 
 use crate::film::tone_map;
+use crate::realtime::exact_renderer::ExactRenderer;
 use crate::reference::flip;
 use crate::reference::monte_carlo::{self, Sampling};
 use crate::scenes::white;
@@ -11,7 +12,7 @@ use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::scalar;
 use crate::visibility::sphere_shadow::unoccluded_fraction;
-use crate::{Ball, Frame, Lamp, Radiance, Renderer, Scene};
+use crate::{Ball, Frame, Lamp, Radiance, Scene, SimdLevel};
 use geometry::DVec2;
 use geometry::rng::SplitMix64;
 use rayon::prelude::*;
@@ -57,19 +58,19 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
     let bare = Scene {
         lamps: scene.lamps.clone(),
         occluders: scene.occluders.clone(),
-        filters: scene.filters.clone(),
         overhangs: scene.overhangs.clone(),
         tops: Vec::new(),
         balls: scene.balls.iter().copied().filter(Ball::is_airborne).collect(),
         glows: Vec::new(),
         floor: &floor,
+        half_floor: None,
         ambient: [0.0; 3],
         ..*scene
     }
     .drawable();
     let mut radiance = Radiance::default();
     // What lies below a floating ball is judged too.
-    Renderer::new().render_table(&bare, &mut radiance);
+    ExactRenderer::on(SimdLevel::best()).render_table(&bare, &mut radiance);
     let sampling = Sampling { samples: SAMPLES, seed, stratified: true };
     let pixels = choose(&bare, count, seed);
     let differences = pixels.par_iter().map(|&(x, y)| {
@@ -95,10 +96,9 @@ pub fn judge(scene: &Scene, small: Option<&Scene>, count: usize, seed: u64) -> Q
 fn look(scene: &Scene, sampling: Sampling) -> f64 {
     let mut radiance = Radiance::default();
     let mut frames = [Frame::default(), Frame::default()];
-    let mut renderer = Renderer::new();
-    renderer.render_monte_carlo(scene, sampling, &mut radiance);
+    monte_carlo::render(scene, sampling, &mut radiance);
     tone_map::map(&radiance, 1.0, &mut frames[0]);
-    renderer.render(scene, &mut radiance);
+    ExactRenderer::on(SimdLevel::best()).render(scene, &mut radiance);
     tone_map::map(&radiance, 1.0, &mut frames[1]);
     flip::mean(&frames[0], &frames[1])
 }

@@ -15,6 +15,9 @@ pub struct ItemId(pub u32);
 pub struct Revision(u64);
 
 impl Revision {
+    /// That of art that nobody has named.
+    pub(crate) const NONE: Revision = Revision(0);
+
     /// A revision that no art in this process has had.
     pub fn fresh() -> Revision {
         static LAST: AtomicU64 = AtomicU64::new(0);

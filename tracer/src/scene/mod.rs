@@ -2,11 +2,12 @@
 
 pub(crate) mod id;
 pub(crate) mod lamp;
+pub(crate) mod material;
 pub(crate) mod overhang;
 pub mod validation;
 pub(crate) mod view;
 
-use crate::{ItemId, Lamp, Overhang, Revision, View};
+use crate::{ItemId, Lamp, Material, Overhang, Revision, View};
 use geometry::{DVec2, Shape};
 
 /// Linear light or reflectance, red, green, blue (sRGB primaries).
@@ -26,8 +27,6 @@ pub struct Scene<'a> {
     pub lamps: Vec<Lamp>,
     /// What casts shadows.
     pub occluders: Vec<Occluder>,
-    /// Which occluders light passes, tinted.
-    pub filters: Vec<Filter>,
     /// Surfaces above the floor, from the lowest to the highest.
     pub tops: Vec<Top>,
     /// The balls, above every top.
@@ -38,6 +37,8 @@ pub struct Scene<'a> {
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
     pub floor: &'a Floor,
+    /// The floor's art at half the resolution ([`View::halved`]), if light is to be found at that.
+    pub half_floor: Option<&'a Floor>,
     /// Light from everywhere: what a surface shows where no lamp reaches.
     pub ambient: Rgb,
 }
@@ -51,16 +52,8 @@ pub struct Occluder {
     pub shape: Shape,
     /// What it belongs to.
     pub group: Group,
-}
-
-/// A group whose occluders are translucent: coloured glass, or thin plastic. Light on its way is tinted once by each
-/// filter that it meets, however many of the filter's pieces are in the way, so its shadow is a coloured one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filter {
-    /// Whose occluders.
-    pub group: Group,
-    /// What passes of each colour, 0 to 1.
-    pub tint: Rgb,
+    /// What it is made of: the same as all of its group.
+    pub material: Material,
 }
 
 /// A visible surface above the floor.
@@ -198,12 +191,12 @@ impl<'a> Scene<'a> {
             view,
             lamps: Vec::new(),
             occluders: Vec::new(),
-            filters: Vec::new(),
             overhangs: Vec::new(),
             tops: Vec::new(),
             balls: Vec::new(),
             glows: Vec::new(),
             floor,
+            half_floor: None,
             ambient: [0.0; 3],
         }
     }
@@ -226,7 +219,7 @@ impl Finish {
 impl Occluder {
     /// A piece of a wall, a post: light does not pass it.
     pub fn opaque(id: ItemId, shape: Shape, group: Group) -> Occluder {
-        Occluder { id, shape, group }
+        Occluder { id, shape, group, material: Material::Opaque }
     }
 }
 
@@ -252,6 +245,17 @@ impl Mask {
         self.coverage.len().checked_div(self.width).unwrap_or(0)
     }
 }
+
+/// No art.
+pub(crate) static NO_FLOOR: Floor = Floor {
+    revision: Revision::NONE,
+    width: 0,
+    height: 0,
+    floor: Vec::new(),
+    tops: Vec::new(),
+    normals: Vec::new(),
+    gloss: 0.0,
+};
 
 impl Floor {
     /// A flat, matt floor of one sRGB colour, without art above it.

@@ -11,9 +11,11 @@
 //! at the worst. A ball that takes off exchanges the shadow of a column for that of a sphere, which may end.
 
 use crate::scene::id::Item;
-use crate::{Ball, Emitter, Filter, Finish, Glow, ItemId, Lamp, Occluder, Outline, Profile, Rgb, Scene, Top, View};
+use crate::{
+    Ball, Emitter, Finish, Glow, Group, ItemId, Lamp, Material, Occluder, Outline, Profile, Rgb, Scene, Top, View,
+};
 use geometry::{Core, DVec2, Shape, Taper};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::iter::once;
 
 /// The farthest that anything may be from the origin across or down, mm.
@@ -37,11 +39,11 @@ impl Scene<'_> {
     /// # Errors
     /// One sentence about the first thing that is not.
     pub fn check(&self) -> Result<(), String> {
-        self.check_in(&mut Vec::new())
+        self.check_in(&mut CheckScratch::default())
     }
 
     /// [`Scene::check`], with room to work in.
-    pub(crate) fn check_in(&self, ids: &mut Vec<ItemId>) -> Result<(), String> {
+    pub(crate) fn check_in(&self, CheckScratch { ids, tinted }: &mut CheckScratch) -> Result<(), String> {
         fn first<T>(what: &str, things: &[T], wrong: impl Fn(&T) -> Option<&'static str>) -> Option<String> {
             let mut found = things.iter().enumerate().filter_map(|(at, thing)| wrong(thing).map(|why| (at, why)));
             found.next().map(|(at, why)| format!("{what} {at} {why}"))
@@ -49,8 +51,7 @@ impl Scene<'_> {
         let wrong = wrong_with_view(&self.view)
             .map(|why| format!("the view {why}"))
             .or_else(|| first("lamp", &self.lamps, wrong_with_lamp))
-            .or_else(|| first("occluder", &self.occluders, |occluder: &Occluder| wrong_with_shape(&occluder.shape)))
-            .or_else(|| first("filter", &self.filters, wrong_with_filter))
+            .or_else(|| first("occluder", &self.occluders, wrong_with_occluder))
             .or_else(|| first("top", &self.tops, wrong_with_top))
             .or_else(|| first("ball", &self.balls, wrong_with_ball))
             .or_else(|| first("glow", &self.glows, |glow: &Glow| wrong_with_glow(glow)))
@@ -59,7 +60,8 @@ impl Scene<'_> {
             .or_else(|| repeated("occluder", &self.occluders, ids))
             .or_else(|| repeated("top", &self.tops, ids))
             .or_else(|| repeated("ball", &self.balls, ids))
-            .or_else(|| repeated("glow", &self.glows, ids));
+            .or_else(|| repeated("glow", &self.glows, ids))
+            .or_else(|| mixed(&self.occluders, tinted));
         wrong.map_or(Ok(()), Err)
     }
 
@@ -67,9 +69,7 @@ impl Scene<'_> {
     pub(crate) fn drawable(&self) -> Self {
         let mut scene = self.clone();
         scene.lamps.retain(|lamp| wrong_with_lamp(lamp).is_none());
-        scene.occluders.retain(|occluder| wrong_with_shape(&occluder.shape).is_none());
-        // What a refused filter stood for is opaque.
-        scene.filters.retain(|filter| wrong_with_filter(filter).is_none());
+        scene.occluders.retain(|occluder| wrong_with_occluder(occluder).is_none());
         scene.tops.retain(|top| wrong_with_top(top).is_none());
         scene.balls.retain(|ball| wrong_with_ball(ball).is_none());
         scene.glows.retain(|glow| wrong_with_glow(glow).is_none());
@@ -81,8 +81,40 @@ impl Scene<'_> {
         leave_first(&mut scene.tops);
         leave_first(&mut scene.balls);
         leave_first(&mut scene.glows);
+        let mut materials = BTreeMap::new();
+        scene.occluders.retain(|occluder| is_like_its_group(occluder, &mut materials));
         scene
     }
+}
+
+/// Room to check a scene in; kept from frame to frame, so that nothing is allocated once it is warm.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CheckScratch {
+    ids: Vec<ItemId>,
+    tinted: Vec<(Group, Rgb)>,
+}
+
+/// A sentence about the first occluder that is not of the material of the first one of its group. Most scenes have few
+/// groups that are not opaque, so only those are looked up.
+fn mixed(occluders: &[Occluder], tinted: &mut Vec<(Group, Rgb)>) -> Option<String> {
+    tinted.clear();
+    tinted.extend(occluders.iter().filter_map(|occluder| Some((occluder.group, occluder.material.transmittance()?))));
+    tinted.sort_unstable_by_key(|tinted| tinted.0);
+    let two_tints = tinted.windows(2).any(|two| two[0].0 == two[1].0 && two[0].1 != two[1].1);
+    let is_tinted = |group: &Group| tinted.binary_search_by_key(group, |tinted| tinted.0).is_ok();
+    let is_opaque = |occluder: &&Occluder| occluder.material.transmittance().is_none();
+    let two_materials = || occluders.iter().filter(is_opaque).any(|occluder| is_tinted(&occluder.group));
+    if tinted.is_empty() || !two_tints && !two_materials() {
+        return None;
+    }
+    let mut materials = BTreeMap::new();
+    let at = occluders.iter().position(|occluder| !is_like_its_group(occluder, &mut materials))?;
+    Some(format!("occluder {at} must be of the material of the others of its group"))
+}
+
+/// Whether an occluder is of the material of the first one of its group; `materials` are those of the groups so far.
+fn is_like_its_group(occluder: &Occluder, materials: &mut BTreeMap<Group, Material>) -> bool {
+    *materials.entry(occluder.group).or_insert(occluder.material) == occluder.material
 }
 
 /// A sentence about the first item with the id of one before it. Ids that rise need no more than one look at each.
@@ -171,8 +203,15 @@ fn wrong_with_top(top: &Top) -> Option<&'static str> {
     outline.or_else(|| wrong_with_color(&albedo)).or_else(|| wrong_with_color(&emission))
 }
 
-fn wrong_with_filter(filter: &Filter) -> Option<&'static str> {
-    let right = filter.tint.iter().all(|channel| (0.0..=1.0).contains(channel));
+fn wrong_with_occluder(occluder: &Occluder) -> Option<&'static str> {
+    wrong_with_shape(&occluder.shape).or_else(|| wrong_with_material(&occluder.material))
+}
+
+fn wrong_with_material(material: &Material) -> Option<&'static str> {
+    let right = match material {
+        Material::Opaque => true,
+        Material::Tinted { transmittance } => transmittance.iter().all(|channel| (0.0..=1.0).contains(channel)),
+    };
     (!right).then_some("must let pass from 0 to 1 of each colour")
 }
 
@@ -214,12 +253,38 @@ mod tests {
         assert_eq!(scene.drawable().check(), Ok(()));
         for tint in [f32::NAN, -0.1, 1.1] {
             let mut scene = scenes::mixed_jumble(1, &floor);
-            scene.filters = vec![Filter { group: Group(1), tint: [0.5, tint, 0.5] }];
-            assert_eq!(scene.check().unwrap_err(), "filter 0 must let pass from 0 to 1 of each colour");
-            assert_eq!(scene.drawable().filters, []);
+            scene.occluders[2].material = Material::Tinted { transmittance: [0.5, tint, 0.5] };
+            assert_eq!(scene.check().unwrap_err(), "occluder 2 must let pass from 0 to 1 of each colour");
+            assert_eq!(scene.drawable().occluders.len(), scene.occluders.len() - 1);
         }
         scene.view.mm_per_px = 0.0;
         assert!(scene.check().unwrap_err().starts_with("the view must lie within 10 km"));
+    }
+
+    #[test]
+    fn a_group_is_of_one_material() {
+        let floor = scenes::white(8, 8);
+        let scene = |tints: [f32; 3]| {
+            let mut scene = scenes::mixed_jumble(1, &floor);
+            for (occluder, tint) in scene.occluders[4..].iter_mut().zip(tints) {
+                occluder.group = Group(50);
+                occluder.material = match tint {
+                    0.0 => Material::Opaque,
+                    tint => Material::Tinted { transmittance: [tint; 3] },
+                };
+            }
+            scene
+        };
+        for (tints, other) in [([0.0, 0.5, 0.5], 5), ([0.5, 0.0, 0.5], 5), ([0.5, 0.5, 0.25], 6), ([0.0, 0.0, 0.5], 6)]
+        {
+            let scene = scene(tints);
+            let expected = format!("occluder {other} must be of the material of the others of its group");
+            assert_eq!(scene.check(), Err(expected));
+            assert_eq!(scene.drawable().check(), Ok(()));
+        }
+        for tints in [[0.0; 3], [0.5; 3]] {
+            assert_eq!(scene(tints).check(), Ok(()));
+        }
     }
 
     #[test]

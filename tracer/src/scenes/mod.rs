@@ -44,12 +44,12 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
         view,
         lamps: lamps(&caps),
         occluders,
-        filters: Vec::new(),
         overhangs: Vec::new(),
         tops,
         balls,
         glows,
         floor: &props.floor,
+        half_floor: None,
         ambient: [0.035, 0.037, 0.05],
     }
 }

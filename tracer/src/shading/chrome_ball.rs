@@ -1,9 +1,9 @@
 //! The chrome ball, seen from straight above: a mirror with the whole table in it.
 //!
-//! For each pixel the eye's ray is reflected at the sphere. A reflected ray that goes down meets the floor, which is lit
-//! already; a ray that goes up meets the lamps ([`Highlight`]) or the environment ([`environment`]), so that a ball has a
-//! bright spot and a rim even where no lamp reaches it. Scratches turn with the ball. The numbers of its look are art
-//! direction where no other reason is given.
+//! For each pixel the eye's ray is reflected at the sphere. A reflected ray that goes down meets the floor, which is
+//! lit already; a ray that goes up meets the lamps ([`Highlight`]) or the environment ([`environment`]), so that a ball
+//! has a bright spot and a rim even where no lamp reaches it. Scratches turn with the ball. The numbers of its look are
+//! art direction where no other reason is given.
 
 use crate::film::bloom::{CELL_PX, MipLevel};
 use crate::shading::environment;
@@ -12,12 +12,13 @@ use crate::tile::planes::{RgbTile, TILE};
 use crate::visibility::disc_chain::DiscChains;
 use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
 use crate::visibility::scalar;
-use crate::visibility::transmission;
-use crate::{Ball, Filter, Lamp, Overhang, Rgb, View};
+use crate::visibility::transmission::{self, TintedGroup};
+use crate::{Ball, Lamp, Overhang, Rgb, View};
 use geometry::DVec2;
 use rayon::prelude::*;
 
-/// The reflectance of chrome at normal incidence, a little brighter than the metal's 0.55: a polished ball on a dark table.
+/// The reflectance of chrome at normal incidence, a little brighter than the metal's 0.55: a polished ball on a dark
+/// table.
 const CHROME: Rgb = [0.86, 0.88, 0.90];
 
 /// The radiance of a lamp's mirror image over the lamp's colour: as far beyond white as the tone map still tells apart.
@@ -35,8 +36,8 @@ const LEAST_LAMP_RADIUS_MM: f32 = 1.0;
 /// The outermost normals of the ball: pixels of its edge are shaded just inside it, where the normal still looks up.
 const RIM: f64 = 0.995;
 
-/// The radiance of a scratch, which is matt: a part of the irradiance, with ambient light counted so often, and what it has
-/// in the dark.
+/// The radiance of a scratch, which is matt: a part of the irradiance, with ambient light counted so often, and what it
+/// has in the dark.
 const SCRATCH_DIFFUSE: [f32; 3] = [0.25, 2.0, 0.02];
 
 /// How much of the mirror image a scratch takes away.
@@ -125,7 +126,7 @@ impl BallSprite {
         simd: SimdLevel,
         ball: &Ball,
         lamps: impl Iterator<Item = (&'a Lamp, &'a PotentialOccluders)>,
-        filters: &[Filter],
+        tinted: &[TintedGroup],
         all: &DiscChains,
     ) {
         self.highlights.clear();
@@ -136,9 +137,9 @@ impl BallSprite {
                 continue;
             }
             potential_occluders.narrow(simd, &Shaft::new(lamp, ball.center_mm, 0.0), &mut self.near, None);
-            let met = transmission::on_path(filters, |group| self.near.group.contains(&group));
+            let met = transmission::on_path(tinted, |group| self.near.group.contains(&group));
             let seen = transmission::transmitted(met.as_slice(), |away| {
-                let mut without = [ball.group; transmission::MAX_FILTERS + 1];
+                let mut without = [ball.group; transmission::MAX_TINTED + 1];
                 without[1..=away.len()].copy_from_slice(away);
                 let (without, place) = (&without[..=away.len()], ball.center_mm);
                 scalar::visible_fraction_of(all, &self.near, lamp, place, without, &mut self.intervals)
@@ -306,14 +307,15 @@ impl MirrorShader<'_> {
         })
     }
 
-    /// A lamp's mirror image: a soft disc of the lamp's angular radius, widened to what a pixel sees. A tube's is the disc
-    /// round its point that is nearest to the reflected ray.
+    /// A lamp's mirror image: a soft disc of the lamp's angular radius, widened to what a pixel sees. A tube's is the
+    /// disc round its point that is nearest to the reflected ray.
     ///
     /// 1. (x, y, z): the vector from the point of the sphere to the lamp's centre.
     /// 2. The point of the tube's line nearest to the ray in the direction `out` minimises their distance; with t the
     ///    tube's direction it is ((t . out) (c . out) - c . t) / (1 - (t . out)^2) along t.
     /// 3. sin^2 of the angle between ray and lamp is 1 - (c . out)^2 / c^2; sin^2 of the lamp's radius is r^2 / c^2.
-    /// 4. An image widened from r to b is dimmed by r / b. Energy would ask for r^2 / b^2, but small lamps must stay seen.
+    /// 4. An image widened from r to b is dimmed by r / b. Energy would ask for r^2 / b^2, but small lamps must stay
+    ///    seen.
     fn add_highlight(&self, highlight: &Highlight, normal: [f32; 3], out: [f32; 3], light: &mut Rgb) {
         let radius = self.ball.radius_mm as f32;
         let x = highlight.place[0] - normal[0] * radius;
@@ -341,8 +343,8 @@ impl MirrorShader<'_> {
         }
     }
 
-    /// How scratched the ball is at a normal, 0 to 1: great circles, half circles and a dot in the ball's own frame, laid out
-    /// by eye so that some scratch is always in sight.
+    /// How scratched the ball is at a normal, 0 to 1: great circles, half circles and a dot in the ball's own frame,
+    /// laid out by eye so that some scratch is always in sight.
     fn scratches(&self, normal: [f32; 3]) -> f32 {
         let [x, y, z] = unrotated(self.ball.rotation, normal);
         let (width_px, least) = SCRATCH_WIDTH;

@@ -2,8 +2,9 @@
 //! ceiling, one soft panel overhead, the machine's own display beyond the far end, and the cabinet's walls. It lights
 //! nothing.
 //!
-//! Directions above the horizon are projected on the plane z = 1 (gnomonic projection), where the panel and the display are
-//! rectangles with soft edges. All numbers here are art direction: chosen by eye, in linear light and in units of z.
+//! Directions above the horizon are projected on the plane z = 1 (gnomonic projection), where the panel and the display
+//! are rectangles with soft edges. All numbers here are art direction: chosen by eye, in linear light and in units of
+//! z.
 
 use crate::Rgb;
 use crate::simd::dispatch::{clamp, max};
@@ -59,8 +60,8 @@ impl SoftRectangle {
     }
 }
 
-/// The radiance from a direction (x to the right, y towards the player, z up); below the horizon the walls go on. `bounce`
-/// is what the walls throw back of the table's light.
+/// The radiance from a direction (x to the right, y towards the player, z up); below the horizon the walls go on.
+/// `bounce` is what the walls throw back of the table's light.
 #[inline(always)]
 pub(crate) fn radiance(out: [f32; 3], bounce: Rgb) -> Rgb {
     let up = max(out[2], HORIZON);

@@ -1,8 +1,8 @@
 //! The falloff of a lamp: the irradiance at points that see all of it, and the direction that it comes from.
 //!
-//! The inverse square law over the distance in space, times a window that brings it to 0 at the lamp's reach: the square of
-//! `1 - (d / reach)^2`. (Real-Time Rendering, 4th ed., section 5.2.2, has the same window with the fourth power of the
-//! distance.) [`Lamp::falloff`] is the scalar form in double precision.
+//! The inverse square law over the distance in space, times a window that brings it to 0 at the lamp's reach: the
+//! square of `1 - (d / reach)^2`. (Real-Time Rendering, 4th ed., section 5.2.2, has the same window with the fourth
+//! power of the distance.) [`Lamp::falloff`] is the scalar form in double precision.
 
 use crate::Lamp;
 use crate::simd::atan2::angle;
@@ -77,8 +77,8 @@ impl Falloff {
 
     /// The mean of the inverse square law over the tube, see [`Lamp::falloff`]:
     /// 1. In the frame of the tube the point is `middle` along and `off` across; q^2 = off^2 + height^2.
-    /// 2. The integral of dt / (t^2 + q^2) from middle - half to middle + half is the angle between both ends, seen from q
-    ///    off the line, over q.
+    /// 2. The integral of dt / (t^2 + q^2) from middle - half to middle + half is the angle between both ends, seen
+    ///    from q off the line, over q.
     /// 3. That angle is atan2(2 half q, q^2 + (middle - half) (middle + half)); the mean is over 2 half.
     #[inline(always)]
     fn from_tube(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, incident: &mut IncidentLight) {

@@ -1,4 +1,5 @@
-//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight above.
+//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight
+//! above.
 
 use crate::shading::environment;
 use crate::shading::falloff::{Falloff, IncidentLight};
@@ -88,9 +89,9 @@ const GLOSS_DARKENS: f32 = 0.4;
 /// The specular strength of a top of gloss 1: art direction, a highlight that outshines the art under it.
 const TOP_SPECULAR: f32 = 2.5;
 
-/// The colour of a clear coat's highlight on a top of gloss 0: white, at this reflectance. From there to gloss 1 it goes
-/// over to the albedo, as a metal's does: art direction, after the dielectric and metal of the trade's shading models
-/// (Real-Time Rendering, 4th ed., section 9.5.2).
+/// The colour of a clear coat's highlight on a top of gloss 0: white, at this reflectance. From there to gloss 1 it
+/// goes over to the albedo, as a metal's does: art direction, after the dielectric and metal of the trade's shading
+/// models (Real-Time Rendering, 4th ed., section 9.5.2).
 const COAT_REFLECTANCE: f32 = 0.3;
 
 /// The part of light from below that comes through white ink once instead of twice: art direction.
@@ -107,8 +108,8 @@ struct BrdfResponse {
 /// The response to a lamp in the direction l, with the eye in the direction v = (0, 0, 1) and the normal n:
 /// 1. l is (ux, uy, up) / length, where up is the lifted height.
 /// 2. Lambert: n . l over the l.z of a flat surface is (n.x ux + n.y uy + n.z up) / up.
-/// 3. The half vector h (J. Blinn, "Models of light reflection for computer synthesized pictures", 1977) is the direction
-///    of l + v, so of (ux, uy, up + length), whose squared length is 2 length (length + up).
+/// 3. The half vector h (J. Blinn, "Models of light reflection for computer synthesized pictures", 1977) is the
+///    direction of l + v, so of (ux, uy, up + length), whose squared length is 2 length (length + up).
 /// 4. (n . h)^2 is the square of n . (ux, uy, up + length) over that: no square root.
 #[inline(always)]
 fn brdf_response(incident: &IncidentLight, i: usize, height_square: f32, [nx, ny, nz]: [f32; 3]) -> BrdfResponse {
@@ -136,8 +137,8 @@ fn power_16(x: f32) -> f32 {
 /// The specular strength of a floor of gloss 1 at the centre of a highlight: art direction.
 const COAT_STRENGTH: f32 = 1.6;
 
-/// Below this (n . h)^2 the floor has no highlight. With x = (n . h)^2, x^32 (a Blinn exponent of 64) has the slope 32 at
-/// x = 1, and so has the sixth power of a line that reaches 0 here: as narrow, but it ends, so most tiles have none.
+/// Below this (n . h)^2 the floor has no highlight. With x = (n . h)^2, x^32 (a Blinn exponent of 64) has the slope 32
+/// at x = 1, and so has the sixth power of a line that reaches 0 here: as narrow, but it ends, so most tiles have none.
 const COAT_END_COSINE_SQUARE: f32 = 1.0 - 6.0 / 32.0;
 
 #[inline(always)]

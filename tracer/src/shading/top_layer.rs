@@ -12,7 +12,7 @@ pub(crate) const MIN_COVERAGE: f32 = 1.0 / 1024.0;
 
 /// The part of one top that a tile shows.
 pub(crate) struct TopLayer {
-    pub form: usize,
+    pub slot: usize,
     pub points: PackedSamples,
     /// Whether art is printed on it.
     pub printed: bool,
@@ -22,7 +22,7 @@ pub(crate) struct TopLayer {
 impl TopLayer {
     /// Nothing yet.
     pub fn new() -> TopLayer {
-        TopLayer { form: 0, points: PackedSamples::none(), printed: false, surface: Surface::none() }
+        TopLayer { slot: 0, points: PackedSamples::none(), printed: false, surface: Surface::none() }
     }
 
     /// Packs the pixels that the outline covers and nothing above hides.

@@ -1,7 +1,7 @@
 //! A tile of the screen and the points of it that some surface needs light at.
 
-use crate::simd::dispatch::LANES;
-use crate::tile::planes::{AREA, Plane, TILE};
+use crate::simd::dispatch::{LANES, set_bits};
+use crate::tile::planes::{AREA, Plane, RgbTile, TILE};
 
 /// Some pixels of a tile, packed, as points in mm from the tile's middle.
 #[derive(Clone, Debug)]
@@ -63,6 +63,19 @@ impl PackedSamples {
             u32::from(rows) >> first & ((2 << (last - first)) - 1) != 0
         };
         (0..self.blocks()).filter(meets).fold(0, |blocks, block| blocks | 1 << block)
+    }
+
+    /// Adds light at the samples of some blocks to the pixels that the samples are.
+    pub fn scatter(&self, blocks: u16, light: &RgbTile, out: &mut RgbTile) {
+        let [red, green, blue] = out.each_mut().map(|plane| plane.as_flattened_mut());
+        for block in set_bits(blocks).take_while(|&block| block < self.blocks()) {
+            let pixels = &self.pixel[block * LANES..(block * LANES + LANES).min(self.count)];
+            for (at, &pixel) in pixels.iter().enumerate() {
+                red[usize::from(pixel)] += light[0][block][at];
+                green[usize::from(pixel)] += light[1][block][at];
+                blue[usize::from(pixel)] += light[2][block][at];
+            }
+        }
     }
 
     /// How many blocks of [`LANES`] hold the points.

@@ -1,18 +1,18 @@
 //! The shadow of an airborne ball: which fraction of a lamp a sphere hides from the points of a tile.
 //!
-//! 1. Seen from a point of the floor, a sphere of radius R whose centre is z above the floor and d across fills a cone: the
-//!    directions x with (x . m)^2 >= |x|^2 (|m|^2 - R^2), where m = (d, 0, z).
+//! 1. Seen from a point of the floor, a sphere of radius R whose centre is z above the floor and d across fills a cone:
+//!    the directions x with (x . m)^2 >= |x|^2 (|m|^2 - R^2), where m = (d, 0, z).
 //! 2. The plane of a lamp of height H cuts the cone in an ellipse. With x = (X, Y, H) and q = z^2 - R^2, completing the
-//!    square gives its centre X = d z H / q, its half width B = H R / sqrt(q) in Y, and its half length B sqrt(1 + d^2 / q)
-//!    in X.
-//! 3. Only the part of the lamp's plane beyond the sphere is hidden, or inside it. A ball that reaches above the lamp hides
-//!    less, and nothing once its lowest point is as high as the lamp: its shadow fades as it rises past the lamp.
+//!    square gives its centre X = d z H / q, its half width B = H R / sqrt(q) in Y, and its half length B sqrt(1 + d^2
+//!    / q) in X.
+//! 3. Only the part of the lamp's plane beyond the sphere is hidden, or inside it. A ball that reaches above the lamp
+//!    hides less, and nothing once its lowest point is as high as the lamp: its shadow fades as it rises past the lamp.
 //! 4. The hidden part is convex, so it covers one interval of any line. A tube is one line. A disc is cut into strips,
-//!    across the ellipse's edge; their places cos(i pi / (n + 1)) and weights sin^2 are those of the Gauss-Chebyshev rule
-//!    of the second kind (Abramowitz and Stegun, 25.4.40), whose weight function is a disc's width.
+//!    across the ellipse's edge; their places cos(i pi / (n + 1)) and weights sin^2 are those of the Gauss-Chebyshev
+//!    rule of the second kind (Abramowitz and Stegun, 25.4.40), whose weight function is a disc's width.
 //!
-//! The slow twin is [`crate::visibility::sphere_shadow`]; of lamps that are no larger than the ball they differ by a thousandth of the lamp, of
-//! larger ones by up to a sixtieth.
+//! The slow twin is [`crate::visibility::sphere_shadow`]; of lamps that are no larger than the ball they differ by a
+//! thousandth of the lamp, of larger ones by up to a sixtieth.
 
 use crate::simd::dispatch::{LANES, SimdLevel, clamp, max, min, multiversion, set_bits};
 use crate::tile::packed_samples::PackedSamples;
@@ -60,7 +60,8 @@ struct Sizes {
     level: f32,
     /// Whether the ball reaches above the lamp.
     reaches_above: bool,
-    /// The radius of the ball's cut at the lamp's height, mm, 0 if there is none; and its square, below 0 if there is none.
+    /// The radius of the ball's cut at the lamp's height, mm, 0 if there is none; and its square, below 0 if there is
+    /// none.
     rim: f32,
     rim_square: f32,
 }

@@ -1,13 +1,13 @@
-//! The blockers of one lamp for one tile: what stands in the shaft between them, in the form that the visible fraction is
-//! computed from, or the finding that the whole tile is lit or in umbra.
+//! The blockers of one lamp for one tile: what stands in the shaft between them, in the form that the visible fraction
+//! is computed from, or the finding that the whole tile is lit or in umbra.
 //!
 //! - A *chain* whose every disc lies, for every point of the tile, between the point and the lamp's chord covers one
 //!   interval, from its lowest tangent to its highest: the cheap case.
 //! - A chain that also reaches from one side of the shaft to the other hides the lamp from the whole tile.
 //! - A *piece* may come near the tile or the lamp: the hull of two discs, with every case of where it lies.
 //!
-//! Coordinates are mm from the tile's middle. For a tube the axes are turned, so that the first is the tube's normal: then
-//! single precision tells what is near the tube's line from the line itself.
+//! Coordinates are mm from the tile's middle. For a tube the axes are turned, so that the first is the tube's normal:
+//! then single precision tells what is near the tube's line from the line itself.
 
 use crate::Group;
 use crate::visibility::disc_chain::{Bulge, Disc, DiscChains, Link};
@@ -80,8 +80,8 @@ pub(crate) enum VisibilityClass {
 }
 
 impl Blockers {
-    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for some
-    /// groups. The unit vector `axis` becomes the first axis.
+    /// Gathers what of `occluders`, which has been classified for the tile round `middle_mm`, casts shadows, but for
+    /// some groups. The unit vector `axis` becomes the first axis.
     pub fn gather(
         &mut self,
         occluders: &PotentialOccluders,

@@ -1,9 +1,9 @@
 //! Occluders as chains of discs: the form in which their shadows are found.
 //!
 //! Seen from a point outside it, the convex hull of two discs spans from the outermost tangent of the two discs to the
-//! other outermost. So a capsule or a taper is two discs, and a wall of many capsules is one chain of discs without gaps
-//! between its links. A thick arc is a chain too, of short pieces; between the two discs of a piece, the arc's outer circle
-//! bulges out. This module knows no lamp.
+//! other outermost. So a capsule or a taper is two discs, and a wall of many capsules is one chain of discs without
+//! gaps between its links. A thick arc is a chain too, of short pieces; between the two discs of a piece, the arc's
+//! outer circle bulges out. This module knows no lamp.
 
 use crate::scene::validation;
 use crate::{Group, Occluder};
@@ -16,8 +16,8 @@ const PIECE_RAD: f64 = 0.35;
 /// The largest sagitta of a fine piece of an arc, mm: less than a tenth of a pixel at any size that is played.
 const FINE_SAGITTA_MM: f64 = 0.008;
 
-/// Walls are cut into pieces of this length, mm: both ends of a short piece are more often between a lamp and a tile, and
-/// then the cheap path of [`crate::visibility::blockers`] takes it.
+/// Walls are cut into pieces of this length, mm: both ends of a short piece are more often between a lamp and a tile,
+/// and then the cheap path of [`crate::visibility::blockers`] takes it.
 const PIECE_MM: f64 = 50.0;
 
 /// A wall is not cut into more pieces than this for the cheap path's sake.

@@ -1,16 +1,17 @@
 //! The visible fraction of a lamp, point by point.
 //!
-//! Everything lies in the plane of the floor, where occluders are areas and a lamp is a line. From a point P a disc lamp
-//! is its *chord*: the diameter that is perpendicular to the line from P to the disc's centre. A tube is its own chord,
-//! wherever P is. A convex occluder between P and the chord covers one interval of the chord, bounded by the occluder's two
-//! tangents through P. The visible fraction is one minus the length of the intervals' union
-//! ([`crate::visibility::interval_union`]). Linear lamps were first treated so, with the visible parts of the line found for
-//! each point, by T. Nishita, I. Okamura, E. Nakamae, "Shading models for point and linear sources", ACM TOG 4(2), 1985.
+//! Everything lies in the plane of the floor, where occluders are areas and a lamp is a line. From a point P a disc
+//! lamp is its *chord*: the diameter that is perpendicular to the line from P to the disc's centre. A tube is its own
+//! chord, wherever P is. A convex occluder between P and the chord covers one interval of the chord, bounded by the
+//! occluder's two tangents through P. The visible fraction is one minus the length of the intervals' union
+//! ([`crate::visibility::interval_union`]). Linear lamps were first treated so, with the visible parts of the line
+//! found for each point, by T. Nishita, I. Okamura, E. Nakamae, "Shading models for point and linear sources", ACM TOG
+//! 4(2), 1985.
 //!
 //! The frame of all formulas below:
 //! - the origin is P;
-//! - u is the vector from P to the chord's line, at right angles to it, of length d; it is not normalised, which saves a
-//!   square root and a division;
+//! - u is the vector from P to the chord's line, at right angles to it, of length d; it is not normalised, which saves
+//!   a square root and a division;
 //! - the vector c has the coordinates (ahead, aside) = (c . u, u x c), so each is in mm times d;
 //! - a direction is its slope, aside / ahead. The ray of slope s meets the chord's line s d from the foot of u, so
 //!   intervals of slopes are intervals of the chord, and the chord of a disc of radius r is [-r/d, r/d].
@@ -176,7 +177,8 @@ fn hard_shadow(x: &Lanes, y: &Lanes, emitter: ProjectedDisc, blockers: &Blockers
 /// The tangents of a disc, with c the vector from P to its centre, R its radius and t = sqrt(c^2 - R^2) the distance to
 /// the points of tangency:
 /// 1. They are c turned by plus and minus the angle whose sine is R / |c| and whose cosine is t / |c|.
-/// 2. In the frame their directions are (ahead t + aside R, aside t - ahead R) and (ahead t - aside R, aside t + ahead R).
+/// 2. In the frame their directions are (ahead t + aside R, aside t - ahead R) and (ahead t - aside R, aside t + ahead
+///    R).
 /// 3. Each slope, expanded by the other direction's `ahead` and divided by c^2, is
 ///    (ahead aside -+ R d^2 t) / (ahead^2 - R^2 d^2): one division serves both.
 #[inline(always)]
@@ -286,8 +288,8 @@ fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) ->
 /// 1. The extreme tangents are those of either disc, or of the cap that bulges out of an arc's piece.
 /// 2. A hull whose two extreme tangents both point away from the lamp is behind the point: no interval.
 /// 3. A point inside the hull sees nothing: the interval is everything.
-/// 4. Where an extreme tangent touches beyond the chord (`CLIPPED`), the hull's part before the chord ends on the chord's
-///    line: the interval's end is where the outline crosses that line.
+/// 4. Where an extreme tangent touches beyond the chord (`CLIPPED`), the hull's part before the chord ends on the
+///    chord's line: the interval's end is where the outline crosses that line.
 #[inline(always)]
 fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     x: &Lanes,
@@ -320,8 +322,8 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
         // Step 2: the hull spans less than half a turn, so both ends behind means all behind.
         let behind = (lower.direction[0] <= 0.0) & (upper.direction[0] <= 0.0);
         let (mut lowest, mut highest) = (slope(lower.direction, -STEEP), slope(upper.direction, STEEP));
-        // Step 3: from outside, the turn from the lower tangent of one disc to the upper tangent of the other is less than
-        // half a turn; from within the hull it is more.
+        // Step 3: from outside, the turn from the lower tangent of one disc to the upper tangent of the other is less
+        // than half a turn; from within the hull it is more.
         let b_above_a = cross(a.center, b.center) >= 0.0;
         let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
         let inside = a.inside | b.inside | (hull & (span < 0.0));
@@ -425,8 +427,8 @@ fn across_chord(
     (bottom / square, top / square)
 }
 
-/// The slopes at which the piece of a circle crosses the chord's line, as in [`across_chord`]; in the wrong order where it
-/// does not cross.
+/// The slopes at which the piece of a circle crosses the chord's line, as in [`across_chord`]; in the wrong order where
+/// it does not cross.
 #[inline(always)]
 fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32, square: f32) -> [(f32, f32); 2] {
     let off = square - center[0];

@@ -1,13 +1,13 @@
-//! The interval union: which part of a chord is covered by no interval (Klee's measure problem in one dimension; V. Klee,
-//! 1977).
+//! The interval union: which part of a chord is covered by no interval (Klee's measure problem in one dimension; V.
+//! Klee, 1977).
 //!
 //! 1. A point of the chord is uncovered if as many intervals have ended before it as have begun.
 //! 2. So where k have begun, it lies between the k-th smallest end and the (k + 1)-th smallest beginning.
 //! 3. The uncovered length is the sum of `max(0, begin[k + 1] - end[k])`, with the chord's own ends at both sides.
 //!
-//! Which end belongs to which beginning does not matter. So ends and beginnings are sorted independently, by a network of
-//! compare-exchange steps, each a `min` and a `max` (D. Knuth, The Art of Computer Programming 3, section 5.3.4): no branch,
-//! 16 points at a time.
+//! Which end belongs to which beginning does not matter. So ends and beginnings are sorted independently, by a network
+//! of compare-exchange steps, each a `min` and a `max` (D. Knuth, The Art of Computer Programming 3, section 5.3.4): no
+//! branch, 16 points at a time.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min};
 

@@ -1,5 +1,5 @@
 //! Visibility: which fraction of a lamp a point sees past all occluders, exactly. Occluders become chains of discs;
-//! shafts between a lamp and a tile sort them out; the intervals that the rest covers of the lamp are united. Filters
+//! shafts between a lamp and a tile sort them out; the intervals that the rest covers of the lamp are united. Tinted
 //! and airborne balls are factors on that fraction. Every fast path has a scalar twin in double precision.
 
 pub(crate) mod airborne_shadow;

@@ -1,7 +1,7 @@
 //! Potential occluders: the discs that may come between a lamp and a part of the floor.
 //!
-//! The lists are hierarchical: all that a lamp reaches, of that what lies in the shaft to a block of tiles, of that what
-//! lies in the shaft to one tile. Every test is conservative: what it throws out casts no shadow there.
+//! The lists are hierarchical: all that a lamp reaches, of that what lies in the shaft to a block of tiles, of that
+//! what lies in the shaft to one tile. Every test is conservative: what it throws out casts no shadow there.
 
 use crate::simd::dispatch::SimdLevel;
 use crate::visibility::disc_chain::{DiscChains, Link};

@@ -1,19 +1,20 @@
-//! The projected emitter: a lamp as the points of one tile see it. It is a chord in the plane of the floor, and a measure
-//! on that chord: how much of the lamp's irradiance each part of it gives.
+//! The projected emitter: a lamp as the points of one tile see it. It is a chord in the plane of the floor, and a
+//! measure on that chord: how much of the lamp's irradiance each part of it gives.
 //!
-//! - A disc is projected on its diameter across the line of sight; each part of the diameter counts alike. (A disc's own
-//!   measure would be the length of the disc across the chord; the even one is the design's choice, and the reference
-//!   samples the same.)
-//! - A tube is its own chord. Its element dt at t along its line, seen from q off the line, gives dt / (t^2 + q^2), whose
-//!   integral is atan(t / q) / q: a part counts the angle that it subtends (Nishita, Okamura, Nakamae 1985, without their
-//!   cosine, which [`Lamp`] has not either).
+//! - A disc is projected on its diameter across the line of sight; each part of the diameter counts alike. (A disc's
+//!   own measure would be the length of the disc across the chord; the even one is the design's choice, and the
+//!   reference samples the same.)
+//! - A tube is its own chord. Its element dt at t along its line, seen from q off the line, gives dt / (t^2 + q^2),
+//!   whose integral is atan(t / q) / q: a part counts the angle that it subtends (Nishita, Okamura, Nakamae 1985,
+//!   without their cosine, which [`Lamp`] has not either).
 
 use crate::Lamp;
 use crate::simd::atan2::angle;
 use crate::simd::dispatch::{LANES, Lanes, max, min};
 use geometry::DVec2;
 
-/// The least distance of a point from a tube's line, mm: nearer points are moved off the line, so that slopes stay finite.
+/// The least distance of a point from a tube's line, mm: nearer points are moved off the line, so that slopes stay
+/// finite.
 const LEAST_OFF_MM: f32 = 1e-3;
 
 /// A lamp, in mm from the tile's middle.
@@ -146,8 +147,8 @@ impl ProjectedChord for ProjectedTube {
 
     /// The measure of the part from the chord's first end to a slope s is the angle between both as seen from q off the
     /// line, where q^2 = d^2 + height^2:
-    /// 1. With a and b along the line, the vectors (q, a) and (q, b) have the dot product q^2 + a b and the cross product
-    ///    q (b - a).
+    /// 1. With a and b along the line, the vectors (q, a) and (q, b) have the dot product q^2 + a b and the cross
+    ///    product q (b - a).
     /// 2. Places are slopes times d: a b is s s0 d^2 and q (b - a) is (s - s0) d q.
     /// 3. The angle is atan2(cross, dot).
     #[inline(always)]

@@ -22,12 +22,14 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>) -> Rgb
     let mut disc_chains = DiscChains::default();
     disc_chains.set(&scene.occluders);
     let mut potential_occluders = PotentialOccluders::default();
+    let mut tinted = Vec::new();
+    transmission::find_tinted(&scene.occluders, &mut tinted);
     let mut sum = [0.0; 3];
     for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
         let falloff = lamp.falloff(point_mm);
         if falloff > 0.0 {
             potential_occluders.set(lamp, &disc_chains);
-            let met = transmission::on_path(&scene.filters, |group| potential_occluders.group.contains(&group));
+            let met = transmission::on_path(&tinted, |group| potential_occluders.group.contains(&group));
             let seen = transmission::transmitted(met.as_slice(), |removed| {
                 let without: Vec<Group> = exclude.into_iter().chain(removed.iter().copied()).collect();
                 visible_fraction_of(&disc_chains, &potential_occluders, lamp, point_mm, &without, &mut Vec::new())

@@ -2,12 +2,13 @@
 //! computed again.
 //!
 //! An occluder casts no shadow on a point if a line separates it from the lamp and the point. The kept lines are:
-//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes of
-//!    the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm using
-//!    graphics hardware", SIGGRAPH 2003.
+//! 1. The tangents of occluder and lamp that cross between them, one on each side: in two dimensions, the outer planes
+//!    of the penumbra wedges of U. Assarsson and T. Akenine-Moeller, "A geometry-based soft shadow volume algorithm
+//!    using graphics hardware", SIGGRAPH 2003.
 //! 2. A tangent of the occluder on the lamp's side, across: what is nearer to the lamp than all of the occluder is lit.
 //!
-//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is conservative.
+//! A row of pixels is a line of points, so "beyond the line" is one comparison for each row. Every test is
+//! conservative.
 
 use crate::simd::dispatch::LANES;
 use crate::tile::planes::{RowMask, TILE};
@@ -80,8 +81,8 @@ impl ShadowBounds {
                 let to_lamp = *end - disc.center;
                 let cosine = (lamp_radius + disc.radius + bulge_mm) / to_lamp.length();
                 // The tangent that has lamp and disc on different sides: its normal n has
-                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine of
-                // that over the distance.
+                // n . (end - center) = lamp radius + disc radius, so it is the line of sight turned by the arc cosine
+                // of that over the distance.
                 if cosine < 1.0 {
                     let (ahead, aside) = (to_lamp.normalize(), (1.0 - cosine * cosine).sqrt());
                     [aside, -aside].into_iter().for_each(|aside| add(ahead * cosine + ahead.perp() * aside));
@@ -94,12 +95,12 @@ impl ShadowBounds {
         bounds
     }
 
-    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line from
-    /// the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since whatever
-    /// ray meets the ball meets the column.
+    /// The bounds of an airborne ball's shadow. Below the lamp, the shadow is bounded: the box round it, along the line
+    /// from the lamp. A ball that reaches up to the lamp is bounded as an endless column of its radius would be, since
+    /// whatever ray meets the ball meets the column.
     ///
-    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below` down to
-    /// the ball's centre and `off` across to it:
+    /// One side of the box, in the vertical plane along its normal, with the lamp's edge as the origin, z = `below`
+    /// down to the ball's centre and `off` across to it:
     /// 1. The last stopped ray is the tangent of a circle of radius R: with t its run per unit of descent,
     ///    (off - t below)^2 = R^2 (1 + t^2).
     /// 2. The larger root is t = (off below + R sqrt(off^2 + below^2 - R^2)) / (below^2 - R^2).

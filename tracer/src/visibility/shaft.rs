@@ -1,5 +1,5 @@
-//! The shaft: the convex hull of a lamp and a part of the floor, and how discs lie to it. (E. Haines, J. Wallace, "Shaft
-//! culling for efficient ray-traced radiosity", 1991, in two dimensions.)
+//! The shaft: the convex hull of a lamp and a part of the floor, and how discs lie to it. (E. Haines, J. Wallace,
+//! "Shaft culling for efficient ray-traced radiosity", 1991, in two dimensions.)
 //!
 //! Every ray from the part of the floor to the lamp lies in the shaft. A disc outside casts no shadow there; a chain of
 //! discs that crosses it from side to side leaves the whole part in umbra. Every test is conservative.
@@ -161,8 +161,8 @@ fn classify_round_lanes(discs: Discs, shaft: &Shaft, code: &mut [u16]) {
     for i in 0..n {
         let left = shaft.left[0] * x[i] + shaft.left[1] * y[i] - shaft.offset[0];
         let right = shaft.right[0] * x[i] + shaft.right[1] * y[i] - shaft.offset[1];
-        // With P a point of the tile, Q the disc and L = 0 the lamp: how far (Q - P) . (L - P) and (L - Q) . (L - P) can
-        // be from their values at the tile's middle.
+        // With P a point of the tile, Q the disc and L = 0 the lamp: how far (Q - P) . (L - P) and (L - Q) . (L - P)
+        // can be from their values at the tile's middle.
         let (cx, cy) = (x[i] - tx, y[i] - ty);
         let (sx, sy) = (cx - tx, cy - ty);
         let from_tile = -(cx * tx + cy * ty);

@@ -1,8 +1,9 @@
 //! A floating ball as a sphere in space: what it hides of a lamp from a point of the floor, in double precision, where
 //! [`crate::floating`] is fast.
 //!
-//! Nothing is projected here: rays are rays in space, and the tangent cone is where `(x . m)^2 = |x|^2 (|m|^2 - r^2)`, with
-//! the point as the origin and `m` the sphere's centre. On a line x = middle + s along, that is a quadratic equation in s.
+//! Nothing is projected here: rays are rays in space, and the tangent cone is where `(x . m)^2 = |x|^2 (|m|^2 - r^2)`,
+//! with the point as the origin and `m` the sphere's centre. On a line x = middle + s along, that is a quadratic
+//! equation in s.
 
 use crate::scene::validation;
 use crate::{Ball, Group, Lamp};
@@ -18,7 +19,8 @@ pub(crate) struct Sphere {
     radius: f64,
 }
 
-/// The balls that may hide `lamp`: they float, their lowest points are lower than it is, and it is not of their own group.
+/// The balls that may hide `lamp`: they float, their lowest points are lower than it is, and it is not of their own
+/// group.
 pub(crate) fn occluding_balls<'a>(
     balls: &'a [Ball],
     lamp: &Lamp,
@@ -89,8 +91,8 @@ impl Sphere {
         hidden / whole
     }
 
-    /// The part of a level line that is hidden: the line has its middle at `middle`, its direction is `along`, and half of
-    /// its length is given. What a sphere's lower part hides of a plane is convex, so it is one part.
+    /// The part of a level line that is hidden: the line has its middle at `middle`, its direction is `along`, and half
+    /// of its length is given. What a sphere's lower part hides of a plane is convex, so it is one part.
     fn covered(&self, middle: [f64; 3], along: DVec2, half: f64) -> Option<(f64, f64)> {
         let along = [along.x, along.y, 0.0];
         let tangent_square = dot(self.middle, self.middle) - self.radius * self.radius;
@@ -102,7 +104,8 @@ impl Sphere {
                 part = Some(part.map_or((low, high), |(least, most)| (low.min(least), high.max(most))));
             }
         };
-        // 1. Within the cone: (start + s step)^2 >= (|middle|^2 + 2 s middle . along + s^2) tangent^2, a s^2 + 2 b s + c >= 0.
+        // 1. Within the cone: (start + s step)^2 >= (|middle|^2 + 2 s middle . along + s^2) tangent^2, a s^2 + 2 b s +
+        //    c >= 0.
         // 2. Beyond the circle where the cone touches the sphere: x . m >= tangent^2.
         let a = step * step - tangent_square;
         let b = start * step - dot(middle, along) * tangent_square;

@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use tracer::monte_carlo::{self, Sampling};
 use tracer::scenes;
-use tracer::{Floor, Radiance, Renderer, View, scalar};
+use tracer::{DisplayBuffer, Floor, Integrator, Radiance, Renderer, Scene, View, scalar};
 
 /// 160 x 160 pixels, 1 mm each, all white.
 const SIDE: usize = 160;
@@ -150,11 +150,11 @@ fn what_did_not_change_is_left_as_it_was() {
             16 => scene.floor = &others.floor,
             17 => scene.view.origin_mm.x += 3.0,
             18 => Renderer::new().render(&scenes::table(view, &props), &mut remembered),
-            19 => renderer.forget(),
+            19 => renderer.invalidate(),
             20 => scene.balls[0].rotation = [1.0, 0.0, 0.0, 0.0],
             21 => {
                 let sampling = Sampling { samples: 1, seed: 0, stratified: true };
-                renderer.render_monte_carlo(&scene, sampling, &mut remembered);
+                tracer::render(&scene, Integrator::MonteCarlo(sampling), &mut remembered);
             }
             22 => remembered = Radiance::default(),
             _ => {}
@@ -162,5 +162,56 @@ fn what_did_not_change_is_left_as_it_was() {
         renderer.render(&scene, &mut remembered);
         Renderer::new().render(&scene, &mut fresh);
         assert!(remembered == fresh, "frame {frame}");
+    }
+}
+
+/// One scene, every integrator: the mean of all channels is the same to a fiftieth of it (art is printed anew at half the
+/// resolution), and no more than one channel in fifty differs by more than a tenth of the brightest light of the exact
+/// picture.
+#[test]
+fn every_integrator_finds_the_same_light() {
+    let view = View::fit(150, 300, scenes::SIZE_MM);
+    let (props, half) = (scenes::props(&view), scenes::props(&view.halved()).floor);
+    let scene = Scene { half_floor: Some(&half), ..scenes::table(view, &props) };
+    let rendered = |integrator| {
+        let mut radiance = Radiance::default();
+        tracer::render(&scene, integrator, &mut radiance);
+        let pixels = (0..view.height).flat_map(|y| (0..view.width).map(move |x| (x, y)));
+        pixels.flat_map(|(x, y)| radiance.pixel(x, y)).collect::<Vec<f32>>()
+    };
+    let mean = |channels: &[f32]| channels.iter().sum::<f32>() / channels.len() as f32;
+    let exact = rendered(Integrator::Exact);
+    let brightest = exact.iter().copied().fold(0.0, f32::max);
+    let sampling = Sampling { samples: 16, seed: 3, stratified: true };
+    for integrator in [Integrator::HalfResolution, Integrator::MonteCarlo(sampling)] {
+        let other = rendered(integrator);
+        let (expected, found) = (mean(&exact), mean(&other));
+        assert!((found / expected - 1.0).abs() < 0.02, "{integrator:?}: {found}, exactly {expected}");
+        let far = exact.iter().zip(&other).filter(|(a, b)| (*a - *b).abs() > 0.1 * brightest).count();
+        assert!(far * 50 < exact.len(), "{integrator:?}: {far} of {} channels", exact.len());
+    }
+}
+
+/// A renderer that goes from one integrator to another and back draws what one draws that never did anything else.
+#[test]
+fn integrators_leave_each_other_alone() {
+    let view = View::fit(75, 150, scenes::SIZE_MM);
+    let (props, half) = (scenes::props(&view), scenes::props(&view.halved()).floor);
+    let mut scene = Scene { half_floor: Some(&half), ..scenes::table(view, &props) };
+    let sampling = Sampling { samples: 2, seed: 0, stratified: true };
+    let integrators = [Integrator::Exact, Integrator::HalfResolution, Integrator::MonteCarlo(sampling)];
+    let (mut renderer, mut radiance) = (Renderer::new(), Radiance::default());
+    let (mut display, mut alone) = (DisplayBuffer::default(), DisplayBuffer::default());
+    for frame in 0..12 {
+        scenes::roll(&mut scene, DVec2::new(3.0, -5.0));
+        scene.lamps[frame].color = [0.2; 3];
+        let integrator = integrators[frame * 5 / 4 % 3];
+        renderer.set_integrator(integrator);
+        renderer.render(&scene, &mut radiance);
+        renderer.draw(&scene, 1.0, &mut display);
+        let mut expected = Radiance::default();
+        Renderer::with(integrator).render(&scene, &mut expected);
+        Renderer::with(integrator).draw(&scene, 1.0, &mut alone);
+        assert!(radiance == expected && display.frame() == alone.frame(), "frame {frame}, {integrator:?}");
     }
 }

@@ -4,7 +4,7 @@ use geometry::{DVec2, Shape};
 use std::f64::consts::PI;
 use tracer::scenes::{self, Props};
 use tracer::{
-    Ball, DisplayBuffer, Emitter, Floor, Group, HalfRenderer, ItemId, Lamp, Occluder, Radiance, Renderer, Scene,
+    Ball, DisplayBuffer, Emitter, Floor, Group, Integrator, ItemId, Lamp, Occluder, Radiance, Renderer, Scene,
     SimdLevel, View, scalar,
 };
 
@@ -236,7 +236,7 @@ fn kept_and_made_anew_are_the_same_picture() {
     let mut scene = table(view, &props);
     scenes::lift(&mut scene, &[40.0, 3.0]);
     let (kept, mut anew) = (rendered(&scene), Radiance::default());
-    Renderer::new().render_anew(&scene, &mut anew);
+    Renderer::new().render_uncached(&scene, &mut anew);
     for at in 0..150 * 300 {
         let (kept, anew) = (kept.pixel(at % 150, at / 150), anew.pixel(at % 150, at / 150));
         let near = kept.iter().zip(anew).all(|(kept, anew)| (kept - anew).abs() < 2e-3 * anew.max(1.0));
@@ -249,22 +249,22 @@ fn kept_and_made_anew_are_the_same_picture() {
 fn light_of_half_the_resolution_has_floating_balls() {
     let view = View::fit(150, 300, scenes::SIZE_MM);
     let (props, Props { floor: half, .. }) = (scenes::props(&view), scenes::props(&view.halved()));
-    let drawn = |renderer: &mut HalfRenderer, scene: &mut Scene| {
+    let drawn = |renderer: &mut Renderer, scene: &Scene| {
         let mut film = DisplayBuffer::default();
-        let scene = scene.clone();
-        renderer.draw(&scene, &half, 1.0, &mut film);
+        let scene = Scene { half_floor: Some(&half), ..scene.clone() };
+        renderer.draw(&scene, 1.0, &mut film);
         film.frame().clone()
     };
-    let mut renderer = HalfRenderer::new();
+    let mut renderer = Renderer::with(Integrator::HalfResolution);
     let mut scene = table(view, &props);
     scenes::lift(&mut scene, &[20.0, 20.0, 20.0]);
     for step in 0..4 {
         scenes::roll(&mut scene, DVec2::new(5.0, -8.0));
-        let expected = drawn(&mut HalfRenderer::new(), &mut scene);
-        assert!(drawn(&mut renderer, &mut scene) == expected, "step {step}");
+        let expected = drawn(&mut Renderer::with(Integrator::HalfResolution), &scene);
+        assert!(drawn(&mut renderer, &scene) == expected, "step {step}");
         let mut high = scene.clone();
         scenes::lift(&mut high, &[1e4, 1e4, 1e4]);
-        let without = drawn(&mut HalfRenderer::new(), &mut high);
+        let without = drawn(&mut Renderer::with(Integrator::HalfResolution), &high);
         let darker = expected.to_rgb8().iter().zip(without.to_rgb8()).filter(|(a, b)| a.saturating_add(8) < *b).count();
         assert!(darker > 100, "{darker} channels are darker");
     }

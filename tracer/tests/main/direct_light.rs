@@ -33,7 +33,7 @@ fn lone_lamp(floor: &Floor) -> Scene<'_> {
 
 fn rendered(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render_anew(scene, &mut radiance);
+    Renderer::new().render_uncached(scene, &mut radiance);
     radiance
 }
 

@@ -3,7 +3,7 @@
 use geometry::{DVec2, Shape};
 use tracer::scenes::{self, Props};
 use tracer::{
-    Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, HalfRenderer, ItemId, Lamp, Occluder, Outline, Profile,
+    Ball, DisplayBuffer, Emitter, Finish, Floor, Frame, Group, Integrator, ItemId, Lamp, Occluder, Outline, Profile,
     Radiance, Renderer, Scene, SimdLevel, Top, View, tone_map,
 };
 
@@ -26,9 +26,14 @@ impl Set {
     }
 }
 
+/// The scene with its art at half the resolution.
+fn with_half<'a>(scene: &Scene<'a>, half: &'a Floor) -> Scene<'a> {
+    Scene { half_floor: Some(half), ..scene.clone() }
+}
+
 fn drawn_half(scene: &Scene, half: &Floor) -> Frame {
     let mut film = DisplayBuffer::default();
-    HalfRenderer::new().draw(scene, half, 1.0, &mut film);
+    Renderer::with(Integrator::HalfResolution).draw(&with_half(scene, half), 1.0, &mut film);
     film.frame().clone()
 }
 
@@ -164,7 +169,8 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
     for path in SimdLevel::available() {
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let (mut renderer, mut film) = (HalfRenderer::on(path), DisplayBuffer::default());
+            let (mut renderer, mut film) = (Renderer::on(path), DisplayBuffer::default());
+            renderer.set_integrator(Integrator::HalfResolution);
             pool.install(|| {
                 let mut other = scene.clone();
                 scenes::roll(&mut other, DVec2::new(31.0, -14.0));
@@ -172,10 +178,10 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
                 other.lamps[3].color = [0.0; 3];
                 other.glows.pop();
                 film.set_scissor(0, 0, 60, 60);
-                renderer.draw(&other, &set.half, 1.5, &mut film);
-                renderer.draw(&scene, &set.half, 1.0, &mut film);
+                renderer.draw(&with_half(&other, &set.half), 1.5, &mut film);
+                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
                 film.set_scissor(0, 0, 251, 501);
-                renderer.draw(&scene, &set.half, 1.0, &mut film);
+                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
             });
             assert!(expected == *film.frame(), "{} with {threads} threads", path.name());
         }
@@ -187,18 +193,18 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
 fn drawing_is_rendering_and_tone_mapping() {
     let set = Set::new(65, 129);
     let mut scene = set.scene();
-    let mut renderer = HalfRenderer::new();
+    let mut renderer = Renderer::with(Integrator::HalfResolution);
     let (mut film, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
     for number in 0..6 {
         scenes::roll(&mut scene, DVec2::new(9.0, -14.0));
         scene.lamps[number].color = [0.1 * number as f32; 3];
         if number % 3 != 1 {
-            renderer.render(&scene, &set.half, &mut radiance);
+            renderer.render(&with_half(&scene, &set.half), &mut radiance);
             tone_map::map(&radiance, 1.0, &mut frame);
             assert!(frame == drawn_half(&scene, &set.half), "picture {number}");
         }
         if number % 3 != 2 {
-            renderer.draw(&scene, &set.half, 1.0, &mut film);
+            renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
             assert!(*film.frame() == drawn_half(&scene, &set.half), "picture {number}");
         }
     }

@@ -25,7 +25,7 @@ fn props() -> Props {
 
 fn anew(scene: &Scene) -> Radiance {
     let mut radiance = Radiance::default();
-    Renderer::new().render_anew(scene, &mut radiance);
+    Renderer::new().render_uncached(scene, &mut radiance);
     radiance
 }
 
@@ -196,7 +196,7 @@ fn any_order_and_any_names_give_the_picture_that_is_made_from_nothing() {
     let props = props();
     let whole = scenes::table(view(), &props);
     let (mut twins, mut scene, mut random) = (Twins::new(), whole.clone(), SplitMix64::new(21));
-    for frame in 0..48 {
+    for frame in 0..24 {
         match frame % 12 {
             0 => scene.lamps.reverse(),
             1 => scene.tops.rotate_left(5),

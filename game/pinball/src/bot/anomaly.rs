@@ -1,7 +1,7 @@
 //! Notices what must never happen to a ball.
 
 use geometry::{Circle, Core, DVec2, Shape, Taper, trig};
-use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, Pose};
+use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, PartId, Pose};
 use std::collections::BTreeMap;
 
 /// Ticks between two looks.
@@ -54,8 +54,7 @@ pub struct Anomaly {
 pub struct AnomalyDetector {
     solids: Vec<Solid>,
     flippers: Vec<physics::Flipper>,
-    /// In the order of the pose's magnets.
-    magnets: Vec<Circle>,
+    kinds: Vec<Kind>,
     size_m: DVec2,
     /// Where each ball was when it last moved, and when.
     rests: BTreeMap<u32, (DVec2, u64)>,
@@ -77,7 +76,7 @@ impl AnomalyDetector {
         let mut detector = AnomalyDetector {
             solids: vec![],
             flippers: vec![],
-            magnets: vec![],
+            kinds: layout.parts.iter().map(|part| part.kind.clone()).collect(),
             size_m: layout.size_m,
             rests: BTreeMap::new(),
             noticed: BTreeMap::new(),
@@ -99,7 +98,6 @@ impl AnomalyDetector {
                     solid(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), None);
                 }
                 Kind::Flipper(flipper) => detector.flippers.push(flipper.clone()),
-                Kind::Magnet(magnet) => detector.magnets.push(magnet.circle),
                 _ => {}
             }
         }
@@ -124,7 +122,9 @@ impl AnomalyDetector {
             if let Some((name, depth_m)) = self.inside_of(ball, pose, others) {
                 self.notice(tick, ball, AnomalyKind::Overlap, format!("{:.3} mm inside {name}", depth_m * 1000.0));
             }
-            self.look_for_rest(tick, ball, ball.held || self.over_magnet(ball, pose) || excused(ball));
+            let kind_of = |part: PartId| self.kinds.get(usize::from(part.0));
+            let excused = ball.held || pose.may_hold(ball, kind_of) || excused(ball);
+            self.look_for_rest(tick, ball, excused);
         }
         for (_, captive) in &pose.captives {
             if !(captive.center.is_finite() && captive.velocity.is_finite()) {
@@ -149,12 +149,6 @@ impl AnomalyDetector {
     fn outside(&self, center: DVec2) -> bool {
         let inside = |at: f64, size: f64| (-BALL_RADIUS_M..size + BALL_RADIUS_M).contains(&at);
         !inside(center.x, self.size_m.x) || !inside(center.y, self.size_m.y)
-    }
-
-    /// A magnet that is on may hold the ball where it is.
-    fn over_magnet(&self, ball: &BallPose, pose: &Pose) -> bool {
-        let mut magnets = self.magnets.iter().zip(&pose.magnets);
-        magnets.any(|(circle, (_, on))| *on && circle.center.distance(ball.center) < circle.radius)
     }
 
     fn look_for_rest(&mut self, tick: u64, ball: &BallPose, excused: bool) {

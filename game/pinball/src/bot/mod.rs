@@ -108,17 +108,17 @@ impl Bot {
     /// Looks at the score and the display.
     fn watch(&mut self, simulation: &Simulation, mut shot_values: ShotValues) -> ShotValues {
         let tick = simulation.ticks();
-        let events = simulation.events();
-        let scored = events.iter().any(|event| event.kind == EventKind::Closed && event.part.is_some());
-        self.bob_touches += events.iter().filter(|event| event.kind == EventKind::TiltBob).count() as u32;
-        if events.iter().any(|event| event.kind == EventKind::Fed) {
+        let events = || simulation.events();
+        let scored = events().any(|event| event.kind == EventKind::Closed && event.part.is_some());
+        self.bob_touches += events().filter(|event| event.kind == EventKind::TiltBob).count() as u32;
+        if events().any(|event| event.kind == EventKind::Fed) {
             self.bob_touches = 0;
         }
         if scored || tick.is_multiple_of(DISPLAY_TICKS) {
             let display = simulation.display();
             let score = display.scores.iter().sum();
             if scored && score >= self.last_score {
-                shot_values.learn(events, score - self.last_score, tick);
+                shot_values.learn(simulation.tick_events(), score - self.last_score, tick);
             }
             if self.playing != display.playing {
                 self.idle_since = tick;

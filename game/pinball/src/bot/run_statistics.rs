@@ -72,7 +72,7 @@ impl RunStatistics {
         if tick.is_multiple_of(DISPLAY_TICKS) {
             self.look_at_display(simulation);
         }
-        for event in simulation.events().iter().filter(|event| event.kind == EventKind::Closed) {
+        for event in simulation.events().filter(|event| event.kind == EventKind::Closed) {
             if let Some(hits) = event.part.and_then(|part| self.hits.get_mut(usize::from(part.0))) {
                 *hits += 1;
             }

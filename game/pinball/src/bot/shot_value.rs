@@ -1,6 +1,6 @@
 //! Shot value: what each part is worth to the bot: a first guess from what it is, then what the score has shown.
 
-use physics::{Event, EventKind, Kind, Layout, PartId};
+use physics::{EventKind, Kind, Layout, PartId, TickEvent};
 
 /// Ticks after which a part that has just been hit is as interesting as before.
 const FORGET_TICKS: f64 = 30_000.0;
@@ -52,8 +52,9 @@ impl ShotValues {
     }
 
     /// Learns from a tick in which these events brought `points`.
-    pub fn learn(&mut self, events: &[Event], points: i64, tick: u64) {
-        let closed = || events.iter().filter(|event| event.kind == EventKind::Closed).filter_map(|event| event.part);
+    pub fn learn(&mut self, events: &[TickEvent], points: i64, tick: u64) {
+        let events = || events.iter().filter_map(TickEvent::event);
+        let closed = || events().filter(|event| event.kind == EventKind::Closed).filter_map(|event| event.part);
         let share = points as f64 / closed().count().max(1) as f64;
         for part in closed() {
             self.typical += (share - self.typical) * 0.05;

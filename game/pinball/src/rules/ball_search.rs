@@ -7,7 +7,7 @@ use super::TickInput;
 use super::names::Names;
 use super::script_state::ScriptState;
 use crate::Buttons;
-use physics::{BALL_RADIUS_M, BallPose, Command, Event, EventKind, Kind, Plunger};
+use physics::{BALL_RADIUS_M, BallPose, Command, Event, EventKind, Kind, Plunger, TickEvent};
 use serde::{Deserialize, Serialize};
 
 /// Silence before the first round, ms: with the rounds and a late look another ball comes within 15 s.
@@ -50,7 +50,7 @@ impl BallSearch {
 
     /// One millisecond.
     pub fn tick(&mut self, input: &TickInput<impl Fn() -> Vec<BallPose>>, script: &mut ScriptState, names: &Names) {
-        if input.events.iter().any(|event| is_sign_of_life(event, names)) {
+        if input.events.iter().filter_map(TickEvent::event).any(|event| is_sign_of_life(event, names)) {
             self.rest(input.now);
         }
         if !input.now.is_multiple_of(LOOK_MS) {

@@ -1,10 +1,11 @@
 //! The functions that a script can call. `assets/tables/README.md` tells them to table makers.
 
 use super::names::Names;
+use super::part_commands::{Order, PART_COMMANDS, PartCommand};
 use super::score::{MAX_BALLS, MAX_PLAYERS};
 use super::script_state::ScriptState;
 use crate::lamps::{LampController, LampEffect, Mode, TimedOverride};
-use physics::Command;
+use physics::{Command, PartId};
 use rhai::{Array, Dynamic, Engine, EvalAltResult, NativeCallContext};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -61,6 +62,7 @@ pub fn register(engine: &mut Engine) {
     register_display(engine);
     register_time(engine);
     register_machine(engine);
+    register_parts(engine);
     register_lamps(engine);
 }
 
@@ -224,42 +226,38 @@ fn register_machine(engine: &mut Engine) {
         .register_fn("add_ball", |call: NativeCallContext| {
             with_context(&call, |context| ordered(context.script.add_ball()))
         })
-        .register_fn("eject", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| {
-                let saucer = context.names.saucer(name)?;
-                ordered(context.script.order(Command::Eject(saucer)))
-            })
-        })
-        .register_fn("raise", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| {
-                let target = context.names.drop_target(name)?;
-                ordered(context.script.order(Command::Raise(target)))
-            })
-        })
-        .register_fn("kick", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| {
-                let kickback = context.names.kickback(name)?;
-                ordered(context.script.order(Command::Kick(kickback)))
-            })
-        })
-        .register_fn("magnet", |call: NativeCallContext, name: &str, on: bool| {
-            with_context(&call, |context| {
-                let magnet = context.names.magnet(name)?;
-                ordered(context.script.order(Command::Magnet(magnet, on)))
-            })
-        })
-        .register_fn("divert", |call: NativeCallContext, name: &str, on: bool| {
-            with_context(&call, |context| {
-                let diverter = context.names.diverter(name)?;
-                ordered(context.script.order(Command::Divert(diverter, on)))
-            })
-        })
         .register_fn("flippers", |call: NativeCallContext, on: bool| {
             with_context(&call, |context| power(context, Some(on), None))
         })
         .register_fn("kickers", |call: NativeCallContext, on: bool| {
             with_context(&call, |context| power(context, None, Some(on)))
         });
+}
+
+/// Registers the words that command a part.
+fn register_parts(engine: &mut Engine) {
+    for command in &PART_COMMANDS {
+        match command.order {
+            Order::Once(order) => engine.register_fn(command.word, move |call: NativeCallContext, name: &str| {
+                with_context(&call, |context| command_part(context, command, name, order))
+            }),
+            Order::Switch(order) => {
+                engine.register_fn(command.word, move |call: NativeCallContext, name: &str, on: bool| {
+                    with_context(&call, |context| command_part(context, command, name, |part| order(part, on)))
+                })
+            }
+        };
+    }
+}
+
+fn command_part(
+    context: &mut ScriptContext,
+    command: &PartCommand,
+    name: &str,
+    order: impl Fn(PartId) -> Command,
+) -> Result<(), String> {
+    let part = context.names.part_for(command, name)?;
+    ordered(context.script.order(order(part)))
 }
 
 /// Switches the coils of flippers and kickers on or off.

@@ -4,6 +4,7 @@
 //! Reads the text only as far as that needs: comments, strings, and a call's first argument.
 
 use super::names::Names;
+use super::part_commands::PART_COMMANDS;
 use std::collections::BTreeSet;
 
 /// A literal first argument of a call.
@@ -26,13 +27,11 @@ pub fn unknown_names(text: &str, names: &Names) -> Vec<(usize, String)> {
 fn check(call: &Call, names: &Names) -> Result<(), String> {
     match call.function {
         "lamp" | "lamp_color" | "flash" | "show" => names.lamps(call.argument).map(|_| ()),
-        "eject" => names.saucer(call.argument).map(|_| ()),
-        "raise" => names.drop_target(call.argument).map(|_| ()),
-        "kick" => names.kickback(call.argument).map(|_| ()),
-        "magnet" => names.magnet(call.argument).map(|_| ()),
-        "divert" => names.diverter(call.argument).map(|_| ()),
         "closed" => names.part(call.argument).map(|_| ()),
-        _ => Ok(()),
+        word => match PART_COMMANDS.iter().find(|command| command.word == word) {
+            Some(command) => names.part_for(command, call.argument).map(|_| ()),
+            None => Ok(()),
+        },
     }
 }
 

@@ -10,6 +10,7 @@ mod host;
 mod literals;
 mod memory;
 mod names;
+mod part_commands;
 mod program;
 mod score;
 mod script_state;
@@ -30,7 +31,7 @@ use crate::lamps::LampController;
 use crate::{Buttons, Failure};
 use ball_search::BallSearch;
 use memory::Memory;
-use physics::{BallPose, Command, Event, Fingerprint};
+use physics::{BallPose, Command, Fingerprint, TickEvent};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -79,8 +80,8 @@ pub struct TickInput<'a, B: Fn() -> Vec<BallPose>> {
     pub buttons: Buttons,
     /// The buttons that were down in the tick before.
     pub before: Buttons,
-    /// What happened on the playfield.
-    pub events: &'a [Event],
+    /// The machine's stream of this tick.
+    pub events: &'a [TickEvent],
     /// The balls on the playfield; asked for only when it matters.
     pub balls: B,
 }
@@ -140,7 +141,7 @@ impl Rules {
         for (call, name) in switches::button_edges(input.before, input.buttons) {
             self.notify(call, Some(name), lamps, input);
         }
-        for event in input.events {
+        for event in input.events.iter().filter_map(TickEvent::event) {
             if let Some((call, part)) = self.state.script.record(event) {
                 let program = self.program.clone();
                 match part.map(|part| program.names().part_name(part)) {

@@ -1,7 +1,8 @@
 //! The names that a script may use: the parts and lamps of its table.
 
+use super::part_commands::PartCommand;
 use crate::Table;
-use physics::{FlipperControl, Kind, PartId};
+use physics::{Kind, PartId};
 use std::collections::BTreeMap;
 
 /// The parts and lamps of a table by name.
@@ -59,63 +60,15 @@ impl Names {
         self.parts.get(name).copied().ok_or_else(unknown)
     }
 
-    /// The saucer with this name.
+    /// The part with this name that a command is for.
     ///
     /// # Errors
-    /// A sentence if there is none.
-    pub fn saucer(&self, name: &str) -> Result<PartId, String> {
+    /// A sentence if there is none, or it is something else.
+    pub fn part_for(&self, command: &PartCommand, name: &str) -> Result<PartId, String> {
         let part = self.part(name)?;
         match self.kind(part) {
-            Some(Kind::Saucer(_)) => Ok(part),
-            _ => Err(format!("\"{name}\" is not a saucer")),
-        }
-    }
-
-    /// The drop target with this name.
-    ///
-    /// # Errors
-    /// A sentence if there is none.
-    pub fn drop_target(&self, name: &str) -> Result<PartId, String> {
-        let part = self.part(name)?;
-        match self.kind(part) {
-            Some(Kind::DropTarget(_)) => Ok(part),
-            _ => Err(format!("\"{name}\" is not a drop target")),
-        }
-    }
-
-    /// The kickback with this name.
-    ///
-    /// # Errors
-    /// A sentence if there is none.
-    pub fn kickback(&self, name: &str) -> Result<PartId, String> {
-        let part = self.part(name)?;
-        match self.kind(part) {
-            Some(Kind::Kickback(_)) => Ok(part),
-            _ => Err(format!("\"{name}\" is not a kickback")),
-        }
-    }
-
-    /// The magnet with this name.
-    ///
-    /// # Errors
-    /// A sentence if there is none.
-    pub fn magnet(&self, name: &str) -> Result<PartId, String> {
-        let part = self.part(name)?;
-        match self.kind(part) {
-            Some(Kind::Magnet(_)) => Ok(part),
-            _ => Err(format!("\"{name}\" is not a magnet")),
-        }
-    }
-
-    /// The diverter with this name.
-    ///
-    /// # Errors
-    /// A sentence if there is none.
-    pub fn diverter(&self, name: &str) -> Result<PartId, String> {
-        let part = self.part(name)?;
-        match self.kind(part) {
-            Some(Kind::Flipper(flipper)) if flipper.control == FlipperControl::Rules => Ok(part),
-            _ => Err(format!("\"{name}\" is not a diverter")),
+            Some(kind) if (command.is)(kind) => Ok(part),
+            _ => Err(format!("\"{name}\" is not {}", command.what)),
         }
     }
 

@@ -36,7 +36,7 @@ pub struct ScriptState {
     pub owed: u32,
     /// Flippers obey their buttons.
     pub flippers: bool,
-    /// Bumpers, slingshots, kickbacks and magnets work.
+    /// All coils but those of the flippers work.
     pub kickers: bool,
     /// Until when touches of the tilt bob do not count.
     bob_until: u64,

@@ -5,8 +5,8 @@ use physics::PartId;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// The switches that have closed and not opened again: rollovers, saucers, magnets and kickbacks with a ball, drop targets
-/// that are down.
+/// The switches that have closed and not opened again: those of rollovers and coils with a ball, and of drop targets that
+/// are down.
 /// Switches that never open (bumpers, spinners, ...) are in here from their first closing on.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Switches {

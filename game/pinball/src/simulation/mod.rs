@@ -18,7 +18,7 @@ pub use snapshot::Snapshot;
 use crate::lamps::{ADAPTATION_TICKS, ExposureAdaptation, LampBrightness, LampController};
 use crate::rules::{Program, Rules, TickInput};
 use crate::{Buttons, Failure, Table};
-use physics::{Contact, Controls, Event, Fingerprint, Machine, Pose, fingerprint};
+use physics::{Controls, Event, Fingerprint, Machine, Pose, TickEvent, fingerprint};
 use save::Saved;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -37,6 +37,8 @@ pub struct Simulation {
     /// What pictures are exposed for; no part of the game.
     adaptation: ExposureAdaptation,
     brightness: Arc<LampBrightness>,
+    /// What happened in the last tick.
+    tick_events: Vec<TickEvent>,
     tick: u64,
     /// The buttons of the last tick: the rules hear of changes only.
     buttons: Buttons,
@@ -67,7 +69,17 @@ impl Simulation {
         let mut lamps = LampController::new(&table);
         let rules = Rules::new(program, seed, &mut lamps)?;
         let (adaptation, brightness) = (ExposureAdaptation::default(), Arc::new(LampBrightness::new(&table)));
-        Ok(Simulation { table, machine, rules, lamps, adaptation, brightness, tick: 0, buttons: Buttons::NONE })
+        Ok(Simulation {
+            table,
+            machine,
+            rules,
+            lamps,
+            adaptation,
+            brightness,
+            tick_events: Vec::new(),
+            tick: 0,
+            buttons: Buttons::NONE,
+        })
     }
 
     /// The table that is played.
@@ -81,11 +93,13 @@ impl Simulation {
         self.tick += 1;
         let commands = self.rules.take_commands();
         self.machine.tick(controls(buttons), &commands);
+        self.tick_events.clear();
+        self.tick_events.extend(self.machine.tick_events());
         let input = TickInput {
             now: self.tick,
             buttons,
             before: self.buttons,
-            events: self.machine.events(),
+            events: &self.tick_events,
             balls: || self.machine.balls(),
         };
         self.rules.tick(&input, &mut self.lamps);
@@ -101,14 +115,14 @@ impl Simulation {
         self.tick
     }
 
-    /// What happened in the last tick.
-    pub fn events(&self) -> &[Event] {
-        self.machine.events()
+    /// The stream of the last tick: its events and contacts in order. Rules, bot, debug overlay and sound listen to it.
+    pub fn tick_events(&self) -> &[TickEvent] {
+        &self.tick_events
     }
 
-    /// The impacts of the last tick.
-    pub fn contacts(&self) -> &[Contact] {
-        self.machine.contacts()
+    /// The events of the stream alone.
+    pub fn events(&self) -> impl Iterator<Item = &Event> {
+        self.tick_events.iter().filter_map(TickEvent::event)
     }
 
     /// Where everything is now (cheaper than [`Simulation::snapshot`]).
@@ -199,6 +213,7 @@ impl Simulation {
             lamps: saved.lamps.into_owned(),
             adaptation: saved.adaptation,
             brightness: self.brightness.clone(),
+            tick_events: Vec::new(),
             tick: saved.tick,
             buttons: saved.buttons,
         })

@@ -5,7 +5,7 @@ mod search;
 use super::Simulation;
 use crate::Buttons;
 use crate::rules::tests::bench::table;
-use physics::EventKind;
+use physics::{Event, EventKind, Kind, TickEvent};
 use std::sync::Arc;
 
 const RULES: &str = "
@@ -137,7 +137,7 @@ fn a_game_of_spectrum_goes_from_start_to_game_over_without_a_complaint() {
     let mut last_ball = 0;
     while game.ticks() < 400_000 && (game.ticks() < 1000 || game.display().playing) {
         game.tick(blind_hands(game.ticks()));
-        switches.extend(game.events().iter().filter_map(|event| event.part));
+        switches.extend(game.events().filter_map(|event| event.part));
         last_ball = last_ball.max(game.display().ball);
     }
     assert_eq!(game.complaints(), Vec::<String>::new());
@@ -154,7 +154,7 @@ fn a_game_of_spectrum_that_was_saved_in_play_goes_on_the_same() {
     let mut shots = 0;
     while original.ticks() < 1000 || shots == 0 {
         original.tick(blind_hands(original.ticks()));
-        shots += original.events().iter().filter(|event| event.kind == EventKind::Launched).count();
+        shots += original.events().filter(|event| event.kind == EventKind::Launched).count();
     }
     play(&mut original, 800);
     assert!(original.display().playing && !original.pose().balls.is_empty());
@@ -167,4 +167,27 @@ fn a_game_of_spectrum_that_was_saved_in_play_goes_on_the_same() {
             game.tick(blind_hands(game.ticks()));
         }
     }
+}
+
+#[test]
+fn the_stream_of_a_tick_holds_its_events_and_contacts_and_a_hit_before_the_switch_that_it_closes() {
+    let mut game = spectrum();
+    let is_hit = |kind: &Kind| matches!(kind, Kind::Bumper(_) | Kind::Target(_) | Kind::DropTarget(_));
+    let (mut contacts, mut hits) = (0, 0);
+    for _ in 0..60_000 {
+        game.tick(blind_hands(game.ticks()));
+        let stream = game.tick_events();
+        assert!(game.events().eq(game.machine().events()));
+        assert!(stream.iter().filter_map(TickEvent::contact).eq(game.machine().contacts()));
+        contacts += game.machine().contacts().len();
+        for (place, event) in stream.iter().enumerate() {
+            let Some(Event { part: Some(part), kind: EventKind::Closed }) = event.event() else { continue };
+            if is_hit(&game.table().layout.parts[usize::from(part.0)].kind) {
+                let before = place.checked_sub(1).and_then(|place| stream[place].contact());
+                assert_eq!(before.and_then(|contact| contact.part), Some(*part), "tick {}", game.ticks());
+                hits += 1;
+            }
+        }
+    }
+    assert!(contacts > 1000 && hits > 20, "{contacts} contacts, {hits} hits");
 }

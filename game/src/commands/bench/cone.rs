@@ -74,7 +74,10 @@ mod tests {
         let judge = |part: Option<PartId>, impulse_n_s: DVec2| {
             let mut cone = Cone::default();
             let (point, normal) = (DVec2::ONE, DVec2::Y);
-            cone.add(&Contact { time_s: 0.0, part, point, normal, speed_m_s: 1.0, impulse_n_s }, &frictions);
+            cone.add(
+                &Contact { time_s: 0.0, part, point, normal, speed_m_s: 1.0, impulse_n_s, events_before: 0 },
+                &frictions,
+            );
             (cone.impacts, cone.outside)
         };
         let wall = Some(PartId(0));

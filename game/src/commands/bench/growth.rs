@@ -124,7 +124,7 @@ fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mu
                 flash(scene, &colors, frame);
                 scenes::roll(scene, if frame.is_multiple_of(2) { STEP_MM } else { -STEP_MM });
             }
-            State::FromNothing => renderer.forget(),
+            State::FromNothing => renderer.invalidate(),
         }
         let ms = time_ms(|| renderer.draw(scene, 1.0, film));
         if frame >= WARM_UP {

@@ -2,8 +2,8 @@
 //! computed from nothing.
 //!
 //! Every method makes a frame in turn, so that a slow moment of the machine is everybody's. What a row is worth is told
-//! by the memset beside it, which writes the same bytes on as many threads, and by how far its pictures are from those of
-//! the literal loops.
+//! by the memset beside it, which writes the same bytes on as many threads, and by how far its pictures are from those
+//! of the literal loops.
 //!
 //! One frame that is written again and again stays in the processor's cache. The frames of a window or of an encoder do
 //! not, so everything is timed a second time with a ring of frames that together are larger than a cache.

@@ -32,16 +32,10 @@ pub(super) fn standing(part: &Kind) -> Vec<(Shape, u32)> {
         Kind::Bumper(bumper) => vec![(Shape::disc(bumper.circle.center, bumper.circle.radius), SOLID)],
         Kind::Slingshot(sling) => vec![(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), SOLID)],
         Kind::Target(target) => vec![(target.shape, SOLID)],
-        Kind::Rollover(rollover) => vec![(rollover.shape, SENSOR)],
         Kind::Gate(gate) => vec![(thin(gate.segment), SENSOR)],
         Kind::Spinner(spinner) => vec![(thin(spinner.segment), SENSOR)],
-        Kind::Saucer(saucer) => vec![(Shape::disc(saucer.circle.center, saucer.circle.radius), SENSOR)],
-        Kind::Drain(drain) => vec![(drain.shape, SENSOR)],
         Kind::Ramp(ramp) => ramp.path.iter().flat_map(|leg| sides(leg, ramp.half_width_m)).collect(),
-        Kind::Magnet(magnet) => vec![(Shape::disc(magnet.circle.center, magnet.circle.radius), SENSOR)],
-        Kind::Flipper(_) | Kind::Plunger(_) | Kind::Kickback(_) | Kind::DropTarget(_) | Kind::CaptiveBall(_) => {
-            Vec::new()
-        }
+        other => other.sensor().map(|shape| (shape, SENSOR)).into_iter().collect(),
     }
 }
 

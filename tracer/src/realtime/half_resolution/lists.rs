@@ -1,7 +1,7 @@
 //! The scenes of the half renderer's layers: copies of parts of the caller's scene, in lists that are kept from frame to
 //! frame, so that nothing is allocated once they are long enough.
 
-use crate::{Ball, Filter, Glow, Lamp, Occluder, Outline, Overhang, Scene, Top};
+use crate::{Ball, Glow, Lamp, Occluder, Outline, Overhang, Scene, Top};
 use std::mem::take;
 
 /// The lists of a scene.
@@ -9,7 +9,6 @@ use std::mem::take;
 pub(super) struct Lists {
     lamps: Vec<Lamp>,
     occluders: Vec<Occluder>,
-    filters: Vec<Filter>,
     overhangs: Vec<Overhang>,
     tops: Vec<Top>,
     balls: Vec<Ball>,
@@ -27,17 +26,16 @@ impl Lists {
             view: scene.view,
             lamps: take(&mut self.lamps),
             occluders: take(&mut self.occluders),
-            filters: take(&mut self.filters),
             overhangs: take(&mut self.overhangs),
             tops,
             balls: take(&mut self.balls),
             glows,
             floor: scene.floor,
+            half_floor: None,
             ambient: [0.0; 3],
         };
         layer.lamps.clear();
         layer.occluders.clear();
-        layer.filters.clear();
         layer.overhangs.clear();
         layer.balls.clear();
         layer
@@ -45,8 +43,8 @@ impl Lists {
 
     /// Takes the lists of a scene.
     pub fn of(scene: Scene) -> Lists {
-        let Scene { lamps, occluders, filters, overhangs, tops, balls, glows, .. } = scene;
-        Lists { lamps, occluders, filters, overhangs, tops, balls, glows: emptied(glows) }
+        let Scene { lamps, occluders, overhangs, tops, balls, glows, .. } = scene;
+        Lists { lamps, occluders, overhangs, tops, balls, glows: emptied(glows) }
     }
 }
 
@@ -54,7 +52,6 @@ impl Lists {
 pub(super) fn add_lamps<'a>(scene: &Scene<'a>, layer: &mut Scene<'a>) {
     layer.lamps.extend_from_slice(&scene.lamps);
     layer.occluders.extend_from_slice(&scene.occluders);
-    layer.filters.extend_from_slice(&scene.filters);
     layer.overhangs.extend_from_slice(&scene.overhangs);
     layer.balls.extend_from_slice(&scene.balls);
     layer.ambient = scene.ambient;

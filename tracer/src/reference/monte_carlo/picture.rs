@@ -1,42 +1,75 @@
 //! The Monte Carlo picture: a loop of its own over tiles and lamps, with shadow rays for visibility.
 //!
 //! Surfaces and what they make of irradiance are the realtime renderer's, so nothing but visibility differs from
-//! [`Renderer::render_anew`].
+//! [`crate::Renderer::render_uncached`].
 
-use crate::film::tone_map;
-use crate::realtime::direct_light::add;
-use crate::realtime::renderer::drawable;
-use crate::realtime::tile_renderer::{Lit, Stage, Workspace};
+use crate::realtime::direct_light::{LampOnTile, add};
+use crate::realtime::exact_renderer::ExactRenderer;
+use crate::realtime::frame_context::{ActiveLamp, FrameContext};
+use crate::realtime::tile_renderer::TileRenderer;
 use crate::reference::monte_carlo::Sampling;
 use crate::reference::monte_carlo::rays::{Near, Rays};
-use crate::shading::falloff::Falloff;
 use crate::simd::dispatch::LANES;
 use crate::tile::packed_samples::PackedSamples;
-use crate::tile::planes::{ALL_ROWS, BLACK, Plane, TILE};
+use crate::tile::planes::{ALL_ROWS, BLACK, Plane, RgbTile, TILE};
 use crate::tile::rect::TileRect;
-use crate::visibility::blockers::VisibilityClass;
-use crate::{DisplayBuffer, Group, Radiance, Renderer, Rgb, Scene};
+use crate::{Group, Radiance, Rgb, Scene, SimdLevel};
 use geometry::DVec2;
 use geometry::rng::Key;
 
-impl Renderer {
-    /// Renders `scene` with sampled shadows: the slow reference. Nothing but the visible fraction of the lamps differs
-    /// from [`Renderer::render_anew`].
-    pub fn render_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
-        let Some(scene) = &drawable(scene, &mut self.ids) else { return radiance.resize(0, 0) };
-        self.prepare(scene, false);
-        self.render_tiles(scene, radiance, |tile, stage, place| tile.render_sampled(stage, place, sampling));
-        self.put_balls_on(scene, radiance);
-        self.forget();
-    }
+/// Renders `scene` with sampled shadows, on the threads of the current rayon pool: the same bits on any number.
+pub(crate) fn render(scene: &Scene, sampling: Sampling, radiance: &mut Radiance) {
+    let mut renderer = ExactRenderer::on(SimdLevel::best());
+    renderer.render_with(scene, radiance, |tile, frame, rect, out| render_sampled(tile, frame, rect, sampling, out));
+}
 
-    /// [`Renderer::render_monte_carlo`], tone-mapped.
-    pub fn draw_monte_carlo(&mut self, scene: &Scene, sampling: Sampling, exposure: f32, film: &mut DisplayBuffer) {
-        let mut radiance = Radiance::default();
-        self.render_monte_carlo(scene, sampling, &mut radiance);
-        film.resize(radiance.width(), radiance.height());
-        tone_map::map(&radiance, exposure, &mut film.frame);
-        film.source = None;
+/// The tile under all lamps.
+fn render_sampled(
+    tile: &mut TileRenderer,
+    frame: &FrameContext,
+    rect: &TileRect,
+    sampling: Sampling,
+    out: &mut RgbTile,
+) {
+    tile.render_unlit(frame, rect, out);
+    for lamp in frame.lamps.list.iter().filter(|active| rect.is_reached_by(&active.lamp)) {
+        let mut sum = BLACK;
+        light_sampled(tile, frame, lamp, rect, sampling, &mut sum);
+        add(&sum, lamp.lamp.color, out);
+    }
+    tile.render_glows(frame, rect, out);
+}
+
+/// Adds the tile in the light of one lamp, of the colour white, to `sum`.
+fn light_sampled(
+    tile: &mut TileRenderer,
+    frame: &FrameContext,
+    lamp: &ActiveLamp,
+    rect: &TileRect,
+    sampling: Sampling,
+    sum: &mut RgbTile,
+) {
+    let TileRenderer { g_buffer, light, scratch, .. } = tile;
+    let on_tile = LampOnTile::new(frame, lamp, rect, g_buffer);
+    let view = Look { sampling, frame, lamp, rect };
+    if g_buffer.has_floor() {
+        for (fraction, channels) in view.seen(g_buffer.floor_samples(frame), None).planes() {
+            on_tile.light_floor(ALL_ROWS, light);
+            light.visibility = *fraction;
+            on_tile.apply_floor_visibility(ALL_ROWS, light);
+            light.radiance = BLACK;
+            let floor = [&light.irradiance, &light.specular];
+            on_tile.shade_floor(ALL_ROWS, floor, &mut scratch.packed, &mut light.radiance);
+            add(&light.radiance, channels, sum);
+        }
+    }
+    for top in g_buffer.tops() {
+        let own = frame.tops.top(top.slot).group;
+        for (fraction, channels) in view.seen(&top.points, Some(own)).planes() {
+            light.radiance = BLACK;
+            on_tile.light_top(top, ALL_ROWS, fraction, &mut scratch.packed, &mut light.radiance);
+            add(&light.radiance, channels, sum);
+        }
     }
 }
 
@@ -59,72 +92,33 @@ impl Seen {
     }
 }
 
-impl Workspace {
-    /// Makes the tile under all lamps, in [`Workspace::out`].
-    fn render_sampled(&mut self, stage: &Stage, place: &TileRect, sampling: Sampling) {
-        let layers = self.render_unlit(stage, place);
-        for lit in stage.lamps.iter().filter(|lit| place.is_reached_by(&lit.lamp)) {
-            self.light_sampled(stage, lit, place, layers, sampling);
-            add(&self.sum, lit.lamp.color, &mut self.out);
-        }
-        self.render_glows(stage, place);
-    }
-
-    /// Puts the tile in the light of one lamp, of the colour white, into [`Workspace::sum`].
-    fn light_sampled(&mut self, stage: &Stage, lit: &Lit, place: &TileRect, layers: usize, sampling: Sampling) {
-        self.sum = BLACK;
-        let beam = Falloff::new(&lit.lamp, place.middle_mm);
-        let view = Look { sampling, stage, lit, place };
-        if self.whole || self.floor.count > 0 {
-            let points = if self.whole { stage.full_tile } else { &self.floor };
-            for (fraction, channels) in view.seen(points, None).planes() {
-                self.light_floor(stage, beam, ALL_ROWS);
-                self.fraction = *fraction;
-                self.veil(stage.simd, VisibilityClass::Partial, ALL_ROWS);
-                self.picture = BLACK;
-                self.paint(stage.simd, ALL_ROWS);
-                add(&self.picture, channels, &mut self.sum);
-            }
-        }
-        for layer in 0..layers {
-            let own = stage.tops.top(self.tops[layer].form).group;
-            for (fraction, channels) in view.seen(&self.tops[layer].points, Some(own)).planes() {
-                self.fraction = *fraction;
-                self.picture = BLACK;
-                self.light_top(stage, beam, layer, ALL_ROWS, VisibilityClass::Partial);
-                add(&self.picture, channels, &mut self.sum);
-            }
-        }
-    }
-}
-
 /// One lamp, looked at from one tile.
 struct Look<'a> {
     sampling: Sampling,
-    stage: &'a Stage<'a>,
-    lit: &'a Lit,
-    place: &'a TileRect,
+    frame: &'a FrameContext<'a>,
+    lamp: &'a ActiveLamp,
+    rect: &'a TileRect,
 }
 
 impl Look<'_> {
     /// The fraction of the lamp that some points see, which are of the group `own`. Points beyond the picture's edge see
     /// nothing: nobody looks at them.
     fn seen(&self, points: &PackedSamples, own: Option<Group>) -> Seen {
-        let (scene, lamp) = (self.stage.scene, &self.lit.lamp);
+        let (scene, lamp) = (self.frame.scene, &self.lamp.lamp);
         let of_lamp = Key::new(self.sampling.seed, 0).with_point(lamp.center_mm);
         let mut near = Near::default();
         let mut seen = [[[0.0; LANES]; TILE]; 3];
         let mut tinted = false;
         for point in 0..points.count {
             let pixel = usize::from(points.pixel[point]);
-            let (x, y) = (self.place.x + pixel % TILE, self.place.y + pixel / TILE);
+            let (x, y) = (self.rect.x + pixel % TILE, self.rect.y + pixel / TILE);
             if x >= scene.view.width || y >= scene.view.height {
                 continue;
             }
             let (block, lane) = (point / LANES, point % LANES);
             let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
             let key = of_lamp.with((y as u64) << 32 | x as u64);
-            let rays = Rays { sampling: self.sampling, key, point: self.place.middle_mm + offset };
+            let rays = Rays { sampling: self.sampling, key, point: self.rect.middle_mm + offset };
             let arriving = rays.arriving(scene, lamp, own, &mut near);
             let open = rays.unoccluded_fraction(&scene.balls, lamp, own) as f32;
             tinted |= !near.panes.is_empty();

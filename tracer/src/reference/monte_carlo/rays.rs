@@ -3,7 +3,7 @@
 use crate::reference::culling_triangle::CullingTriangle;
 use crate::reference::monte_carlo::Sampling;
 use crate::scene::validation;
-use crate::{Filter, Group, Lamp, Occluder, Rgb, Scene};
+use crate::{Group, Lamp, Occluder, Rgb, Scene};
 use geometry::rng::Key;
 use geometry::{DVec2, Ray, Segment, Shape};
 use std::ops::Range;
@@ -24,7 +24,7 @@ pub(super) struct Arriving {
 pub(super) struct Near<'a> {
     /// What is opaque.
     walls: Vec<&'a Shape>,
-    /// What tints light, and its group's tint.
+    /// What tints light, and its transmittance.
     pub panes: Vec<(&'a Occluder, Rgb)>,
 }
 
@@ -34,13 +34,13 @@ impl<'a> Near<'a> {
         self.walls.clear();
         self.panes.clear();
         for occluder in &scene.occluders {
-            let Occluder { shape, group, .. } = occluder;
+            let Occluder { shape, group, material, .. } = occluder;
             let counts = Some(*group) != without && Some(*group) != lamp.inside;
             if !counts || validation::wrong_with_shape(shape).is_some() || !triangle.may_meet(shape) {
                 continue;
             }
-            match scene.filters.iter().find(|filter| filter.group == *group) {
-                Some(Filter { tint, .. }) => self.panes.push((occluder, *tint)),
+            match material.transmittance() {
+                Some(transmittance) => self.panes.push((occluder, transmittance)),
                 None => self.walls.push(shape),
             }
         }
@@ -94,16 +94,16 @@ impl Rays {
         Arriving { seen: seen.map(|sum| sum / f64::from(count)), all: all / f64::from(count) }
     }
 
-    /// What is left of a ray: the product of the tints of the groups that it meets, each once.
+    /// What is left of a ray: the product of the transmittances of the groups that it meets, each once.
     fn passes(&self, target: DVec2, panes: &[(&Occluder, Rgb)]) -> [f64; 3] {
         let mut passes = [1.0; 3];
         let mut met: Vec<Group> = Vec::new();
-        for (Occluder { shape, group, .. }, tint) in panes {
+        for (Occluder { shape, group, .. }, transmittance) in panes {
             let meets = || shape.distance(self.point).0 < 0.0 || self.meets(target, shape);
             if !met.contains(group) && meets() {
                 met.push(*group);
                 for channel in 0..3 {
-                    passes[channel] *= f64::from(tint[channel]);
+                    passes[channel] *= f64::from(transmittance[channel]);
                 }
             }
         }

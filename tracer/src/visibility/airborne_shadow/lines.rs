@@ -55,8 +55,8 @@ impl View {
         View { off, axis_x, axis_y, lamp_x, lamp_y, from_x, round, touch }
     }
 
-    /// Whether anything of the lamp may be hidden from any of the points: whether it comes into the ellipse's box, beyond
-    /// what is nearest of the ball.
+    /// Whether anything of the lamp may be hidden from any of the points: whether it comes into the ellipse's box,
+    /// beyond what is nearest of the ball.
     #[inline(always)]
     pub fn may_hide(&self, sizes: &Sizes) -> bool {
         let mut near = 0u32;

@@ -1,15 +1,13 @@
 //! A small table, and a bench on which its rules are played by hand.
 
-use crate::lamps::LampController;
-use crate::lamps::LampLight;
-use crate::rules::Display;
-use crate::rules::{Program, Rules, TickInput};
+use crate::lamps::{LampController, LampLight};
+use crate::rules::{Display, Program, Rules, TickInput};
 use crate::table::{Lamp, LampKind};
 use crate::{Buttons, Failure, Table};
 use geometry::{Circle, DVec2, Shape};
 use physics::{
     BallPose, Command, Drain, DropTarget, Event, EventKind, Flipper, FlipperControl, Kickback, Kind, Layout, Magnet,
-    Material, Part, PartId, Plunger, Rollover, Saucer,
+    Material, Part, PartId, Plunger, Rollover, Saucer, TickEvent,
 };
 use std::sync::Arc;
 
@@ -135,6 +133,7 @@ impl Bench {
         }
         let balls = self.balls.clone();
         let buttons = self.buttons;
+        let events: Vec<TickEvent> = events.into_iter().map(TickEvent::Event).collect();
         let input = TickInput { now: self.now, buttons, before: buttons, events: &events, balls: || balls.clone() };
         self.rules.tick(&input, &mut self.lamps);
         self.lamps.tick(self.now);

@@ -56,7 +56,7 @@ fn watch(mut game: Simulation, place: DVec2) -> Fate {
         if searched && ball.center.distance(lay) > FREE_M {
             fate.free = Some(game.ticks());
         }
-        if game.events().iter().any(|event| event.kind == EventKind::Fed) {
+        if game.events().any(|event| event.kind == EventKind::Fed) {
             fate.fed = Some(game.ticks());
         }
     }
@@ -137,7 +137,7 @@ fn the_ball_that_comes_is_the_only_one_that_counts() {
     for _ in 0..4 * PATIENCE {
         game.tick(Buttons::NONE);
         let plunger = Some(PartId(0));
-        fed += game.events().iter().filter(|event| event.kind == EventKind::Fed && event.part == plunger).count();
+        fed += game.events().filter(|event| event.kind == EventKind::Fed && event.part == plunger).count();
     }
     assert_eq!(fed, 1, "it waits at the plunger, so that no third ball comes");
     assert_eq!(game.pose().balls.len(), 2);
