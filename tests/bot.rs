@@ -1,7 +1,7 @@
 //! The bot plays better than chance, and the same way every time.
 
 use game::bot::self_play::{self, Player, SelfPlayOptions, SelfPlayRun};
-use game::bot::{Bot, Random, Tour};
+use game::bot::{Bot, CoveragePlayer, RandomPlayer};
 use game::storage::recordings;
 use game::{Recording, Simulation, Table};
 use rayon::prelude::*;
@@ -28,7 +28,7 @@ fn score(runs: &[SelfPlayRun]) -> i64 {
 fn the_bot_outscores_a_player_who_flips_at_random() {
     let minute = 60_000;
     let bot = games(1..4, minute, |seed| Player::Bot(Bot::new(seed)));
-    let random = games(1..4, minute, |seed| Player::Random(Random::new(seed)));
+    let random = games(1..4, minute, |seed| Player::Random(RandomPlayer::new(seed)));
     let (bot, random) = (score(&bot), score(&random));
     assert!(bot > random, "bot {bot}, random {random}");
 }
@@ -70,7 +70,7 @@ fn a_game_that_the_bot_played_is_played_again_from_its_recording() {
 #[test]
 fn game_follows_game_until_the_time_is_used_up_exactly() {
     let options = SelfPlayOptions { longest: 150_001, again: true, digest: true };
-    let run = self_play::play(&spectrum(), 3, Player::Random(Random::new(3)), options).unwrap();
+    let run = self_play::play(&spectrum(), 3, Player::Random(RandomPlayer::new(3)), options).unwrap();
     assert_eq!(run.ticks, 150_001);
     let (last, over) = run.games.split_last().unwrap();
     assert!(!over.is_empty(), "one is over before the time is");
@@ -88,7 +88,7 @@ fn game_follows_game_until_the_time_is_used_up_exactly() {
 #[test]
 fn the_tour_tilts_the_machine_and_does_not_slam_it() {
     let mut simulation = Simulation::new(spectrum(), 1).unwrap();
-    let mut tour = Tour::new(1);
+    let mut tour = CoveragePlayer::new(1);
     let (mut tilted, mut slams) = (false, 0);
     for _ in 0..150_000 {
         let buttons = tour.buttons(&simulation);

@@ -13,7 +13,7 @@ pub use mask::masks;
 pub use print::check;
 
 use crate::Failure;
-use crate::table::{Relief, Table};
+use crate::table::{NormalMapInputs, Table};
 use normal_map::Wood;
 use print::print;
 use tiny_skia::Color;
@@ -28,7 +28,7 @@ const BACKGROUND: [u8; 3] = [8, 8, 10];
 /// # Errors
 /// If the drawing cannot be printed, or so many pixels do not fit into the memory.
 pub fn floor(table: &Table, view: &View) -> Result<Floor, Failure> {
-    let Relief { wood_svg, tops_wood_svg, .. } = &table.relief;
+    let NormalMapInputs { wood_svg, tops_wood_svg, .. } = &table.normal_map;
     let (floor, tops) = rayon::join(
         || wooden(table, &table.floor_svg, wood_svg.as_deref(), view, background()),
         || wooden(table, &table.tops_svg, tops_wood_svg.as_deref(), view, Color::TRANSPARENT),
@@ -42,7 +42,7 @@ pub fn floor(table: &Table, view: &View) -> Result<Floor, Failure> {
         floor,
         tops,
         normals,
-        gloss: table.relief.gloss,
+        gloss: table.normal_map.gloss,
         ..Floor::default()
     })
 }
@@ -66,6 +66,6 @@ fn wooden(
     let mut pixels = pixels?;
     let Some(wood) = wood? else { return Ok((pixels, Vec::new())) };
     let wood: Vec<u8> = wood.iter().map(|pixel| pixel[3]).collect();
-    Wood::new(table.relief.planks_mm, table.relief.grain, view.mm_per_px).stain(view, &wood, &mut pixels);
+    Wood::new(table.normal_map.planks_mm, table.normal_map.grain, view.mm_per_px).stain(view, &wood, &mut pixels);
     Ok((pixels, wood))
 }

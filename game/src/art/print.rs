@@ -15,7 +15,7 @@ use tracer::View;
 /// # Errors
 /// If it cannot, or if it asks for a font that is not there.
 pub fn check(table: &Table) -> Result<(), Failure> {
-    let layers = [&table.floor_svg, &table.tops_svg].into_iter().chain(&table.relief.svg);
+    let layers = [&table.floor_svg, &table.tops_svg].into_iter().chain(&table.normal_map.height_svg);
     layers.into_iter().try_for_each(|svg| tree(svg).map(|_| ()))
 }
 

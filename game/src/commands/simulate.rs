@@ -4,7 +4,7 @@ use super::parallel::{self, digest_line, pool, progress_bar};
 use super::print::print;
 use crate::bot::anomaly::AnomalyKind;
 use crate::bot::self_play::{self, SelfPlayOptions, SelfPlayRun};
-use crate::bot::{Bot, GameResult, Random, Tour};
+use crate::bot::{Bot, CoveragePlayer, GameResult, RandomPlayer};
 use crate::cli::{Player, SimulateArgs};
 use crate::storage::{file_failure, new_file, tables};
 use crate::{Failure, Table};
@@ -55,8 +55,8 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
 fn player(player: Player, seed: u64) -> self_play::Player {
     match player {
         Player::Bot => self_play::Player::Bot(Bot::new(seed)),
-        Player::Random => self_play::Player::Random(Random::new(seed)),
-        Player::Tour => self_play::Player::Tour(Tour::new(seed)),
+        Player::Random => self_play::Player::Random(RandomPlayer::new(seed)),
+        Player::Tour => self_play::Player::Coverage(CoveragePlayer::new(seed)),
     }
 }
 

@@ -50,8 +50,8 @@ pub struct Anomaly {
     pub detail: String,
 }
 
-/// Watches the balls of one game.
-pub struct Watch {
+/// The anomaly detector: watches the balls of one game.
+pub struct AnomalyDetector {
     solids: Vec<Solid>,
     flippers: Vec<physics::Flipper>,
     kinds: Vec<Kind>,
@@ -70,10 +70,10 @@ struct Solid {
     drop_target: Option<usize>,
 }
 
-impl Watch {
-    /// A watch over a game on this layout.
-    pub fn new(layout: &Layout) -> Watch {
-        let mut watch = Watch {
+impl AnomalyDetector {
+    /// A detector for a game on this layout.
+    pub fn new(layout: &Layout) -> AnomalyDetector {
+        let mut detector = AnomalyDetector {
             solids: vec![],
             flippers: vec![],
             kinds: layout.parts.iter().map(|part| part.kind.clone()).collect(),
@@ -84,7 +84,7 @@ impl Watch {
         let mut drop_targets = 0;
         for part in &layout.parts {
             let mut solid = |shape: Shape, drop_target| {
-                watch.solids.push(Solid { name: part.name.clone(), shape, drop_target });
+                detector.solids.push(Solid { name: part.name.clone(), shape, drop_target });
             };
             match &part.kind {
                 Kind::Wall(wall) => wall.shapes.iter().for_each(|shape| solid(*shape, None)),
@@ -97,11 +97,11 @@ impl Watch {
                 Kind::Slingshot(sling) => {
                     solid(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), None);
                 }
-                Kind::Flipper(flipper) => watch.flippers.push(flipper.clone()),
+                Kind::Flipper(flipper) => detector.flippers.push(flipper.clone()),
                 _ => {}
             }
         }
-        watch
+        detector
     }
 
     /// Looks at the table after a tick. `excused`: a ball may lie still here (in the plunger's lane, on a raised flipper,

@@ -9,9 +9,9 @@ use physics::{EventKind, Kind, Machine};
 /// Ticks between two looks at where the balls are.
 const GLANCE_TICKS: u64 = 10;
 
-/// A possible future. A clone can be played on in another way.
+/// A lookahead: a possible future. A clone can be played on in another way.
 #[derive(Clone)]
-pub(super) struct Future<'a> {
+pub(super) struct Lookahead<'a> {
     machine: Machine,
     playfield: &'a Playfield,
     shot_values: &'a ShotValues,
@@ -35,7 +35,7 @@ const CONTROL: f64 = 15.0;
 /// What it costs when a ball comes down between the flippers.
 const GAP: f64 = 25.0;
 
-impl<'a> Future<'a> {
+impl<'a> Lookahead<'a> {
     /// The present.
     pub fn now(
         machine: &Machine,
@@ -43,9 +43,9 @@ impl<'a> Future<'a> {
         tick: u64,
         playfield: &'a Playfield,
         shot_values: &'a ShotValues,
-    ) -> Future<'a> {
+    ) -> Lookahead<'a> {
         let machine = machine.clone();
-        Future { machine, playfield, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
+        Lookahead { machine, playfield, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
     }
 
     /// Presses or lets go.
@@ -54,7 +54,7 @@ impl<'a> Future<'a> {
     }
 
     /// Plays on for so many ticks, or until `enough`, which is asked now and then.
-    pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Future) -> bool) {
+    pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Lookahead) -> bool) {
         let end = self.tick + ticks;
         while self.tick < end {
             self.play_tick();

@@ -8,26 +8,26 @@
 //! The same seed and the same game give the same play. The bot knows no rule, no lamp and no table by name.
 
 pub mod anomaly;
-mod chance;
+mod coverage_player;
 mod game_result;
-mod hands;
+mod input_queue;
 mod lookahead;
-mod observer;
 mod plan;
 mod playfield;
-mod random;
+mod random_player;
+mod rng;
+mod run_statistics;
 pub mod self_play;
 mod shot_value;
-mod tour;
 
-pub use chance::Chance;
+pub use coverage_player::CoveragePlayer;
 pub use game_result::GameResult;
-pub use random::Random;
-pub use tour::Tour;
+pub use random_player::RandomPlayer;
+pub use rng::BotRng;
 
 use crate::{Buttons, Simulation};
-use hands::{Hands, Move};
-use lookahead::Future;
+use input_queue::{ButtonChange, InputQueue};
+use lookahead::Lookahead;
 use physics::{BallPose, EventKind};
 use playfield::Playfield;
 use shot_value::ShotValues;
@@ -56,8 +56,8 @@ const BOB_TOUCHES: u32 = 1;
 /// A bot in play.
 #[derive(Clone, Debug)]
 pub struct Bot {
-    chance: Chance,
-    hands: Hands,
+    rng: BotRng,
+    input_queue: InputQueue,
     /// What it knows of the table: seen when it plays the first tick.
     knowledge: Option<(Playfield, ShotValues)>,
     /// The next decision is due.
@@ -75,8 +75,8 @@ impl Bot {
     /// The bot that this seed gives.
     pub fn new(seed: u64) -> Bot {
         Bot {
-            chance: Chance::new(seed ^ 0xb07),
-            hands: Hands::default(),
+            rng: BotRng::new(seed ^ 0xb07),
+            input_queue: InputQueue::default(),
             knowledge: None,
             think_at: 0,
             cradled_since: None,
@@ -98,11 +98,11 @@ impl Bot {
         });
         let shot_values = self.watch(simulation, shot_values);
         let tick = simulation.ticks();
-        if tick >= self.think_at && !self.hands.busy() {
+        if tick >= self.think_at && !self.input_queue.is_pending() {
             self.think(simulation, &playfield, &shot_values);
         }
         self.knowledge = Some((playfield, shot_values));
-        self.hands.at(tick)
+        self.input_queue.at(tick)
     }
 
     /// Looks at the score and the display.
@@ -157,7 +157,7 @@ impl Bot {
 
     fn lies_on_raised(&self, playfield: &Playfield, ball: &BallPose) -> bool {
         let side = |left| if left { Buttons::LEFT } else { Buttons::RIGHT };
-        playfield.cradle(ball).is_some_and(|flipper| self.hands.held().contains(side(flipper.left)))
+        playfield.cradle(ball).is_some_and(|flipper| self.input_queue.held().contains(side(flipper.left)))
     }
 
     /// Waits a moment with a ball that lies still, then shoots it.
@@ -166,7 +166,7 @@ impl Bot {
         match self.cradled_since {
             None => {
                 self.cradled_since = Some(tick);
-                self.think_at = tick + self.chance.between(250, 700);
+                self.think_at = tick + self.rng.between(250, 700);
             }
             Some(_) => {
                 self.cradled_since = None;
@@ -178,8 +178,8 @@ impl Bot {
     /// Tries some plans in the mind and begins the best.
     fn decide(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues, may_hold: bool) {
         let tick = simulation.ticks();
-        let reaction = self.chance.between(REACTION_TICKS - 20, REACTION_TICKS + 30);
-        let mut start = Future::now(simulation.machine(), self.hands.held(), tick, playfield, shot_values);
+        let reaction = self.rng.between(REACTION_TICKS - 20, REACTION_TICKS + 30);
+        let mut start = Lookahead::now(simulation.machine(), self.input_queue.held(), tick, playfield, shot_values);
         start.play(reaction, |_| false);
         let mut plan = plan::best(&start, may_hold);
         if plan.value < LOST_VALUE
@@ -189,7 +189,7 @@ impl Bot {
             plan = save;
             self.nudged_at = Some(tick);
         }
-        self.hands.intend(&plan.moves, tick, &mut self.chance);
+        self.input_queue.replace(&plan.moves, tick, &mut self.rng);
         self.think_at = tick + if plan.value < LOST_VALUE { RESIGNED_TICKS } else { SECOND_THOUGHT_TICKS };
     }
 
@@ -199,23 +199,23 @@ impl Bot {
 
     /// Lets the flippers hang while the ball is elsewhere.
     fn rest(&mut self, tick: u64) {
-        if self.hands.held() != Buttons::NONE {
-            let all = Move { tick: tick + 60, buttons: Buttons::ALL, down: false };
-            self.hands.intend(&[all], tick, &mut self.chance);
+        if self.input_queue.held() != Buttons::NONE {
+            let all = ButtonChange { tick: tick + 60, buttons: Buttons::ALL, down: false };
+            self.input_queue.replace(&[all], tick, &mut self.rng);
         }
         self.think_at = tick + 20;
     }
 
     /// Pulls the plunger: all the way, or less on purpose.
     fn plunge(&mut self, tick: u64, playfield: &Playfield) {
-        let pull = 0.55 + 0.5 * self.chance.unit();
-        let begin = tick + self.chance.between(300, 900);
+        let pull = 0.55 + 0.5 * self.rng.unit();
+        let begin = tick + self.rng.between(300, 900);
         let release = begin + (playfield.pull_ticks as f64 * pull) as u64;
         let moves = [
-            Move { tick: begin, buttons: Buttons::PLUNGER, down: true },
-            Move { tick: release, buttons: Buttons::PLUNGER, down: false },
+            ButtonChange { tick: begin, buttons: Buttons::PLUNGER, down: true },
+            ButtonChange { tick: release, buttons: Buttons::PLUNGER, down: false },
         ];
-        self.hands.intend(&moves, tick, &mut self.chance);
+        self.input_queue.replace(&moves, tick, &mut self.rng);
         self.think_at = release + 400;
     }
 
@@ -226,10 +226,10 @@ impl Bot {
             return;
         }
         let moves = [
-            Move { tick: tick + 10, buttons: Buttons::START, down: true },
-            Move { tick: tick + 110, buttons: Buttons::START, down: false },
+            ButtonChange { tick: tick + 10, buttons: Buttons::START, down: true },
+            ButtonChange { tick: tick + 110, buttons: Buttons::START, down: false },
         ];
-        self.hands.intend(&moves, tick, &mut self.chance);
+        self.input_queue.replace(&moves, tick, &mut self.rng);
         self.think_at = tick + 1500;
     }
 }

@@ -1,7 +1,7 @@
 //! Chooses what to do with the flippers: tries a few plans in the mind and takes the best.
 
-use super::hands::Move;
-use super::lookahead::Future;
+use super::input_queue::ButtonChange;
+use super::lookahead::Lookahead;
 use crate::Buttons;
 use physics::BallPose;
 use std::cmp::Ordering;
@@ -32,14 +32,14 @@ const AFTER_HIT_TICKS: u64 = 120;
 /// What was decided.
 pub(super) struct Plan {
     /// What the hands do.
-    pub moves: Vec<Move>,
+    pub moves: Vec<ButtonChange>,
     /// How good the bot thinks it is.
     pub value: f64,
 }
 
 /// The best plan that begins at `start`, the earliest moment at which the hands can obey. `may_hold`: waiting with a raised
 /// flipper is a plan.
-pub(super) fn best(start: &Future, may_hold: bool) -> Plan {
+pub(super) fn best(start: &Lookahead, may_hold: bool) -> Plan {
     let mut plans = Vec::new();
     let (release, branches) = release(start);
     plans.push(release);
@@ -52,7 +52,7 @@ pub(super) fn best(start: &Future, may_hold: bool) -> Plan {
 }
 
 /// The best push of the cabinet that saves a ball that is lost otherwise, if any does.
-pub(super) fn best_nudge(start: &Future) -> Option<Plan> {
+pub(super) fn best_nudge(start: &Lookahead) -> Option<Plan> {
     let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP, Buttons::NUDGE_DOWN];
     let plans = pushes.into_iter().flat_map(|push| [0, 50, 110].map(|wait| nudge(start, push, wait)));
     plans.filter(|plan| plan.value > 0.0).reduce(|best, plan| if plan.value > best.value { plan } else { best })
@@ -62,32 +62,32 @@ pub(super) fn best_nudge(start: &Future) -> Option<Plan> {
 const BOTH: Buttons = Buttons(Buttons::LEFT.0 | Buttons::RIGHT.0);
 
 /// Lets go of both flippers; also gives the moments on the way at which a stroke would meet a ball.
-fn release<'a>(start: &Future<'a>) -> (Plan, Vec<(Buttons, Future<'a>)>) {
-    let mut future = start.clone();
-    future.set(BOTH, false);
+fn release<'a>(start: &Lookahead<'a>) -> (Plan, Vec<(Buttons, Lookahead<'a>)>) {
+    let mut lookahead = start.clone();
+    lookahead.set(BOTH, false);
     let mut branches = Vec::new();
-    while future.tick < start.tick + APPROACH_TICKS && future.lost == 0 && branches.len() < MOMENTS {
-        let balls = future.balls();
-        for side in sides_in_reach(&future, &balls) {
-            branches.push((side, future.clone()));
+    while lookahead.tick < start.tick + APPROACH_TICKS && lookahead.lost == 0 && branches.len() < MOMENTS {
+        let balls = lookahead.balls();
+        for side in sides_in_reach(&lookahead, &balls) {
+            branches.push((side, lookahead.clone()));
         }
-        if !branches.is_empty() && balls.iter().all(|ball| leaves(&future, ball)) {
+        if !branches.is_empty() && balls.iter().all(|ball| leaves(&lookahead, ball)) {
             break;
         }
-        future.play(TRY_TICKS, |_| false);
+        lookahead.play(TRY_TICKS, |_| false);
     }
     if branches.is_empty() {
-        future.play(FATE_TICKS, |future| future.settled());
+        lookahead.play(FATE_TICKS, |lookahead| lookahead.settled());
     }
-    future.mark_lost();
-    let moves = vec![Move { tick: start.tick, buttons: BOTH, down: false }];
-    (Plan { moves, value: future.value() }, branches)
+    lookahead.mark_lost();
+    let moves = vec![ButtonChange { tick: start.tick, buttons: BOTH, down: false }];
+    (Plan { moves, value: lookahead.value() }, branches)
 }
 
 /// The sides whose flippers could strike a ball now.
-fn sides_in_reach(future: &Future, balls: &[BallPose]) -> impl Iterator<Item = Buttons> {
+fn sides_in_reach(lookahead: &Lookahead, balls: &[BallPose]) -> impl Iterator<Item = Buttons> {
     let reach = |left| {
-        let mut flippers = future.playfield().flippers.iter().filter(move |flipper| flipper.left == left);
+        let mut flippers = lookahead.playfield().flippers.iter().filter(move |flipper| flipper.left == left);
         flippers.any(|flipper| balls.iter().any(|ball| flipper.reaches(ball.center)))
     };
     let sides = [(Buttons::LEFT, reach(true)), (Buttons::RIGHT, reach(false))];
@@ -95,15 +95,16 @@ fn sides_in_reach(future: &Future, balls: &[BallPose]) -> impl Iterator<Item = B
 }
 
 /// A ball that goes up again and is out of reach.
-fn leaves(future: &Future, ball: &BallPose) -> bool {
-    ball.velocity.y < -0.3 && future.playfield().in_reach(ball.center).is_none()
+fn leaves(lookahead: &Lookahead, ball: &BallPose) -> bool {
+    ball.velocity.y < -0.3 && lookahead.playfield().in_reach(ball.center).is_none()
 }
 
 /// The most promising strokes at these moments.
-fn strokes(start: &Future, branches: &[(Buttons, Future)], tries: usize) -> Vec<Plan> {
+fn strokes(start: &Lookahead, branches: &[(Buttons, Lookahead)], tries: usize) -> Vec<Plan> {
     let mut plans = Vec::new();
     for side in [Buttons::LEFT, Buttons::RIGHT] {
-        let moments: Vec<&Future> = branches.iter().filter(|(of, _)| *of == side).map(|(_, future)| future).collect();
+        let moments: Vec<&Lookahead> =
+            branches.iter().filter(|(of, _)| *of == side).map(|(_, lookahead)| lookahead).collect();
         let step = moments.len().div_ceil(tries).max(1);
         let mut values: Vec<Option<f64>> = vec![None; moments.len()];
         for index in (0..moments.len()).step_by(step) {
@@ -120,7 +121,7 @@ fn strokes(start: &Future, branches: &[(Buttons, Future)], tries: usize) -> Vec<
 }
 
 /// What a stroke at this moment is worth to a hand that is not exact: its neighbours count, too.
-fn steady_value(moments: &[&Future], values: &mut [Option<f64>], index: usize, side: Buttons) -> f64 {
+fn steady_value(moments: &[&Lookahead], values: &mut [Option<f64>], index: usize, side: Buttons) -> f64 {
     let mut value = |at: Option<usize>| {
         let at = at.filter(|at| *at < moments.len())?;
         Some(*values[at].get_or_insert_with(|| stroke_value(moments[at], side)))
@@ -134,59 +135,61 @@ fn steady_value(moments: &[&Future], values: &mut [Option<f64>], index: usize, s
 }
 
 /// What comes of a stroke that begins here.
-fn stroke_value(moment: &Future, side: Buttons) -> f64 {
-    let mut future = moment.clone();
-    future.set(side, true);
-    future.play(STROKE_TICKS, |future| future.lost > 0);
-    future.set(side, false);
+fn stroke_value(moment: &Lookahead, side: Buttons) -> f64 {
+    let mut lookahead = moment.clone();
+    lookahead.set(side, true);
+    lookahead.play(STROKE_TICKS, |lookahead| lookahead.lost > 0);
+    lookahead.set(side, false);
     let mut enough_at = None;
-    future.play(RESULT_TICKS, |future| {
-        if future.gained > 0.0 && enough_at.is_none() {
-            enough_at = Some(future.tick + AFTER_HIT_TICKS);
+    lookahead.play(RESULT_TICKS, |lookahead| {
+        if lookahead.gained > 0.0 && enough_at.is_none() {
+            enough_at = Some(lookahead.tick + AFTER_HIT_TICKS);
         }
-        future.lost > 0 || future.caught || enough_at.is_some_and(|tick| future.tick >= tick)
+        lookahead.lost > 0 || lookahead.caught || enough_at.is_some_and(|tick| lookahead.tick >= tick)
     });
-    future.mark_lost();
-    future.value()
+    lookahead.mark_lost();
+    lookahead.value()
 }
 
 /// Lets go of both flippers at `from`, strikes with one at `at`, and lets go again.
-fn stroke(from: u64, at: u64, side: Buttons) -> Vec<Move> {
+fn stroke(from: u64, at: u64, side: Buttons) -> Vec<ButtonChange> {
     vec![
-        Move { tick: from, buttons: BOTH, down: false },
-        Move { tick: at, buttons: side, down: true },
-        Move { tick: at + STROKE_TICKS, buttons: side, down: false },
+        ButtonChange { tick: from, buttons: BOTH, down: false },
+        ButtonChange { tick: at, buttons: side, down: true },
+        ButtonChange { tick: at + STROKE_TICKS, buttons: side, down: false },
     ]
 }
 
 /// Holds one flipper up, to trap the ball.
-fn hold(start: &Future, side: Buttons) -> Plan {
-    let mut future = start.clone();
-    future.set(BOTH, false);
-    future.set(side, true);
-    future.play(TRAP_TICKS, |future| future.lost > 0 || future.cradled || future.caught);
-    future.mark_lost();
+fn hold(start: &Lookahead, side: Buttons) -> Plan {
+    let mut lookahead = start.clone();
+    lookahead.set(BOTH, false);
+    lookahead.set(side, true);
+    lookahead.play(TRAP_TICKS, |lookahead| lookahead.lost > 0 || lookahead.cradled || lookahead.caught);
+    lookahead.mark_lost();
     let other = Buttons(BOTH.0 & !side.0);
     let moves = vec![
-        Move { tick: start.tick, buttons: other, down: false },
-        Move { tick: start.tick, buttons: side, down: true },
+        ButtonChange { tick: start.tick, buttons: other, down: false },
+        ButtonChange { tick: start.tick, buttons: side, down: true },
     ];
-    Plan { moves, value: future.value() }
+    Plan { moves, value: lookahead.value() }
 }
 
 /// Pushes the cabinet after `wait` ticks.
-fn nudge(start: &Future, push: Buttons, wait: u64) -> Plan {
+fn nudge(start: &Lookahead, push: Buttons, wait: u64) -> Plan {
     const PUSH_TICKS: u64 = 40;
-    let mut future = start.clone();
-    future.play(wait, |_| false);
-    let at = future.tick;
-    future.set(push, true);
-    future.play(PUSH_TICKS, |_| false);
-    future.set(push, false);
-    future.play(TRAP_TICKS + FATE_TICKS, |future| future.settled());
-    future.mark_lost();
-    let value = if future.lost > 0 { -1.0 } else { 1.0 + future.value() };
-    let moves =
-        vec![Move { tick: at, buttons: push, down: true }, Move { tick: at + PUSH_TICKS, buttons: push, down: false }];
+    let mut lookahead = start.clone();
+    lookahead.play(wait, |_| false);
+    let at = lookahead.tick;
+    lookahead.set(push, true);
+    lookahead.play(PUSH_TICKS, |_| false);
+    lookahead.set(push, false);
+    lookahead.play(TRAP_TICKS + FATE_TICKS, |lookahead| lookahead.settled());
+    lookahead.mark_lost();
+    let value = if lookahead.lost > 0 { -1.0 } else { 1.0 + lookahead.value() };
+    let moves = vec![
+        ButtonChange { tick: at, buttons: push, down: true },
+        ButtonChange { tick: at + PUSH_TICKS, buttons: push, down: false },
+    ];
     Plan { moves, value }
 }

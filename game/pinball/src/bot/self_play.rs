@@ -2,8 +2,8 @@
 
 use super::anomaly::Anomaly;
 use super::game_result::GameResult;
-use super::observer::Observer;
-use super::{Bot, Random, Tour};
+use super::run_statistics::RunStatistics;
+use super::{Bot, CoveragePlayer, RandomPlayer};
 use crate::recording::Recorder;
 use crate::simulation::Digest;
 use crate::{Buttons, Failure, Simulation, Table};
@@ -22,9 +22,9 @@ pub enum Player {
     /// Traps, aims and shoots.
     Bot(Bot),
     /// Flips at random.
-    Random(Random),
+    Random(RandomPlayer),
     /// Uses every button.
-    Tour(Tour),
+    Coverage(CoveragePlayer),
 }
 
 impl Player {
@@ -33,7 +33,7 @@ impl Player {
         match self {
             Player::Bot(bot) => bot.buttons(simulation),
             Player::Random(random) => random.buttons(simulation),
-            Player::Tour(tour) => tour.buttons(simulation),
+            Player::Coverage(tour) => tour.buttons(simulation),
         }
     }
 }
@@ -97,20 +97,20 @@ pub fn play(
 ) -> Result<SelfPlayRun, Failure> {
     let mut simulation = Simulation::new(table.clone(), seed)?;
     let mut recorder = Recorder::new(Cursor::new(Vec::new()), &simulation, seed).map_err(unrecorded)?;
-    let mut observer = Observer::new(table);
+    let mut statistics = RunStatistics::new(table);
     let mut digest = options.digest.then(Digest::default);
-    while simulation.ticks() < options.longest && (options.again || !observer.finished(simulation.ticks())) {
-        let again = options.again && observer.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
+    while simulation.ticks() < options.longest && (options.again || !statistics.finished(simulation.ticks())) {
+        let again = options.again && statistics.over_at().is_some_and(|over| presses_start(simulation.ticks() - over));
         let buttons = player.buttons(&simulation);
         let buttons = buttons.with(Buttons::START, buttons.contains(Buttons::START) || again);
         simulation.tick(buttons);
         recorder.record(&simulation, buttons).map_err(unrecorded)?;
-        observer.look(&simulation, buttons);
+        statistics.look(&simulation, buttons);
         if let Some(digest) = &mut digest {
             digest.add(simulation.hash());
         }
     }
-    let seen = observer.finish(&simulation);
+    let seen = statistics.finish(&simulation);
     Ok(SelfPlayRun {
         seed,
         ticks: simulation.ticks(),

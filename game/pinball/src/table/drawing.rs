@@ -4,7 +4,7 @@
 
 use super::element_class::ElementClass;
 use super::outline::Outline;
-use super::source::{Mistake, Source};
+use super::source::{Diagnostic, Source};
 use super::style::{self, Paint};
 use super::transform::Transform;
 use geometry::{Bounds, DVec2};
@@ -12,13 +12,13 @@ use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
 
 /// XML nodes that a drawing may have.
-const MOST_NODES: u32 = 200_000;
+const MAX_NODES: u32 = 200_000;
 /// Elements that may lie inside each other.
-const DEEPEST: usize = 64;
+const MAX_DEPTH: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
-const MOST_ELEMENTS: usize = 20_000;
+const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
-const MOST_PIECES: usize = 200_000;
+const MAX_PIECES: usize = 200_000;
 /// How far an element may reach beyond the playfield, mm.
 const MARGIN_MM: f64 = 60.0;
 /// The playfield's sides, mm.
@@ -28,16 +28,16 @@ const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
 pub(super) const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// Reads the XML, and nothing that could grow without end.
-pub(super) fn parse(source: &Source) -> Result<Document<'_>, Mistake> {
-    let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
+    let options = ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(&source.text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => {
-            Mistake::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
+            Diagnostic::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
         }
         roxmltree::Error::NodesLimitReached => {
-            Mistake::of_file(&source.path, format!("it has more than {MOST_NODES} nodes; draw it more simply"))
+            Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
         }
-        error => source.mistake_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
+        error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
     })
 }
 
@@ -87,19 +87,19 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the elements; every mistake goes to `mistakes`.
-    pub fn read(source: &Source, document: &Document, mistakes: &mut Vec<Mistake>) -> Drawing {
+    /// Finds the elements; every diagnostic goes to `diagnostics`.
+    pub fn read(source: &Source, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Drawing {
         let root = document.root_element();
         let size_mm = match size(root) {
             Ok(size) => size,
             Err(why) => {
-                mistakes.push(source.mistake(root.range().start, why));
+                diagnostics.push(source.diagnostic(root.range().start, why));
                 DVec2::new(514.0, 1067.0)
             }
         };
         let mut reader = Reader {
             source,
-            mistakes,
+            diagnostics,
             size_mm,
             elements: Vec::new(),
             ids: BTreeMap::new(),
@@ -107,7 +107,7 @@ impl Drawing {
             pieces: 0,
             too_many: false,
         };
-        reader.children(root, Around { transform: Ok(Transform::TABLE), depth: 1, drawn: Ok(()) });
+        reader.children(root, Inherited { transform: Ok(Transform::IDENTITY), depth: 1, drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
         let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
         Drawing { size_mm, elements, ids, drawn }
@@ -135,7 +135,7 @@ fn size(root: Node) -> Result<DVec2, String> {
 
 /// What an element inherits.
 #[derive(Clone)]
-struct Around {
+struct Inherited {
     transform: Result<Transform, String>,
     depth: usize,
     /// Or the name of an ancestor that is not drawn where it stands.
@@ -144,7 +144,7 @@ struct Around {
 
 struct Reader<'a> {
     source: &'a Source,
-    mistakes: &'a mut Vec<Mistake>,
+    diagnostics: &'a mut Vec<Diagnostic>,
     size_mm: DVec2,
     elements: Vec<Element>,
     /// What each id is, and the line that took it.
@@ -155,81 +155,82 @@ struct Reader<'a> {
 }
 
 /// The class of an XML element, if it is an element of the table: the first word that is a class.
-pub(super) fn class_of(node: Node) -> Option<ElementClass> {
+pub(super) fn element_class(node: Node) -> Option<ElementClass> {
     classes(node).next()
 }
 
 fn classes<'a>(node: Node<'a, '_>) -> impl Iterator<Item = ElementClass> + 'a {
-    node.attribute("class").unwrap_or("").split_ascii_whitespace().filter_map(ElementClass::of)
+    node.attribute("class").unwrap_or("").split_ascii_whitespace().filter_map(ElementClass::from_word)
 }
 
 impl Reader<'_> {
-    fn mistake(&mut self, node: Node, what: impl std::fmt::Display) {
-        self.mistakes.push(self.source.mistake(node.range().start, what));
+    fn diagnostic(&mut self, node: Node, what: impl std::fmt::Display) {
+        self.diagnostics.push(self.source.diagnostic(node.range().start, what));
     }
 
-    fn children(&mut self, parent: Node, around: Around) {
+    fn children(&mut self, parent: Node, inherited: Inherited) {
         for node in parent.children().filter(Node::is_element) {
             if self.too_many || style::own_property(node, "display") == Some("none") {
                 continue;
             }
-            self.visit(node, &around);
+            self.visit(node, &inherited);
         }
     }
 
-    fn visit(&mut self, node: Node, around: &Around) {
-        if around.depth >= DEEPEST {
-            return self.mistake(node, format!("more than {DEEPEST} elements lie inside each other; take some out"));
+    fn visit(&mut self, node: Node, inherited: &Inherited) {
+        if inherited.depth >= MAX_DEPTH {
+            return self
+                .diagnostic(node, format!("more than {MAX_DEPTH} elements lie inside each other; take some out"));
         }
-        let transform = match (&around.transform, node.attribute("transform")) {
+        let transform = match (&inherited.transform, node.attribute("transform")) {
             (Ok(transform), Some(attribute)) => transform.transformed(attribute),
             (transform, _) => transform.clone(),
         };
         if classes(node).next().is_some() {
-            self.element(node, &transform, around);
+            self.element(node, &transform, inherited);
         } else {
             self.art(node);
         }
         let drawn = match node.tag_name().name() {
-            "g" | "a" => around.drawn.clone(),
-            other => around.drawn.clone().and(Err(other.to_string())),
+            "g" | "a" => inherited.drawn.clone(),
+            other => inherited.drawn.clone().and(Err(other.to_string())),
         };
-        self.children(node, Around { transform, depth: around.depth + 1, drawn });
+        self.children(node, Inherited { transform, depth: inherited.depth + 1, drawn });
     }
 
     /// Whatever is no element of the table must be art that can be printed.
     fn art(&mut self, node: Node) {
         let name = node.tag_name().name();
         if matches!(name, "image" | "foreignObject") && node.tag_name().namespace() == Some(SVG) {
-            self.mistake(node, format!("`{name}` cannot be printed on a playfield; draw it with shapes"));
+            self.diagnostic(node, format!("`{name}` cannot be printed on a playfield; draw it with shapes"));
         }
         if let Some(data) = element_data(node) {
-            self.mistake(
+            self.diagnostic(
                 node,
                 format!("it has `data-{data}` but its class is no thing; it may be {}", ElementClass::words()),
             );
         }
     }
 
-    fn element(&mut self, node: Node, transform: &Result<Transform, String>, around: &Around) {
+    fn element(&mut self, node: Node, transform: &Result<Transform, String>, inherited: &Inherited) {
         let all: Vec<&str> = classes(node).map(ElementClass::word).collect();
         if all.len() > 1 {
-            return self.mistake(node, format!("it is both {}; a thing is one of them", all.join(" and ")));
+            return self.diagnostic(node, format!("it is both {}; a thing is one of them", all.join(" and ")));
         }
-        let Some(class) = class_of(node) else { return };
-        if let Err(outside) = &around.drawn {
-            return self.mistake(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
+        let Some(class) = element_class(node) else { return };
+        if let Err(outside) = &inherited.drawn {
+            return self.diagnostic(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
         }
-        if self.drawn.len() >= MOST_ELEMENTS {
+        if self.drawn.len() >= MAX_ELEMENTS {
             self.too_many = true;
-            return self.mistake(node, format!("there are more than {MOST_ELEMENTS} things"));
+            return self.diagnostic(node, format!("there are more than {MAX_ELEMENTS} things"));
         }
         self.drawn.push((class, node.range().start));
         let name = self.name(node, class);
         self.data(node, class, &name);
         match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
             Ok(element) => self.keep(node, element),
-            Err(why) => self.mistake(node, format!("{name}: {why}")),
+            Err(why) => self.diagnostic(node, format!("{name}: {why}")),
         }
     }
 
@@ -240,15 +241,15 @@ impl Reader<'_> {
         let inside = grown.contains(bounds.min) && grown.contains(bounds.max) && playfield.overlaps(&bounds);
         if !inside {
             let DVec2 { x, y } = bounds.min;
-            self.mistake(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", element.name));
+            self.diagnostic(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", element.name));
         }
         self.pieces += element.outline.pieces();
         self.elements.push(element);
-        if self.pieces > MOST_PIECES && !self.too_many {
+        if self.pieces > MAX_PIECES && !self.too_many {
             self.too_many = true;
-            self.mistake(
+            self.diagnostic(
                 node,
-                format!("all things together have more than {MOST_PIECES} pieces; draw them more simply"),
+                format!("all things together have more than {MAX_PIECES} pieces; draw them more simply"),
             );
         }
     }
@@ -259,13 +260,13 @@ impl Reader<'_> {
         let unnamed = format!("{}#{}", class.word(), like - 1);
         let Some(id) = node.attribute("id").filter(|id| !id.is_empty()) else {
             if class.needs_id() {
-                self.mistake(node, format!("this {} has no id, so no rule can name it", class.word()));
+                self.diagnostic(node, format!("this {} has no id, so no rule can name it", class.word()));
             }
             return unnamed;
         };
         let line = self.source.line(node.range().start);
         if let Some((_, first)) = self.ids.insert(id.to_string(), (class, line)) {
-            self.mistake(node, format!("the id `{id}` is already taken in line {first}"));
+            self.diagnostic(node, format!("the id `{id}` is already taken in line {first}"));
         }
         id.to_string()
     }
@@ -277,7 +278,7 @@ impl Reader<'_> {
         for data in unknown {
             let known: Vec<String> = class.data().map(|data| format!("data-{data}")).collect();
             let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
-            self.mistake(node, format!("{name}: a {} has no `data-{data}`; it may have {known}", class.word()));
+            self.diagnostic(node, format!("{name}: a {} has no `data-{data}`; it may have {known}", class.word()));
         }
     }
 }

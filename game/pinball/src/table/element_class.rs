@@ -32,21 +32,21 @@ pub(super) enum ElementClass {
     Plastic,
 }
 
-/// A number that `table.toml` may give.
+/// A parameter: a number that `table.toml` may give.
 #[derive(Debug)]
-pub(super) struct Key {
+pub(super) struct Parameter {
     /// Its name, with the unit.
     pub name: &'static str,
-    /// What it is when nobody says.
+    /// The default value.
     pub default: f64,
-    /// The least that it may be.
+    /// The least value.
     pub min: f64,
-    /// The most that it may be.
+    /// The greatest value.
     pub max: f64,
 }
 
-const fn key(name: &'static str, default: f64, min: f64, max: f64) -> Key {
-    Key { name, default, min, max }
+const fn parameter(name: &'static str, default: f64, min: f64, max: f64) -> Parameter {
+    Parameter { name, default, min, max }
 }
 
 impl ElementClass {
@@ -111,7 +111,7 @@ impl ElementClass {
     }
 
     /// The class that this word means.
-    pub fn of(word: &str) -> Option<ElementClass> {
+    pub fn from_word(word: &str) -> Option<ElementClass> {
         ElementClass::ALL.into_iter().find(|class| class.word() == word)
     }
 
@@ -120,33 +120,33 @@ impl ElementClass {
         ElementClass::ALL.map(ElementClass::word).join(", ")
     }
 
-    /// Something that only stands there.
-    pub fn stands(self) -> bool {
+    /// Whether the element is static: it only stands there.
+    pub fn is_static(self) -> bool {
         matches!(
             self,
             ElementClass::Wall | ElementClass::Guide | ElementClass::Rubber | ElementClass::Post | ElementClass::Peg
         )
     }
 
-    /// The ball can meet it.
+    /// Whether the element is a part: the ball can meet it.
     pub fn is_part(self) -> bool {
         !matches!(self, ElementClass::Lamp | ElementClass::Insert | ElementClass::Plastic)
     }
 
-    /// A way above the playfield.
-    pub fn is_above(self) -> bool {
+    /// Whether the element is elevated: a way above the playfield.
+    pub fn is_elevated(self) -> bool {
         matches!(self, ElementClass::Ramp | ElementClass::WireForm)
     }
 
     /// Of no use without a name that rules can say.
     pub fn needs_id(self) -> bool {
-        !self.stands()
+        !self.is_static()
             && !matches!(self, ElementClass::Drain | ElementClass::Plunger | ElementClass::Gate | ElementClass::Plastic)
     }
 
     /// Whether the ball bounces off it, so that it is made of something.
     pub fn has_material(self) -> bool {
-        self.stands()
+        self.is_static()
             || matches!(
                 self,
                 ElementClass::Bumper
@@ -181,7 +181,7 @@ impl ElementClass {
     }
 
     /// The numbers that `table.toml` may give to an element of this class. Defaults are figures of real machines.
-    pub fn keys(self) -> &'static [Key] {
+    pub fn parameters(self) -> &'static [Parameter] {
         match self {
             ElementClass::Flipper => FLIPPER,
             ElementClass::Bumper => BUMPER,
@@ -202,30 +202,33 @@ impl ElementClass {
     }
 }
 
-const FLIPPER: &[Key] = &[
-    key("base_radius_mm", 11.6, 2.0, 50.0),
-    key("tip_radius_mm", 7.0, 1.0, 50.0),
-    key("coil_torque_n_m", 1.2, 0.001, 100.0),
-    key("hold_torque_n_m", 0.4, 0.001, 100.0),
-    key("spring_torque_n_m", 0.06, 0.001, 100.0),
-    key("mass_kg", 0.08, 0.001, 10.0),
+const FLIPPER: &[Parameter] = &[
+    parameter("base_radius_mm", 11.6, 2.0, 50.0),
+    parameter("tip_radius_mm", 7.0, 1.0, 50.0),
+    parameter("coil_torque_n_m", 1.2, 0.001, 100.0),
+    parameter("hold_torque_n_m", 0.4, 0.001, 100.0),
+    parameter("spring_torque_n_m", 0.06, 0.001, 100.0),
+    parameter("mass_kg", 0.08, 0.001, 10.0),
 ];
-const BUMPER: &[Key] = &[key("kick_m_s", 0.8, 0.0, 20.0), key("threshold_m_s", 0.05, 0.0, 20.0)];
-const SLINGSHOT: &[Key] = &[key("kick_m_s", 2.2, 0.0, 20.0), key("threshold_m_s", 0.3, 0.0, 20.0)];
-const TARGET: &[Key] = &[key("threshold_m_s", 0.15, 0.0, 20.0)];
-const DROP_TARGET: &[Key] = &[key("threshold_m_s", 0.25, 0.0, 20.0)];
-const SPINNER: &[Key] = &[key("damping_per_s", 0.8, 0.0, 1000.0)];
-const SAUCER: &[Key] = &[key("capture_m_s", 1.0, 0.0, 20.0)];
-const PLUNGER: &[Key] = &[key("pull_s", 1.0, 0.05, 20.0), key("full_speed_m_s", 3.5, 0.1, 15.0)];
-const KICKBACK: &[Key] = &[key("speed_m_s", 3.5, 0.1, 15.0)];
-const MAGNET: &[Key] = &[key("pull_m_s2", 40.0, 0.0, 500.0)];
-const DIVERTER: &[Key] = &[
-    key("coil_torque_n_m", 1.2, 0.001, 100.0),
-    key("hold_torque_n_m", 0.6, 0.001, 100.0),
-    key("spring_torque_n_m", 0.3, 0.001, 100.0),
-    key("inertia_kg_mm2", 140.0, 1.0, 100_000.0),
+const BUMPER: &[Parameter] = &[parameter("kick_m_s", 0.8, 0.0, 20.0), parameter("threshold_m_s", 0.05, 0.0, 20.0)];
+const SLINGSHOT: &[Parameter] = &[parameter("kick_m_s", 2.2, 0.0, 20.0), parameter("threshold_m_s", 0.3, 0.0, 20.0)];
+const TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, 20.0)];
+const DROP_TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.25, 0.0, 20.0)];
+const SPINNER: &[Parameter] = &[parameter("damping_per_s", 0.8, 0.0, 1000.0)];
+const SAUCER: &[Parameter] = &[parameter("capture_m_s", 1.0, 0.0, 20.0)];
+const PLUNGER: &[Parameter] = &[parameter("pull_s", 1.0, 0.05, 20.0), parameter("full_speed_m_s", 3.5, 0.1, 15.0)];
+const KICKBACK: &[Parameter] = &[parameter("speed_m_s", 3.5, 0.1, 15.0)];
+const MAGNET: &[Parameter] = &[parameter("pull_m_s2", 40.0, 0.0, 500.0)];
+const DIVERTER: &[Parameter] = &[
+    parameter("coil_torque_n_m", 1.2, 0.001, 100.0),
+    parameter("hold_torque_n_m", 0.6, 0.001, 100.0),
+    parameter("spring_torque_n_m", 0.3, 0.001, 100.0),
+    parameter("inertia_kg_mm2", 140.0, 1.0, 100_000.0),
 ];
-const CAPTIVE_BALL: &[Key] = &[key("threshold_m_s", 0.15, 0.0, 20.0)];
-const LAMP: &[Key] =
-    &[key("power", 1.0, 0.0, 1000.0), key("height_mm", 30.0, 0.1, 1000.0), key("reach_mm", 260.0, 1.0, 10000.0)];
-const INSERT: &[Key] = &[key("power", 1.0, 0.0, 1000.0)];
+const CAPTIVE_BALL: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, 20.0)];
+const LAMP: &[Parameter] = &[
+    parameter("power", 1.0, 0.0, 1000.0),
+    parameter("height_mm", 30.0, 0.1, 1000.0),
+    parameter("reach_mm", 260.0, 1.0, 10000.0),
+];
+const INSERT: &[Parameter] = &[parameter("power", 1.0, 0.0, 1000.0)];

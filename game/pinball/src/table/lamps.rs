@@ -1,22 +1,18 @@
 //! From elements to lamps.
 
+use super::config::Config;
 use super::drawing::Element;
 use super::element_class::ElementClass;
 use super::lamp::{Emitter, Lamp, LampKind};
-use super::numbers::Numbers;
 use super::style::Paint;
 use geometry::{Circle, DVec2};
 
 /// The largest radius of a lamp and the longest half of a tube, mm: what is larger is no part of a table.
-const MOST_MM: f64 = 1000.0;
+const MAX_LAMP_MM: f64 = 1000.0;
 
 /// The lamp that an element is; `group_of` knows the group of the element with an id.
-pub(super) fn lamp(
-    element: &Element,
-    numbers: &Numbers,
-    group_of: impl Fn(&str) -> Option<u16>,
-) -> Result<Lamp, String> {
-    let number = |key| numbers.number(element.class, &element.name, key);
+pub(super) fn lamp(element: &Element, config: &Config, group_of: impl Fn(&str) -> Option<u16>) -> Result<Lamp, String> {
+    let number = |key| config.number(element.class, &element.name, key);
     let kind = match element.class {
         ElementClass::Lamp => {
             let inside = match element.data.get("inside") {
@@ -50,10 +46,10 @@ fn form(element: &Element) -> Result<(DVec2, Emitter), String> {
 }
 
 fn within(what: &str, size_mm: f64) -> Result<f64, String> {
-    if size_mm <= MOST_MM {
+    if size_mm <= MAX_LAMP_MM {
         Ok(size_mm)
     } else {
-        Err(format!("{what} of a lamp must be at most {MOST_MM} mm, and it is {size_mm:?} mm"))
+        Err(format!("{what} of a lamp must be at most {MAX_LAMP_MM} mm, and it is {size_mm:?} mm"))
     }
 }
 

@@ -4,7 +4,7 @@
 //! The text is cut by byte range and everything else is left as it was, so the art stays what its maker wrote: its
 //! gradients, its sheets, its transforms.
 
-use super::drawing::class_of;
+use super::drawing::element_class;
 use super::element_class::ElementClass;
 use super::style;
 use super::transform::Transform;
@@ -22,7 +22,7 @@ pub(super) struct Layers {
     /// What is printed on plastics and caps.
     pub tops: String,
     /// Grey that is height, if there is any.
-    pub relief: Option<String>,
+    pub height: Option<String>,
     /// What of the floor's art is wood, if anything is.
     pub wood: Option<String>,
     /// What of the plastics' art is wood, if anything is.
@@ -30,7 +30,7 @@ pub(super) struct Layers {
 }
 
 /// The layers of a drawing.
-pub(super) fn split(text: &str, document: &Document) -> Layers {
+pub(super) fn split_layers(text: &str, document: &Document) -> Layers {
     let root = document.root_element();
     let with = |cut: &dyn Fn(&mut Vec<Edit>)| {
         let mut edits = root_size(root);
@@ -42,7 +42,7 @@ pub(super) fn split(text: &str, document: &Document) -> Layers {
     Layers {
         floor: with(&|edits| floor_edits(root, edits)),
         tops: only(Layer::Tops),
-        relief: some(Layer::Relief),
+        height: some(Layer::Height),
         wood: some(Layer::Wood),
         tops_wood: some(Layer::TopsWood),
     }
@@ -52,7 +52,7 @@ pub(super) fn split(text: &str, document: &Document) -> Layers {
 #[derive(Clone, Copy, PartialEq)]
 enum Layer {
     Tops,
-    Relief,
+    Height,
     Wood,
     TopsWood,
 }
@@ -62,7 +62,7 @@ impl Layer {
     fn holds(self, node: Node) -> bool {
         match self {
             Layer::Tops => is_top(node),
-            Layer::Relief => is(node, "relief"),
+            Layer::Height => is(node, "relief"),
             Layer::Wood => is(node, "wood") && !node.ancestors().any(is_top),
             Layer::TopsWood => is(node, "wood") && node.ancestors().any(is_top),
         }
@@ -71,9 +71,9 @@ impl Layer {
     /// Whether an element inside this layer is printed nevertheless elsewhere, or nowhere.
     fn refuses(self, node: Node) -> bool {
         let above = matches!(self, Layer::Tops | Layer::TopsWood);
-        match class_of(node) {
+        match element_class(node) {
             Some(class) => !(above && class == ElementClass::Plastic),
-            None => (is(node, "relief") && self != Layer::Relief) || (is(node, "plastics") && !above),
+            None => (is(node, "relief") && self != Layer::Height) || (is(node, "plastics") && !above),
         }
     }
 }
@@ -84,7 +84,7 @@ fn is(node: Node, word: &str) -> bool {
 
 /// Plastics and what is printed on them.
 fn is_top(node: Node) -> bool {
-    is(node, "plastics") || class_of(node) == Some(ElementClass::Plastic)
+    is(node, "plastics") || element_class(node) == Some(ElementClass::Plastic)
 }
 
 /// The page's size in print has no meaning here: one unit is one millimetre.
@@ -96,7 +96,7 @@ fn root_size(root: Node) -> Vec<Edit> {
 
 fn floor_edits(parent: Node, edits: &mut Vec<Edit>) {
     for node in parent.children().filter(Node::is_element) {
-        match class_of(node) {
+        match element_class(node) {
             // A hole and a window are in the floor itself.
             Some(ElementClass::Saucer) => {}
             Some(ElementClass::Insert) => edits.push(unlit(node)),
@@ -114,7 +114,7 @@ fn keep_only(parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
         }
         if layer.holds(node) {
             cut_strangers(node, layer, edits);
-        } else if class_of(node).is_none() && node.descendants().any(|inner| layer.holds(inner)) {
+        } else if element_class(node).is_none() && node.descendants().any(|inner| layer.holds(inner)) {
             keep_only(node, layer, edits);
         } else {
             edits.push((node.range(), String::new()));
@@ -194,7 +194,7 @@ fn unlit(node: Node) -> Edit {
 fn scale(node: Node) -> f64 {
     let transforms: Vec<&str> = node.ancestors().filter_map(|node| node.attribute("transform")).collect();
     let transform =
-        transforms.iter().rev().try_fold(Transform::TABLE, |transform, attribute| transform.transformed(attribute));
+        transforms.iter().rev().try_fold(Transform::IDENTITY, |transform, attribute| transform.transformed(attribute));
     transform.and_then(|transform| transform.scale()).unwrap_or(1.0)
 }
 

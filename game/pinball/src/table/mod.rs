@@ -2,20 +2,20 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod config;
 mod drawing;
 mod element_class;
 mod hash;
 mod lamp;
 mod lamps;
 mod layers;
-mod load;
-mod numbers;
+mod normal_map;
 mod outline;
 mod outline_offset;
+mod parse;
 mod parts;
-mod path;
+mod path_data;
 mod path_flattening;
-mod relief;
 mod solid;
 mod solids;
 mod source;
@@ -25,8 +25,8 @@ pub(crate) mod tests;
 mod transform;
 
 pub use lamp::{Emitter, Lamp, LampKind};
-pub use load::{FILES, LIMITS_BYTES, TableSources};
-pub use relief::Relief;
+pub use normal_map::NormalMapInputs;
+pub use parse::{FILES, LIMITS_BYTES, TableSources};
 pub use solid::{Finish, Profile, Solid};
 
 use crate::Failure;
@@ -40,7 +40,7 @@ pub struct Table {
     pub name: String,
     /// What it calls itself: `Spectrum`.
     pub title: String,
-    /// Where its files came from, as mistakes name it: `assets/tables/spectrum`.
+    /// Where its files came from, as diagnostics name it: `assets/tables/spectrum`.
     pub origin: String,
     /// What its recordings say so that a reader finds its files; empty where the table's name finds them.
     pub folder: String,
@@ -59,7 +59,7 @@ pub struct Table {
     /// The plastics' art: what lies above the ball, as SVG text.
     pub tops_svg: String,
     /// What is raised, engraved, grained and scratched.
-    pub relief: Relief,
+    pub normal_map: NormalMapInputs,
     /// The rules' text.
     pub rules: String,
     /// Light from everywhere: linear, red, green, blue.
@@ -72,12 +72,12 @@ impl Table {
     /// Reads and checks the table that these files say.
     ///
     /// # Errors
-    /// Every mistake in them, one line each: file, line, what was expected.
+    /// Every diagnostic in them, one line each: file, line, what was expected.
     pub fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
-        load::load(sources)
+        parse::parse(sources)
     }
 
-    /// What mistakes call a file of the table.
+    /// What diagnostics call a file of the table.
     pub fn file(&self, name: &str) -> String {
         source::path(&self.origin, name)
     }

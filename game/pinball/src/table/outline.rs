@@ -1,6 +1,6 @@
 //! What one element draws, on the table, in millimetres.
 
-use super::path;
+use super::path_data;
 use super::path_flattening::{self, Ellipse, PathFlattener, Piece, Subpath};
 use super::style;
 use super::transform::Transform;
@@ -32,7 +32,7 @@ impl Outline {
                 corners(node, &mut pen)?;
                 pen.close()?;
             }
-            "path" => path::draw(&mut pen, required(node, "d")?)?,
+            "path" => path_data::draw(&mut pen, required(node, "d")?)?,
             other => {
                 return Err(format!(
                     "a thing cannot be a `{other}`: draw it as line, polyline, polygon, path, circle or rect"

@@ -9,7 +9,7 @@ const STEP_RAD: f64 = 0.35;
 
 /// The outline of everything within `radius` of a closed polygon or inside it. Points of the naive offset that lie too
 /// near another edge are where it crosses itself, and are left out.
-pub(super) fn grown(polygon: &[DVec2], radius: f64) -> Vec<DVec2> {
+pub(super) fn offset(polygon: &[DVec2], radius: f64) -> Vec<DVec2> {
     if radius <= 0.0 || polygon.len() < 3 {
         return polygon.to_vec();
     }
@@ -28,7 +28,7 @@ pub(super) fn grown(polygon: &[DVec2], radius: f64) -> Vec<DVec2> {
     if rim.len() < 3 { polygon.to_vec() } else { rim }
 }
 
-/// Points round a corner that sticks out, or the one point where the rims of its edges meet where it is dented.
+/// Points round a corner that sticks out, or the one point where the offset edges meet where it is dented.
 fn corner(rim: &mut Vec<DVec2>, at: DVec2, [before, after]: [DVec2; 2], radius: f64, orientation: f64) {
     let (turn, cos) = (before.perp_dot(after), before.dot(after));
     if turn * orientation < 0.0 && cos > -0.999 {
@@ -37,8 +37,8 @@ fn corner(rim: &mut Vec<DVec2>, at: DVec2, [before, after]: [DVec2; 2], radius: 
     }
     let turn_rad = libm::atan2(turn, cos);
     let steps = (turn_rad.abs() / STEP_RAD).ceil().max(1.0) as usize;
-    let around = |step: usize| trig::rotate(before, turn_rad * step as f64 / steps as f64);
-    rim.extend((0..=steps).map(|step| at + around(step) * radius));
+    let inherited = |step: usize| trig::rotate(before, turn_rad * step as f64 / steps as f64);
+    rim.extend((0..=steps).map(|step| at + inherited(step) * radius));
 }
 
 fn area(polygon: &[DVec2]) -> f64 {
@@ -61,7 +61,7 @@ mod tests {
         let l_shape = [(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (10.0, 10.0), (10.0, 30.0), (0.0, 30.0)];
         let mut polygon: Vec<DVec2> = l_shape.into_iter().map(DVec2::from).collect();
         for _ in 0..2 {
-            let rim = grown(&polygon, 3.0);
+            let rim = offset(&polygon, 3.0);
             assert!(rim.iter().all(|&point| (distance(&polygon, point) - 3.0).abs() < 0.011));
             // A strip along each side, a quarter disc at each of five corners, and the square where two strips overlap.
             let full = 600.0 + 3.0 * 140.0 + 5.0 / 4.0 * 9.0 * std::f64::consts::PI - 9.0;

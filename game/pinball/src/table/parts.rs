@@ -3,9 +3,9 @@
 mod coils;
 mod ramp;
 
+use super::config::Config;
 use super::drawing::Element;
 use super::element_class::ElementClass;
-use super::numbers::Numbers;
 use super::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
 use physics::{FlipperControl, Kind, Material};
@@ -19,9 +19,9 @@ const BALL_SLACK_MM: f64 = 0.5;
 const FEED_GAP_MM: f64 = 2.0;
 
 /// The part that an element is, or what is wrong with it.
-pub(super) fn kind(element: &Element, numbers: &Numbers) -> Result<Kind, String> {
-    let number = |key| numbers.number(element.class, &element.name, key);
-    let material = material(element, numbers);
+pub(super) fn kind(element: &Element, config: &Config) -> Result<Kind, String> {
+    let number = |key| config.number(element.class, &element.name, key);
+    let material = material(element, config);
     let line = || line(element);
     let circle = || circle(element);
     let capsule = || line().map(|s| Shape::capsule(s.a, s.b, element.radius_mm() * M_PER_MM));
@@ -96,7 +96,7 @@ pub(super) fn flipper_mm(flipper: &physics::Flipper) -> Shape {
     Shape { core: Core::Taper(geometry::Taper { a: flipper.base, b }), radius: 0.0 }.scaled(1.0 / M_PER_MM)
 }
 
-fn material(element: &Element, numbers: &Numbers) -> Material {
+fn material(element: &Element, config: &Config) -> Material {
     let usual = match element.class {
         ElementClass::Guide | ElementClass::Diverter => "metal",
         ElementClass::Rubber | ElementClass::Slingshot => "rubber",
@@ -109,8 +109,8 @@ fn material(element: &Element, numbers: &Numbers) -> Material {
         ElementClass::Ramp => "metal",
         _ => "wood",
     };
-    let said = numbers.material(element.class, &element.name).or_else(|| numbers.materials.get(usual));
-    said.copied().unwrap_or(Material { restitution: 0.4, falloff_s_per_m: 0.0, friction: 0.25 })
+    let setting = config.material(element.class, &element.name).or_else(|| config.materials.get(usual));
+    setting.copied().unwrap_or(Material { restitution: 0.4, falloff_s_per_m: 0.0, friction: 0.25 })
 }
 
 fn line(element: &Element) -> Result<Segment, String> {

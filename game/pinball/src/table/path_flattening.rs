@@ -13,10 +13,10 @@ pub(super) const TOLERANCE_MM: f64 = 0.02;
 const VISIBLE_MM: f64 = 0.05;
 /// Points closer than this are one point, mm.
 const SAME_POINT_MM: f64 = 1e-6;
-/// Coordinates beyond this are a mistake, mm.
-const FARTHEST_MM: f64 = 1e5;
-/// Pieces and points of one element beyond this are a mistake.
-const MOST_PIECES: usize = 10_000;
+/// Coordinates beyond this are an error, mm.
+const MAX_COORDINATE_MM: f64 = 1e5;
+/// Pieces and points of one element beyond this are an error.
+const MAX_ELEMENT_PIECES: usize = 10_000;
 
 /// A straight or circular piece of a line, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ impl Piece {
     }
 }
 
-/// A line that is drawn without lifting the pen, mm.
+/// A connected part of a path, from one moveto to the next, mm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Subpath {
     /// Its pieces in order.
@@ -68,7 +68,7 @@ impl PathFlattener {
 
     fn to_table(&self, own: DVec2) -> Result<DVec2, String> {
         let point = self.transform.point(own.x, own.y);
-        if point.is_finite() && point.abs().max_element() <= FARTHEST_MM {
+        if point.is_finite() && point.abs().max_element() <= MAX_COORDINATE_MM {
             Ok(point)
         } else {
             Err("it has coordinates that are not numbers or are far outside the playfield".to_string())
@@ -92,8 +92,8 @@ impl PathFlattener {
 
     fn count(&mut self, more: usize) -> Result<(), String> {
         self.pieces += more;
-        if self.pieces > MOST_PIECES {
-            return Err(format!("it has more than {MOST_PIECES} pieces; draw it more simply"));
+        if self.pieces > MAX_ELEMENT_PIECES {
+            return Err(format!("it has more than {MAX_ELEMENT_PIECES} pieces; draw it more simply"));
         }
         Ok(())
     }
@@ -155,7 +155,7 @@ impl PathFlattener {
         if from.distance(to) * self.scale < SAME_POINT_MM {
             return Ok(());
         }
-        if !(rx.is_finite() && ry.is_finite()) || rx.abs().max(ry.abs()) * self.scale > FARTHEST_MM * 100.0 {
+        if !(rx.is_finite() && ry.is_finite()) || rx.abs().max(ry.abs()) * self.scale > MAX_COORDINATE_MM * 100.0 {
             return Err("it has an arc whose radius is not a number or is far too large".to_string());
         }
         if rx == 0.0 || ry == 0.0 {
@@ -246,7 +246,7 @@ fn through(from: DVec2, to: DVec2, radius: f64, large: bool, clockwise: bool) ->
 }
 
 fn steps(count: f64) -> usize {
-    count.ceil().clamp(1.0, MOST_PIECES as f64) as usize
+    count.ceil().clamp(1.0, MAX_ELEMENT_PIECES as f64) as usize
 }
 
 /// Chords that an arc needs: the sagitta of `angle` is about `radius angle^2 / 8`.

@@ -1,12 +1,12 @@
 //! What casts shadows and has a top that can be seen.
 
-mod above;
+mod ramp;
 
-pub(super) use above::above;
+pub(super) use ramp::ramp_solids;
 
+use super::config::{Config, FinishOverrides};
 use super::drawing::Element;
 use super::element_class::ElementClass;
-use super::numbers::{FinishWords, Numbers};
 use super::outline::Outline;
 use super::path_flattening::Subpath;
 use super::{Finish, Profile, Solid, outline_offset, parts};
@@ -14,14 +14,14 @@ use geometry::{DVec2, Shape};
 use physics::{Kind, Part, PartId};
 use std::collections::BTreeMap;
 
-/// Gives each name a number, and each element without one a number of its own.
+/// Shadow groups: gives each group's name a number, and each element without one a number of its own.
 #[derive(Debug, Default)]
-pub(super) struct Groups {
+pub(super) struct ShadowGroups {
     named: BTreeMap<String, u16>,
     next: u16,
 }
 
-impl Groups {
+impl ShadowGroups {
     /// The number of the element's group.
     pub fn of(&mut self, element: &Element) -> u16 {
         let known = element.group.as_ref().and_then(|name| self.named.get(name));
@@ -37,12 +37,12 @@ impl Groups {
     }
 }
 
-/// The heights of the solids: what stands, then flippers, then plastics and caps.
-pub(super) fn height(class: ElementClass) -> u8 {
+/// The draw order of the solids: what stands, then flippers, then plastics and caps.
+pub(super) fn draw_order(class: ElementClass) -> u8 {
     match class {
         ElementClass::Flipper => 1,
         ElementClass::Plastic => 2,
-        class if class.is_above() => 3,
+        class if class.is_elevated() => 3,
         _ => 0,
     }
 }
@@ -52,18 +52,18 @@ pub(super) fn solid(
     element: &Element,
     part: Option<(PartId, &Part)>,
     group: u16,
-    numbers: &Numbers,
+    config: &Config,
 ) -> Result<Option<Solid>, String> {
     if !element.class.has_finish() {
         return Ok(None);
     }
     let (shapes_mm, plastic_mm) = match element.class {
         ElementClass::Plastic => plastic(element)?,
-        class if class.stands() => (parts::surfaces_mm(element), filled(element)),
+        class if class.is_static() => (parts::surfaces_mm(element), filled(element)),
         _ => (part.map(|(_, part)| shapes_mm(part, element)).unwrap_or_default(), None),
     };
-    let shadow = numbers.shadow(element.class, &element.name).unwrap_or(element.class != ElementClass::Plastic);
-    let finish = finish(element, numbers)?;
+    let shadow = config.shadow(element.class, &element.name).unwrap_or(element.class != ElementClass::Plastic);
+    let finish = finish(element, config)?;
     Ok(Some(Solid { part: part.map(|(id, _)| id), group, shapes_mm, plastic_mm, shadow, finish }))
 }
 
@@ -82,7 +82,7 @@ fn shapes_mm(part: &Part, element: &Element) -> Vec<Shape> {
 fn filled(element: &Element) -> Option<Vec<DVec2>> {
     match &element.outline {
         Outline::Subpaths(subpaths) if element.fill.is_painted() => match subpaths.as_slice() {
-            [Subpath { closed: true, polygon, .. }] => Some(outline_offset::grown(polygon, element.radius_mm())),
+            [Subpath { closed: true, polygon, .. }] => Some(outline_offset::offset(polygon, element.radius_mm())),
             _ => None,
         },
         _ => None,
@@ -105,13 +105,13 @@ fn plastic(element: &Element) -> Result<(Vec<Shape>, Option<Vec<DVec2>>), String
 ///
 /// # Errors
 /// If the drawing asks for a finish that the numbers do not have.
-fn finish(element: &Element, numbers: &Numbers) -> Result<Finish, String> {
+fn finish(element: &Element, config: &Config) -> Result<Finish, String> {
     let words = match element.data.get("finish") {
-        Some(name) => numbers.finish_named(name)?.clone(),
-        None => numbers.finish(element.class, &element.name).cloned().unwrap_or_default(),
+        Some(name) => config.finish_named(name)?.clone(),
+        None => config.finish(element.class, &element.name).cloned().unwrap_or_default(),
     };
-    let FinishWords { albedo, gloss, profile, opacity, translucency, emission, emission_power } = words;
-    let (usual_profile, usual_gloss) = usual(element.class);
+    let FinishOverrides { albedo, gloss, profile, opacity, translucency, emission, emission_power } = words;
+    let (usual_profile, usual_gloss) = default_look(element.class);
     let art = element.class == ElementClass::Plastic;
     // A plastic's colours are in its art, which the albedo multiplies.
     let drawn = if art { Some([255; 3]) } else { element.color() };
@@ -127,7 +127,7 @@ fn finish(element: &Element, numbers: &Numbers) -> Result<Finish, String> {
     })
 }
 
-fn usual(class: ElementClass) -> (Profile, f32) {
+fn default_look(class: ElementClass) -> (Profile, f32) {
     match class {
         ElementClass::Ramp => (Profile::Bevel(1.0), 0.6),
         ElementClass::WireForm => (Profile::Dome, 0.9),

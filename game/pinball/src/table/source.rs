@@ -1,4 +1,4 @@
-//! A text file and where in it a mistake is.
+//! A text file and its diagnostics: what is wrong, at which line.
 //!
 //! Refuses to know what the text means.
 
@@ -9,27 +9,27 @@ pub(super) fn path(origin: &str, name: &str) -> String {
     if origin.is_empty() || origin.ends_with('/') { format!("{origin}{name}") } else { format!("{origin}/{name}") }
 }
 
-/// What is wrong, and where. They sort by file and line.
+/// A diagnostic: what is wrong, and where. Diagnostics sort by file and line.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Mistake {
+pub(super) struct Diagnostic {
     path: String,
     /// From 1; 0 for the file as a whole.
     line: usize,
     what: String,
 }
 
-impl Mistake {
-    /// A mistake of a file as a whole.
-    pub fn of_file(path: impl fmt::Display, what: impl fmt::Display) -> Mistake {
-        Mistake { path: path.to_string(), line: 0, what: what.to_string() }
+impl Diagnostic {
+    /// A diagnostic of a file as a whole.
+    pub fn of_file(path: impl fmt::Display, what: impl fmt::Display) -> Diagnostic {
+        Diagnostic { path: path.to_string(), line: 0, what: what.to_string() }
     }
 }
 
-impl fmt::Display for Mistake {
+impl fmt::Display for Diagnostic {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Mistake { path, line: 0, what } => write!(formatter, "{path}: {what}"),
-            Mistake { path, line, what } => write!(formatter, "{path}:{line}: {what}"),
+            Diagnostic { path, line: 0, what } => write!(formatter, "{path}: {what}"),
+            Diagnostic { path, line, what } => write!(formatter, "{path}:{line}: {what}"),
         }
     }
 }
@@ -47,20 +47,20 @@ pub(super) struct Source {
 
 impl Source {
     /// The text of the file called `path`, which holds `bytes`, if that is UTF-8 text of at most `limit` bytes.
-    pub fn read(path: String, bytes: Result<Vec<u8>, String>, limit: u64) -> Result<Source, Mistake> {
-        let bytes = bytes.map_err(|why| Mistake::of_file(&path, why))?;
+    pub fn read(path: String, bytes: Result<Vec<u8>, String>, limit: u64) -> Result<Source, Diagnostic> {
+        let bytes = bytes.map_err(|why| Diagnostic::of_file(&path, why))?;
         if bytes.len() as u64 > limit {
             let why = format!("it is larger than {} kB, the most that a table may have", limit / 1024);
-            return Err(Mistake::of_file(path, why));
+            return Err(Diagnostic::of_file(path, why));
         }
         Source::from_bytes(path, bytes)
     }
 
-    fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Mistake> {
+    fn from_bytes(path: String, bytes: Vec<u8>) -> Result<Source, Diagnostic> {
         String::from_utf8(bytes).map(|text| Source::new(path.clone(), text)).map_err(|error| {
             let good = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes()[..good].iter().filter(|&&byte| byte == b'\n').count();
-            Mistake { path, line, what: "this is not UTF-8 text; save the file as UTF-8".to_string() }
+            Diagnostic { path, line, what: "this is not UTF-8 text; save the file as UTF-8".to_string() }
         })
     }
 
@@ -76,14 +76,14 @@ impl Source {
         self.lines.partition_point(|&start| start <= at)
     }
 
-    /// A mistake in the line of the byte at `at`.
-    pub fn mistake(&self, at: usize, what: impl fmt::Display) -> Mistake {
-        self.mistake_in_line(self.line(at), what)
+    /// A diagnostic in the line of the byte at `at`.
+    pub fn diagnostic(&self, at: usize, what: impl fmt::Display) -> Diagnostic {
+        self.diagnostic_in_line(self.line(at), what)
     }
 
-    /// A mistake in a line, from 1.
-    pub fn mistake_in_line(&self, line: usize, what: impl fmt::Display) -> Mistake {
-        Mistake { path: self.path.clone(), line, what: what.to_string() }
+    /// A diagnostic in a line, from 1.
+    pub fn diagnostic_in_line(&self, line: usize, what: impl fmt::Display) -> Diagnostic {
+        Diagnostic { path: self.path.clone(), line, what: what.to_string() }
     }
 }
 

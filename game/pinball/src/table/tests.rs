@@ -30,15 +30,15 @@ fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> 
     Table::parse(sources).map_err(|failures| failures.iter().map(ToString::to_string).collect())
 }
 
-/// The small table with `drawn` on it; its mistakes fail the test.
+/// The small table with `drawn` on it; its diagnostics fail the test.
 fn table(drawn: &str) -> Table {
     with_rules(drawn, "")
 }
 
-/// The small table with `drawn` on it and these rules; its mistakes fail the test.
+/// The small table with `drawn` on it and these rules; its diagnostics fail the test.
 pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
     let table = read_files(&SVG.replace("{}", drawn), "", rules);
-    table.unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+    table.unwrap_or_else(|diagnostics| panic!("{}", diagnostics.join("\n")))
 }
 
 /// Spectrum, the project's own table.
@@ -48,5 +48,5 @@ pub(crate) fn spectrum() -> Table {
         include_str!("../../../../assets/tables/spectrum/table.toml"),
         include_str!("../../../../assets/tables/spectrum/rules.rhai"),
     ];
-    read_files(svg, toml, rules).unwrap_or_else(|mistakes| panic!("{}", mistakes.join("\n")))
+    read_files(svg, toml, rules).unwrap_or_else(|diagnostics| panic!("{}", diagnostics.join("\n")))
 }

@@ -1,4 +1,5 @@
-//! Transform: table millimetres from an element's own coordinates. Its transforms and its ancestors', as one similarity.
+//! Transforms: an element's coordinates to the table's, through its own transforms and its ancestors', as one
+//! similarity.
 //!
 //! Only moves, turns, mirrors and uniform scales are allowed, because a circle must stay a circle and a line's
 //! thickness must stay one number.
@@ -15,7 +16,7 @@ pub(super) struct Transform {
 
 impl Transform {
     /// The drawing's own coordinates.
-    pub const TABLE: Transform = Transform { table_from_own: DAffine2::IDENTITY };
+    pub const IDENTITY: Transform = Transform { table_from_own: DAffine2::IDENTITY };
 
     /// The place inside this one that a `transform` attribute says, or what is wrong with it.
     pub fn transformed(&self, attribute: &str) -> Result<Transform, String> {
@@ -31,7 +32,7 @@ impl Transform {
         }
     }
 
-    /// How much it enlarges, or why it has no such number.
+    /// The uniform scale factor, or why there is none.
     pub fn scale(&self) -> Result<f64, String> {
         let (x, y) = (self.table_from_own.matrix2.x_axis, self.table_from_own.matrix2.y_axis);
         let (x_squared, y_squared) = (x.length_squared(), y.length_squared());
@@ -80,7 +81,7 @@ mod tests {
 
     #[test]
     fn transforms_apply_from_the_right() {
-        let transform = Transform::TABLE.transformed("translate(100 0) rotate(90) scale(2)").unwrap();
+        let transform = Transform::IDENTITY.transformed("translate(100 0) rotate(90) scale(2)").unwrap();
         assert!(transform.point(10.0, 0.0).distance(DVec2::new(100.0, 20.0)) < 1e-12);
         assert!((transform.scale().unwrap() - 2.0).abs() < 1e-12);
         assert!(!transform.mirrors());
@@ -88,16 +89,16 @@ mod tests {
 
     #[test]
     fn a_turn_may_have_its_own_middle() {
-        let transform = Transform::TABLE.transformed("rotate(180 50 60)").unwrap();
+        let transform = Transform::IDENTITY.transformed("rotate(180 50 60)").unwrap();
         assert!(transform.point(40.0, 60.0).distance(DVec2::new(60.0, 60.0)) < 1e-12);
     }
 
     #[test]
     fn a_mirror_is_a_similarity_and_a_stretch_is_not() {
-        let mirror = Transform::TABLE.transformed("matrix(-1 0 0 1 514 0)").unwrap();
+        let mirror = Transform::IDENTITY.transformed("matrix(-1 0 0 1 514 0)").unwrap();
         assert!(mirror.mirrors() && mirror.scale() == Ok(1.0));
         for stretch in ["scale(2 1)", "skewX(10)", "matrix(1 0 0.2 1 0 0)", "scale(0)"] {
-            assert!(Transform::TABLE.transformed(stretch).unwrap().scale().is_err(), "{stretch}");
+            assert!(Transform::IDENTITY.transformed(stretch).unwrap().scale().is_err(), "{stretch}");
         }
     }
 }

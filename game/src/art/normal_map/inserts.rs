@@ -26,7 +26,7 @@ const FACET_MM: f64 = 2.0;
 
 /// The heights of the inserts; `None` if there are none, or they are said to be flush.
 pub(super) fn heights(table: &Table, view: &View) -> Option<Heights> {
-    let strength = table.relief.inserts as f32;
+    let strength = table.normal_map.inserts as f32;
     let inserts: Vec<Insert> = inserts(table, view).collect();
     if inserts.is_empty() || strength <= 0.0 {
         return None;
@@ -59,7 +59,7 @@ pub(super) fn heights(table: &Table, view: &View) -> Option<Heights> {
 
 /// Prints the facets of the inserts on `floor`: they are brighter over the lamp and darker at the rim, lit or not.
 pub(in crate::art) fn facet(table: &Table, view: &View, floor: &mut [[u8; 4]]) {
-    let strength = table.relief.inserts as f32;
+    let strength = table.normal_map.inserts as f32;
     if strength <= 0.0 {
         return;
     }

@@ -16,15 +16,15 @@ pub(super) use inserts::facet;
 pub(super) use wood::Wood;
 
 use crate::Failure;
-use crate::table::{Relief, Table};
+use crate::table::{NormalMapInputs, Table};
 use heights::Heights;
 use rayon::prelude::*;
 use tracer::View;
 
 /// Boards and grain, if there is wood on the floor that shows them.
-fn floor_wood(relief: &Relief, view: &View) -> Option<Wood> {
-    (relief.wood_svg.is_some() && (relief.grain > 0.0 || relief.planks_mm > 0.0))
-        .then(|| Wood::new(relief.planks_mm, relief.grain, view.mm_per_px))
+fn floor_wood(inputs: &NormalMapInputs, view: &View) -> Option<Wood> {
+    (inputs.wood_svg.is_some() && (inputs.grain > 0.0 || inputs.planks_mm > 0.0))
+        .then(|| Wood::new(inputs.planks_mm, inputs.grain, view.mm_per_px))
 }
 
 /// The horizontal part of the floor's unit normals at `view`, 127 is 1; empty if the table's floor is flat. `wooden` is
@@ -34,7 +34,7 @@ fn floor_wood(relief: &Relief, view: &View) -> Option<Wood> {
 /// If the relief layer cannot be printed.
 pub(super) fn normals(table: &Table, view: &View, wooden: &[u8]) -> Result<Vec<[i8; 2]>, Failure> {
     let worked = worked(table, view)?;
-    let wood = floor_wood(&table.relief, view).filter(|_| !wooden.is_empty());
+    let wood = floor_wood(&table.normal_map, view).filter(|_| !wooden.is_empty());
     if worked.is_none() && wood.is_none() {
         return Ok(Vec::new());
     }

@@ -56,7 +56,7 @@ pub(super) fn heights(table: &Table, view: &View) -> Option<Heights> {
 }
 
 fn scratches(table: &Table) -> Vec<Scratch> {
-    let density = table.relief.scratches as f32;
+    let density = table.normal_map.scratches as f32;
     if density <= 0.0 {
         return Vec::new();
     }

@@ -4,7 +4,7 @@ use super::Row;
 use super::clock::{quantile, time_ms};
 use super::cone::Cone;
 use super::shots::{Aim, Tally, shoot_all};
-use crate::bot::Chance;
+use crate::bot::BotRng;
 use crate::commands::parallel;
 use crate::storage::tables;
 use crate::{Failure, Table};
@@ -78,13 +78,13 @@ fn live(table: &Table) -> Result<Machine, Failure> {
 /// Six balls at once, kept in play, with flippers that never rest: what the slowest of a hundred ticks takes.
 fn crowd(fresh: &Machine) -> Row {
     let mut machine = fresh.clone();
-    let chance = &mut Chance::new(6);
+    let rng = &mut BotRng::new(6);
     let mut ticks_ms = Vec::with_capacity(CROWDED);
     for tick in 0..CROWDED {
         while machine.pose().balls.len() < CROWD {
-            let place = DVec2::new(between(chance, 0.08, 0.38), between(chance, 0.5, 0.7));
+            let place = DVec2::new(between(rng, 0.08, 0.38), between(rng, 0.5, 0.7));
             let mut fuller = machine.clone();
-            fuller.put_ball(place, DVec2::new(between(chance, -2.0, 2.0), -1.0), [0.0; 3]);
+            fuller.put_ball(place, DVec2::new(between(rng, -2.0, 2.0), -1.0), [0.0; 3]);
             // A ball in a wall or in another ball would be none that there can be.
             if fuller.penetration_m() < 0.0 {
                 machine = fuller;
@@ -106,6 +106,6 @@ fn crowd(fresh: &Machine) -> Row {
 }
 
 /// Evenly in [`low`, `high`).
-fn between(chance: &mut Chance, low: f64, high: f64) -> f64 {
-    low + (high - low) * chance.unit()
+fn between(rng: &mut BotRng, low: f64, high: f64) -> f64 {
+    low + (high - low) * rng.unit()
 }

@@ -4,7 +4,7 @@
 //! together go 21 mm in a tick at most, so what comes through is deep inside at the end of some tick.
 
 use super::cone::{Cone, Frictions};
-use crate::bot::Chance;
+use crate::bot::BotRng;
 use geometry::{DVec2, trig};
 use indicatif::ProgressBar;
 use physics::{Controls, Flipper, FlipperControl, Kind, Layout, Machine};
@@ -61,7 +61,7 @@ impl Tally {
 pub fn shoot_all(fresh: &Machine, count: u64, aim: Aim, bar: &ProgressBar) -> Tally {
     let frictions = Frictions::of(fresh.layout());
     let lot = |lot: u64| {
-        let mut range = Range::new(fresh, aim, Chance::new(lot ^ (u64::from(aim == Aim::Flippers) << 40)));
+        let mut range = Range::new(fresh, aim, BotRng::new(lot ^ (u64::from(aim == Aim::Flippers) << 40)));
         let shots = LOT.min(count - lot * LOT);
         let tally = (0..shots).fold(Tally::default(), |tally, _| tally.and(range.shoot(&frictions)));
         bar.inc(shots);
@@ -74,7 +74,7 @@ pub fn shoot_all(fresh: &Machine, count: u64, aim: Aim, bar: &ProgressBar) -> Ta
 struct Range<'a> {
     fresh: &'a Machine,
     aim: Aim,
-    chance: Chance,
+    rng: BotRng,
     hands: Hands,
     /// The machine at each tick of its hands' period.
     phases: Vec<Machine>,
@@ -97,13 +97,13 @@ impl Hands {
 }
 
 impl<'a> Range<'a> {
-    fn new(fresh: &'a Machine, aim: Aim, mut chance: Chance) -> Range<'a> {
+    fn new(fresh: &'a Machine, aim: Aim, mut rng: BotRng) -> Range<'a> {
         // Where everything is shot at, flippers also rest: they cost the most when they move.
         let (period, press) = match aim {
             Aim::Everything => ((200.0, 1200.0), (2.0, 120.0)),
             Aim::Flippers => ((30.0, 90.0), (2.0, 45.0)),
         };
-        let mut ticks = |(low, high)| between(&mut chance, low, high) as usize;
+        let mut ticks = |(low, high)| between(&mut rng, low, high) as usize;
         let hands = Hands { period: ticks(period), press: ticks(press) };
         let mut machine = fresh.clone();
         let phase = |tick| {
@@ -112,18 +112,18 @@ impl<'a> Range<'a> {
             now
         };
         let phases = (0..hands.period).map(phase).collect();
-        Range { fresh, aim, chance, hands, phases, places: Vec::new() }
+        Range { fresh, aim, rng, hands, phases, places: Vec::new() }
     }
 
     /// One ball from a free place at 0.05 to 15 m/s, while both flippers flip.
     fn shoot(&mut self, frictions: &Frictions) -> Tally {
         for _ in 0..TRIES {
             let place = self.place();
-            let phase = (self.chance.unit() * self.phases.len() as f64) as usize;
+            let phase = (self.rng.unit() * self.phases.len() as f64) as usize;
             let mut machine = self.phases[phase].clone();
-            let way = trig::direction(between(&mut self.chance, 0.0, TAU));
-            let speed = 0.05 * libm::pow(300.0, self.chance.unit());
-            let spin = [0.0; 3].map(|_: f64| between(&mut self.chance, -200.0, 200.0));
+            let way = trig::direction(between(&mut self.rng, 0.0, TAU));
+            let speed = 0.05 * libm::pow(300.0, self.rng.unit());
+            let spin = [0.0; 3].map(|_: f64| between(&mut self.rng, -200.0, 200.0));
             machine.put_ball(place, way * speed, spin);
             if machine.penetration_m() <= 0.0 {
                 return self.follow(machine, phase, frictions);
@@ -151,16 +151,16 @@ impl<'a> Range<'a> {
                 Aim::Flippers => self.surround_flippers(),
             }
         }
-        let which = (self.chance.unit() * self.places.len() as f64) as usize;
+        let which = (self.rng.unit() * self.places.len() as f64) as usize;
         self.places.swap_remove(which)
     }
 
     /// Where a ball comes past that is thrown into play and left to itself: never where no ball can be.
     fn wander(&mut self) {
         let mut machine = self.fresh.clone();
-        let way = trig::direction(between(&mut self.chance, 0.0, TAU));
-        machine.put_ball(middle(machine.layout()), way * between(&mut self.chance, 1.0, 5.0), [0.0; 3]);
-        let first = between(&mut self.chance, 0.0, FIRST) as usize;
+        let way = trig::direction(between(&mut self.rng, 0.0, TAU));
+        machine.put_ball(middle(machine.layout()), way * between(&mut self.rng, 1.0, 5.0), [0.0; 3]);
+        let first = between(&mut self.rng, 0.0, FIRST) as usize;
         let mut last = DVec2::INFINITY;
         for tick in 0..WANDER {
             machine.tick(Controls::NONE, &[]);
@@ -184,11 +184,11 @@ impl<'a> Range<'a> {
     /// A place within a few centimetres of a flipper, on the side that balls come from.
     fn near_flipper(&mut self) -> DVec2 {
         let layout = self.fresh.layout().clone();
-        let which = (self.chance.unit() * flippers(&layout).count() as f64) as usize;
+        let which = (self.rng.unit() * flippers(&layout).count() as f64) as usize;
         let Some(flipper) = flippers(&layout).nth(which) else { return middle(&layout) };
-        let along = trig::direction(flipper.rest_rad) * (flipper.length_m * between(&mut self.chance, 0.2, 1.1));
+        let along = trig::direction(flipper.rest_rad) * (flipper.length_m * between(&mut self.rng, 0.2, 1.1));
         flipper.base.center + along
-            - DVec2::new(between(&mut self.chance, -0.03, 0.03), between(&mut self.chance, 0.02, 0.09))
+            - DVec2::new(between(&mut self.rng, -0.03, 0.03), between(&mut self.rng, 0.02, 0.09))
     }
 }
 
@@ -208,6 +208,6 @@ fn middle(layout: &Layout) -> DVec2 {
 }
 
 /// Evenly in [`low`, `high`).
-fn between(chance: &mut Chance, low: f64, high: f64) -> f64 {
-    low + (high - low) * chance.unit()
+fn between(rng: &mut BotRng, low: f64, high: f64) -> f64 {
+    low + (high - low) * rng.unit()
 }

@@ -33,7 +33,7 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
         solids: Vec::new(),
         floor_svg: String::new(),
         tops_svg: String::new(),
-        relief: crate::table::Relief::default(),
+        normal_map: crate::table::NormalMapInputs::default(),
         rules: rules.into(),
         ambient: [0.0; 3],
         hash: 7,

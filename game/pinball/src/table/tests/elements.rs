@@ -323,7 +323,7 @@ fn the_page_about_drawing_knows_every_word() {
     for class in crate::table::element_class::ElementClass::ALL {
         let mut words = vec![class.word().to_string()];
         words.extend(class.data().map(|data| format!("data-{data}")));
-        words.extend(class.keys().iter().map(|key| key.name.to_string()));
+        words.extend(class.parameters().iter().map(|key| key.name.to_string()));
         for word in words {
             assert!(page.contains(&format!("`{word}")), "assets/tables/README.md does not say `{word}`");
         }

@@ -1,22 +1,22 @@
-//! Each mistake is found, in its line, with what was expected.
+//! Each diagnostic is found, in its line, with what was expected.
 
 use super::{SVG, read, read_files};
 
-/// The one mistake of the small table with `drawn` in its line 5, without the file's name.
+/// The one diagnostic of the small table with `drawn` in its line 5, without the file's name.
 fn drawn(drawn: &str) -> String {
     one(read(drawn, ""), "table.svg:")
 }
 
-/// The one mistake of a small table with these numbers.
+/// The one diagnostic of a small table with these numbers.
 fn numbers(numbers: &str) -> String {
     let drawn = r#"<circle id="pop" class="bumper" cx="100" cy="100" r="25"/>"#;
     one(read(drawn, numbers), "table.toml:")
 }
 
 fn one(read: Result<crate::Table, Vec<String>>, file: &str) -> String {
-    let mistakes = read.expect_err("a mistake");
-    let [mistake] = &mistakes[..] else { panic!("{}", mistakes.join("\n")) };
-    mistake.strip_prefix(file).unwrap_or_else(|| panic!("not in {file} {mistake}")).to_string()
+    let diagnostics = read.expect_err("a mistake");
+    let [diagnostic] = &diagnostics[..] else { panic!("{}", diagnostics.join("\n")) };
+    diagnostic.strip_prefix(file).unwrap_or_else(|| panic!("not in {file} {diagnostic}")).to_string()
 }
 
 #[track_caller]
@@ -29,9 +29,9 @@ fn a_finish_that_is_not_there_is_named() {
     says(one(read(lamp, numbers), "table.svg:"), &["a lamp has no `data-finish`"]);
 }
 
-fn says(mistake: String, parts: &[&str]) {
+fn says(diagnostic: String, parts: &[&str]) {
     for part in parts {
-        assert!(mistake.contains(part), "`{mistake}` does not say `{part}`");
+        assert!(diagnostic.contains(part), "`{diagnostic}` does not say `{part}`");
     }
 }
 
@@ -188,7 +188,7 @@ fn mistakes_of_the_whole_drawing_are_told() {
     let missing = read_files(empty, "", "").unwrap_err();
     assert_eq!(missing.len(), 3, "{missing:?}");
     for word in ["no flipper", "no drain", "no plunger"] {
-        assert!(missing.iter().any(|mistake| mistake.contains(word)), "{missing:?}");
+        assert!(missing.iter().any(|diagnostic| diagnostic.contains(word)), "{missing:?}");
     }
     let with = |from: &str, to: &str| svg(&SVG.replace("{}", "").replace(from, to));
     says(with("viewBox=\"0 0 500 1000\"", ""), &["1: the drawing has no viewBox"]);
@@ -215,13 +215,13 @@ fn drawings_without_end_are_refused() {
 
 #[test]
 fn all_mistakes_are_told_at_once_in_their_order() {
-    let mistakes = read(
+    let diagnostics = read(
         "<circle class=\"bumper\" r=\"3\"/>\n<line id=\"w\" class=\"wall\"/>",
         "[part.nobody]\n[class.wall]\nmaterial = \"air\"\n",
     )
     .unwrap_err();
-    let places: Vec<&str> = mistakes.iter().map(|mistake| mistake.split(": ").next().unwrap()).collect();
-    assert_eq!(places, ["table.svg:5", "table.svg:6", "table.toml:1", "table.toml:3"], "{mistakes:#?}");
+    let places: Vec<&str> = diagnostics.iter().map(|diagnostic| diagnostic.split(": ").next().unwrap()).collect();
+    assert_eq!(places, ["table.svg:5", "table.svg:6", "table.toml:1", "table.toml:3"], "{diagnostics:#?}");
 }
 
 #[test]
@@ -238,6 +238,6 @@ fn lamps_of_no_form_and_of_no_sensible_size_have_their_line() {
     says(drawn(no_stroke), &["5: w: the stroke of a lamp is its light"]);
     let hall = SVG.replace("0 0 500 1000", "0 0 5000 5000");
     let moon = r#"<circle id="w" class="lamp" cx="2500" cy="2500" r="2000"/>"#;
-    let mistakes = read_files(&hall.replace("{}", moon), "", "").unwrap_err();
-    assert_eq!(mistakes, ["table.svg:5: w: the radius of a lamp must be at most 1000 mm, and it is 2000.0 mm"]);
+    let diagnostics = read_files(&hall.replace("{}", moon), "", "").unwrap_err();
+    assert_eq!(diagnostics, ["table.svg:5: w: the radius of a lamp must be at most 1000 mm, and it is 2000.0 mm"]);
 }

@@ -40,9 +40,9 @@ proptest! {
         toml in prop::collection::vec((any::<usize>(), any::<u8>(), any::<u8>()), 0..3),
     ) {
         let drawing = SVG.replace("{}", DRAWN);
-        if let Err(mistakes) = read_files(&damaged(&drawing, &svg), &damaged(NUMBERS, &toml), "") {
-            prop_assert!(!mistakes.is_empty());
-            prop_assert!(mistakes.iter().all(|mistake| !mistake.contains("table.") || mistake.contains(": ")));
+        if let Err(diagnostics) = read_files(&damaged(&drawing, &svg), &damaged(NUMBERS, &toml), "") {
+            prop_assert!(!diagnostics.is_empty());
+            prop_assert!(diagnostics.iter().all(|diagnostic| !diagnostic.contains("table.") || diagnostic.contains(": ")));
         }
     }
 

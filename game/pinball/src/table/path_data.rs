@@ -1,4 +1,4 @@
-//! SVG path data, command by command: what is relative, smooth or implied becomes plain strokes of a [`PathFlattener`].
+//! SVG path data, command by command: what is relative, smooth or implied becomes plain calls of a [`PathFlattener`].
 
 use super::path_flattening::{Ellipse, PathFlattener};
 use geometry::DVec2;

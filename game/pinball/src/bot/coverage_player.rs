@@ -1,4 +1,4 @@
-//! A player who uses every button that there is: for demonstrations, and to find what nobody presses.
+//! The coverage player uses every button that there is: for demonstrations, and to find what nobody presses.
 
 use super::Bot;
 use super::playfield::Playfield;
@@ -10,7 +10,7 @@ const LATEST_SHAKE_TICKS: u64 = 75_000;
 /// A party of three: adds two players, plunges at many strengths, pushes the cabinet from every side, and shakes it in
 /// the third player's first ball until it tilts; earlier if the others keep theirs for long. In between the bot plays.
 #[derive(Clone, Debug)]
-pub struct Tour {
+pub struct CoveragePlayer {
     bot: Bot,
     playfield: Option<Playfield>,
     plunges: u64,
@@ -24,10 +24,10 @@ pub struct Tour {
     shaken: bool,
 }
 
-impl Tour {
-    /// The tour that this seed gives.
-    pub fn new(seed: u64) -> Tour {
-        Tour {
+impl CoveragePlayer {
+    /// The player that this seed gives.
+    pub fn new(seed: u64) -> CoveragePlayer {
+        CoveragePlayer {
             bot: Bot::new(seed),
             playfield: None,
             plunges: 0,

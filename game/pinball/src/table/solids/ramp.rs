@@ -3,9 +3,9 @@
 //! They hang above the lamps, so they cast no shadows.
 
 use super::finish;
+use crate::table::config::Config;
 use crate::table::drawing::Element;
 use crate::table::element_class::ElementClass;
-use crate::table::numbers::Numbers;
 use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};
 use physics::{Leg, PartId, Ramp};
@@ -23,14 +23,14 @@ const MM_PER_M: f64 = 1000.0;
 ///
 /// # Errors
 /// If the drawing asks for a finish that the numbers do not have.
-pub(in crate::table) fn above(
+pub(in crate::table) fn ramp_solids(
     element: &Element,
     id: PartId,
     ramp: &Ramp,
     group: u16,
-    numbers: &Numbers,
+    config: &Config,
 ) -> Result<Vec<Solid>, String> {
-    let finish = finish(element, numbers)?;
+    let finish = finish(element, config)?;
     let part = Some(id);
     let solid = |shapes_mm, plastic_mm, finish| Solid { part, group, shapes_mm, plastic_mm, shadow: false, finish };
     let half = ramp.half_width_m;

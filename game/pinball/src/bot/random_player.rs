@@ -1,13 +1,13 @@
 //! A player who flips at random: what the bot is measured against.
 
-use super::chance::Chance;
 use super::playfield::Playfield;
+use super::rng::BotRng;
 use crate::{Buttons, Simulation};
 
 /// Presses each flipper for a random while, again and again, without looking.
 #[derive(Clone, Debug)]
-pub struct Random {
-    chance: Chance,
+pub struct RandomPlayer {
+    rng: BotRng,
     /// When each of the buttons changes next.
     changes: [u64; 2],
     down: Buttons,
@@ -15,11 +15,11 @@ pub struct Random {
     playfield: Option<Playfield>,
 }
 
-impl Random {
+impl RandomPlayer {
     /// The player that this seed gives.
-    pub fn new(seed: u64) -> Random {
-        Random {
-            chance: Chance::new(seed ^ 0x7a2d),
+    pub fn new(seed: u64) -> RandomPlayer {
+        RandomPlayer {
+            rng: BotRng::new(seed ^ 0x7a2d),
             changes: [0; 2],
             down: Buttons::NONE,
             starting: false,
@@ -33,7 +33,7 @@ impl Random {
         for (index, side) in [Buttons::LEFT, Buttons::RIGHT].into_iter().enumerate() {
             if tick >= self.changes[index] {
                 let pressed = self.down.contains(side);
-                let pause = if pressed { self.chance.between(100, 500) } else { self.chance.between(60, 200) };
+                let pause = if pressed { self.rng.between(100, 500) } else { self.rng.between(60, 200) };
                 self.down = self.down.with(side, !pressed);
                 self.changes[index] = tick + pause;
             }

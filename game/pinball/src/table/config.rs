@@ -1,18 +1,19 @@
-//! What `table.toml` says: materials, finishes, and numbers by class and by id; and what holds when it says nothing.
+//! The configuration in `table.toml`: materials, finishes, and numbers by class and by id; and what holds when the file
+//! says nothing.
 
-mod read;
+mod parse;
 
-pub(super) use read::read;
+pub(super) use parse::parse;
 
 use super::Profile;
 use super::element_class::ElementClass;
-use super::relief::Relief;
+use super::normal_map::NormalMapInputs;
 use physics::Material;
 use std::collections::BTreeMap;
 
-/// All that the file says.
+/// The configuration of a table.
 #[derive(Debug)]
-pub(super) struct Numbers {
+pub(super) struct Config {
     pub title: Option<String>,
     pub slope_deg: f64,
     pub playfield_friction: f64,
@@ -20,16 +21,16 @@ pub(super) struct Numbers {
     pub ambient: [u8; 3],
     pub ambient_power: f64,
     /// Its numbers; the art is the drawing's.
-    pub relief: Relief,
+    pub normal_map: NormalMapInputs,
     pub materials: BTreeMap<String, Material>,
-    pub finishes: BTreeMap<String, FinishWords>,
+    pub finishes: BTreeMap<String, FinishOverrides>,
     classes: BTreeMap<ElementClass, Settings>,
     parts: BTreeMap<String, Settings>,
 }
 
 /// A `[finish.NAME]`; what it does not say comes from the class and the drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct FinishWords {
+pub(super) struct FinishOverrides {
     /// sRGB.
     pub albedo: Option<[u8; 3]>,
     pub gloss: Option<f32>,
@@ -51,47 +52,52 @@ pub(super) struct Settings {
     numbers: BTreeMap<&'static str, f64>,
 }
 
-impl Numbers {
+impl Config {
     /// The number `key` of the element called `name`.
     pub fn number(&self, class: ElementClass, name: &str, key: &'static str) -> f64 {
-        let default = class.keys().iter().find(|known| known.name == key).map_or(0.0, |known| known.default);
-        self.said(class, name, |settings| settings.numbers.get(key).copied()).unwrap_or(default)
+        let default = class.parameters().iter().find(|known| known.name == key).map_or(0.0, |known| known.default);
+        self.setting(class, name, |settings| settings.numbers.get(key).copied()).unwrap_or(default)
     }
 
     /// Whether the element was said to cast a shadow.
     pub fn shadow(&self, class: ElementClass, name: &str) -> Option<bool> {
-        self.said(class, name, |settings| settings.shadow)
+        self.setting(class, name, |settings| settings.shadow)
     }
 
     /// What the element was said to be made of.
     pub fn material(&self, class: ElementClass, name: &str) -> Option<&Material> {
-        self.said(class, name, |settings| settings.material.as_ref()).and_then(|word| self.materials.get(word))
+        self.setting(class, name, |settings| settings.material.as_ref()).and_then(|word| self.materials.get(word))
     }
 
     /// How the element was said to look.
-    pub fn finish(&self, class: ElementClass, name: &str) -> Option<&FinishWords> {
-        self.said(class, name, |settings| settings.finish.as_ref()).and_then(|word| self.finishes.get(word))
+    pub fn finish(&self, class: ElementClass, name: &str) -> Option<&FinishOverrides> {
+        self.setting(class, name, |settings| settings.finish.as_ref()).and_then(|word| self.finishes.get(word))
     }
 
     /// The finish of this name.
     ///
     /// # Errors
     /// If there is none.
-    pub fn finish_named(&self, name: &str) -> Result<&FinishWords, String> {
+    pub fn finish_named(&self, name: &str) -> Result<&FinishOverrides, String> {
         self.finishes.get(name).ok_or_else(|| {
             let known: Vec<&str> = self.finishes.keys().map(String::as_str).collect();
             format!("data-finish: there is no [finish.{name}] in table.toml; there are {}", known.join(", "))
         })
     }
 
-    fn said<'a, T>(&'a self, class: ElementClass, name: &str, what: impl Fn(&'a Settings) -> Option<T>) -> Option<T> {
+    fn setting<'a, T>(
+        &'a self,
+        class: ElementClass,
+        name: &str,
+        what: impl Fn(&'a Settings) -> Option<T>,
+    ) -> Option<T> {
         self.parts.get(name).and_then(&what).or_else(|| self.classes.get(&class).and_then(&what))
     }
 }
 
-impl Numbers {
+impl Config {
     /// What holds when the file says nothing: figures of real machines.
-    fn new() -> Numbers {
+    fn new() -> Config {
         let material = |restitution, falloff_s_per_m, friction| Material { restitution, falloff_s_per_m, friction };
         let known = [
             ("rubber", material(0.85, 0.13, 0.3)),
@@ -104,13 +110,13 @@ impl Numbers {
             ("drop-target", material(0.38, 0.15, 0.2)),
             ("flipper-rubber", material(0.88, 0.15, 0.9)),
         ];
-        Numbers {
+        Config {
             title: None,
             slope_deg: 6.5,
             playfield_friction: 0.09,
             ambient: [11, 13, 24],
             ambient_power: 0.5,
-            relief: Relief::default(),
+            normal_map: NormalMapInputs::default(),
             materials: known.into_iter().map(|(name, material)| (name.to_string(), material)).collect(),
             finishes: BTreeMap::new(),
             classes: BTreeMap::new(),

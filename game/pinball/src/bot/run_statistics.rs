@@ -1,6 +1,6 @@
-//! Keeps count of what is played: games, balls, switches, and what went wrong.
+//! Statistics of a self-play run: keeps count of what is played: games, balls, switches, and what went wrong.
 
-use super::anomaly::{Anomaly, Watch};
+use super::anomaly::{Anomaly, AnomalyDetector};
 use super::game_result::GameResult;
 use super::playfield::Playfield;
 use crate::recording::best_score;
@@ -14,10 +14,10 @@ const AFTERWARDS_TICKS: u64 = 2000;
 /// Ticks that a game may take to begin.
 const PATIENCE_TICKS: u64 = 20_000;
 
-/// Somebody who watches a machine from its switching on.
-pub(super) struct Observer {
+/// Statistics of a run, gathered from the machine's switching on.
+pub(super) struct RunStatistics {
     playfield: Playfield,
-    watch: Watch,
+    anomalies: AnomalyDetector,
     hits: Vec<u64>,
     /// How long each ball was in play; the last one goes on.
     balls: Vec<u64>,
@@ -32,19 +32,19 @@ pub(super) struct Observer {
     over_at: Option<u64>,
 }
 
-/// What it has seen.
-pub(super) struct Seen {
+/// The summary of a run.
+pub(super) struct RunSummary {
     pub games: Vec<GameResult>,
     pub balls: Vec<u64>,
     pub hits: Vec<u64>,
     pub anomalies: Vec<Anomaly>,
 }
 
-impl Observer {
-    pub fn new(table: &Table) -> Observer {
-        Observer {
+impl RunStatistics {
+    pub fn new(table: &Table) -> RunStatistics {
+        RunStatistics {
             playfield: Playfield::new(&table.layout),
-            watch: Watch::new(&table.layout),
+            anomalies: AnomalyDetector::new(&table.layout),
             hits: vec![0; table.layout.parts.len()],
             balls: vec![0],
             games: vec![GameResult::default()],
@@ -85,20 +85,20 @@ impl Observer {
             *ticks += 1;
         }
         let (playfield, playing) = (&self.playfield, self.playing);
-        self.watch.look(tick, &pose, |ball| {
+        self.anomalies.look(tick, &pose, |ball| {
             let trapped = buttons != Buttons::NONE && playfield.in_reach(ball.center).is_some();
             !playing || playfield.in_lane(ball) || trapped
         });
     }
 
     /// All that it has seen up to now.
-    pub fn finish(mut self, simulation: &Simulation) -> Seen {
+    pub fn finish(mut self, simulation: &Simulation) -> RunSummary {
         self.close_game(simulation);
-        Seen {
+        RunSummary {
             games: self.games,
             balls: self.balls.into_iter().filter(|ticks| *ticks > 0).collect(),
             hits: self.hits,
-            anomalies: self.watch.anomalies(),
+            anomalies: self.anomalies.anomalies(),
         }
     }
 

@@ -1,10 +1,11 @@
-//! What is raised, engraved, grained and scratched on a table: numbers, and art whose grey is height.
+//! Inputs of the floor's normal map: what is raised, engraved, grained and scratched on a table, as numbers, and as art
+//! whose grey is height.
 
-/// What leans on a table's floor, as its folder says it.
+/// Inputs of a table's normal map, as its folder says them: a height map, wood masks, and numbers.
 #[derive(Clone, Debug)]
-pub struct Relief {
+pub struct NormalMapInputs {
     /// Grey art whose grey is height: mid grey is the floor's level, white is raised, black is engraved.
-    pub svg: Option<String>,
+    pub height_svg: Option<String>,
     /// The floor's art that is wood.
     pub wood_svg: Option<String>,
     /// The plastics' art that is wood.
@@ -23,11 +24,11 @@ pub struct Relief {
     pub gloss: f32,
 }
 
-impl Default for Relief {
+impl Default for NormalMapInputs {
     /// What holds when the folder says nothing.
-    fn default() -> Relief {
-        Relief {
-            svg: None,
+    fn default() -> NormalMapInputs {
+        NormalMapInputs {
+            height_svg: None,
             wood_svg: None,
             tops_wood_svg: None,
             height_mm: 0.6,

@@ -1,15 +1,15 @@
-//! The players' own random numbers: they never touch the game's.
+//! The random number generator of bot and players: its numbers never touch the game's.
 
 use geometry::rng::SplitMix64;
 
 /// A stream of random numbers.
 #[derive(Clone, Debug)]
-pub struct Chance(SplitMix64);
+pub struct BotRng(SplitMix64);
 
-impl Chance {
+impl BotRng {
     /// The stream that belongs to this seed.
-    pub fn new(seed: u64) -> Chance {
-        Chance(SplitMix64::new(seed))
+    pub fn new(seed: u64) -> BotRng {
+        BotRng(SplitMix64::new(seed))
     }
 
     /// Evenly in [0, 1).

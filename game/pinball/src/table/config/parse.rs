@@ -2,10 +2,10 @@
 //!
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
-use super::{FinishWords, Numbers, Settings};
+use super::{Config, FinishOverrides, Settings};
 use crate::table::Profile;
-use crate::table::element_class::{ElementClass, Key};
-use crate::table::source::{Mistake, Source};
+use crate::table::element_class::{ElementClass, Parameter};
+use crate::table::source::{Diagnostic, Source};
 use crate::table::style;
 use physics::Material;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,22 +14,22 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
-pub(in crate::table) fn read(
+pub(in crate::table) fn parse(
     source: &Source,
     drawn: Option<&BTreeMap<String, ElementClass>>,
-    mistakes: &mut Vec<Mistake>,
-) -> Numbers {
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Config {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut broken = BTreeSet::new();
     for error in &errors {
         let at = error.span().map_or(0, |span| span.start);
         if broken.insert(source.line(at)) {
-            mistakes.push(source.mistake(at, format!("this is not TOML: {}", error.message())));
+            diagnostics.push(source.diagnostic(at, format!("this is not TOML: {}", error.message())));
         }
     }
-    let mut reader = Reader { source, mistakes, numbers: Numbers::new(), drawn, broken };
+    let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken };
     reader.root(root.get_ref());
-    reader.numbers
+    reader.config
 }
 
 type Value<'i> = Spanned<DeValue<'i>>;
@@ -37,17 +37,17 @@ type Word<'i> = Spanned<std::borrow::Cow<'i, str>>;
 
 struct Reader<'a> {
     source: &'a Source,
-    mistakes: &'a mut Vec<Mistake>,
-    numbers: Numbers,
+    diagnostics: &'a mut Vec<Diagnostic>,
+    config: Config,
     drawn: Option<&'a BTreeMap<String, ElementClass>>,
-    /// Lines that are not TOML: what they seem to say is no further mistake.
+    /// Lines that are not TOML: what they seem to say is no further diagnostic.
     broken: BTreeSet<usize>,
 }
 
 impl Reader<'_> {
-    fn mistake(&mut self, at: usize, what: impl std::fmt::Display) {
+    fn diagnostic(&mut self, at: usize, what: impl std::fmt::Display) {
         if !self.broken.contains(&self.source.line(at)) {
-            self.mistakes.push(self.source.mistake(at, what));
+            self.diagnostics.push(self.source.diagnostic(at, what));
         }
     }
 
@@ -68,21 +68,21 @@ impl Reader<'_> {
 
     fn top(&mut self, key: &Word, value: &Value) {
         match key.get_ref().as_ref() {
-            "name" => self.numbers.title = self.text("name", value),
-            "slope_deg" => self.set(value, "slope_deg", 0.5..=20.0, |numbers, x| numbers.slope_deg = x),
+            "name" => self.config.title = self.text("name", value),
+            "slope_deg" => self.set(value, "slope_deg", 0.5..=20.0, |config, x| config.slope_deg = x),
             "playfield_friction" => {
-                self.set(value, "playfield_friction", 0.0..=1.0, |numbers, x| numbers.playfield_friction = x);
+                self.set(value, "playfield_friction", 0.0..=1.0, |config, x| config.playfield_friction = x);
             }
             "ambient" => {
                 if let Some(color) = self.color("ambient", value) {
-                    self.numbers.ambient = color;
+                    self.config.ambient = color;
                 }
             }
-            "ambient_power" => self.set(value, "ambient_power", 0.0..=100.0, |numbers, x| numbers.ambient_power = x),
-            "relief_mm" => self.set(value, "relief_mm", 0.0..=5.0, |numbers, x| numbers.relief.height_mm = x),
-            "relief" => self.relief(value),
+            "ambient_power" => self.set(value, "ambient_power", 0.0..=100.0, |config, x| config.ambient_power = x),
+            "relief_mm" => self.set(value, "relief_mm", 0.0..=5.0, |config, x| config.normal_map.height_mm = x),
+            "relief" => self.normal_map(value),
             "material" | "finish" | "class" | "part" => {}
-            other => self.mistake(
+            other => self.diagnostic(
                 key.span().start,
                 format!(
                     "`{other}` is not known; there are name, slope_deg, playfield_friction, ambient, ambient_power, \
@@ -92,7 +92,7 @@ impl Reader<'_> {
         }
     }
 
-    fn relief(&mut self, value: &Value) {
+    fn normal_map(&mut self, value: &Value) {
         let Some(table) = self.table("relief", value) else { return };
         for (key, value) in table {
             match key.get_ref().as_ref() {
@@ -102,24 +102,24 @@ impl Reader<'_> {
                     match planks {
                         Some(width) if width > 0.0 && width < 5.0 => {
                             let why = "`planks_mm` must be 0, for no planks, or a width from 5 to 1000";
-                            self.mistake(value.span().start, why);
+                            self.diagnostic(value.span().start, why);
                         }
-                        Some(width) => self.numbers.relief.planks_mm = width,
+                        Some(width) => self.config.normal_map.planks_mm = width,
                         None => {}
                     }
                 }
-                "grain" => self.set(value, "grain", 0.0..=1.0, |numbers, x| numbers.relief.grain = x),
-                "scratches" => self.set(value, "scratches", 0.0..=1.0, |numbers, x| numbers.relief.scratches = x),
-                "inserts" => self.set(value, "inserts", 0.0..=1.0, |numbers, x| numbers.relief.inserts = x),
-                "gloss" => self.set(value, "gloss", 0.0..=1.0, |numbers, x| numbers.relief.gloss = x as f32),
+                "grain" => self.set(value, "grain", 0.0..=1.0, |config, x| config.normal_map.grain = x),
+                "scratches" => self.set(value, "scratches", 0.0..=1.0, |config, x| config.normal_map.scratches = x),
+                "inserts" => self.set(value, "inserts", 0.0..=1.0, |config, x| config.normal_map.inserts = x),
+                "gloss" => self.set(value, "gloss", 0.0..=1.0, |config, x| config.normal_map.gloss = x as f32),
                 other => self.unknown(key.span().start, other, "planks_mm, grain, scratches, inserts, gloss"),
             }
         }
     }
 
-    fn set(&mut self, value: &Value, name: &str, range: RangeInclusive<f64>, set: impl Fn(&mut Numbers, f64)) {
+    fn set(&mut self, value: &Value, name: &str, range: RangeInclusive<f64>, set: impl Fn(&mut Config, f64)) {
         if let Some(x) = self.number(name, value, range) {
-            set(&mut self.numbers, x);
+            set(&mut self.config, x);
         }
     }
 
@@ -130,19 +130,19 @@ impl Reader<'_> {
         match kind {
             "material" => {
                 if let Some(material) = self.material(at, &name, table) {
-                    self.numbers.materials.insert(name, material);
+                    self.config.materials.insert(name, material);
                 }
             }
             "finish" => {
                 let finish = self.finish(table);
-                self.numbers.finishes.insert(name, finish);
+                self.config.finishes.insert(name, finish);
             }
-            "class" => match ElementClass::of(&name) {
+            "class" => match ElementClass::from_word(&name) {
                 Some(class) => {
                     let settings = self.settings(class, table);
-                    self.numbers.classes.insert(class, settings);
+                    self.config.classes.insert(class, settings);
                 }
-                None => self.mistake(at, format!("there is no class `{name}`; there are {}", ElementClass::words())),
+                None => self.diagnostic(at, format!("there is no class `{name}`; there are {}", ElementClass::words())),
             },
             _ => self.part(at, name, table),
         }
@@ -153,9 +153,9 @@ impl Reader<'_> {
         match drawn.get(&name) {
             Some(&class) => {
                 let settings = self.settings(class, table);
-                self.numbers.parts.insert(name, settings);
+                self.config.parts.insert(name, settings);
             }
-            None => self.mistake(at, format!("no thing in the drawing has the id `{name}`")),
+            None => self.diagnostic(at, format!("no thing in the drawing has the id `{name}`")),
         }
     }
 
@@ -171,14 +171,14 @@ impl Reader<'_> {
         }
         for missing in ["restitution", "friction"].into_iter().filter(|&key| !table.contains_key(key)) {
             if self.broken.is_empty() {
-                self.mistake(at, format!("the material `{name}` has no `{missing}`"));
+                self.diagnostic(at, format!("the material `{name}` has no `{missing}`"));
             }
         }
         Some(Material { restitution: restitution?, falloff_s_per_m: falloff?, friction: friction? })
     }
 
-    fn finish(&mut self, table: &DeTable) -> FinishWords {
-        let mut finish = FinishWords::default();
+    fn finish(&mut self, table: &DeTable) -> FinishOverrides {
+        let mut finish = FinishOverrides::default();
         for (key, value) in table {
             match key.get_ref().as_ref() {
                 "albedo" => finish.albedo = self.color("albedo", value),
@@ -210,7 +210,7 @@ impl Reader<'_> {
         let profile = width.filter(|width| (0.0..=100.0).contains(width)).map(Profile::Bevel);
         if profile.is_none() {
             let at = value.span().start;
-            self.mistake(
+            self.diagnostic(
                 at,
                 format!("the profile is `{text}`; write \"dome\", or \"bevel 0.8\" for an edge of 0.8 mm"),
             );
@@ -226,7 +226,7 @@ impl Reader<'_> {
                 "material" if class.has_material() => settings.material = self.known_material(value),
                 "finish" if class.has_finish() => settings.finish = self.known_finish(value),
                 "shadow" if class.has_finish() => settings.shadow = self.truth("shadow", value),
-                _ => match class.keys().iter().find(|known| known.name == word) {
+                _ => match class.parameters().iter().find(|known| known.name == word) {
                     Some(known) => {
                         if let Some(x) = self.number(known.name, value, known.min..=known.max) {
                             settings.numbers.insert(known.name, x);
@@ -241,36 +241,36 @@ impl Reader<'_> {
 
     fn known_material(&mut self, value: &Value) -> Option<String> {
         let word = self.text("material", value)?;
-        if self.numbers.materials.contains_key(&word) {
+        if self.config.materials.contains_key(&word) {
             return Some(word);
         }
-        let known: Vec<&str> = self.numbers.materials.keys().map(String::as_str).collect();
+        let known: Vec<&str> = self.config.materials.keys().map(String::as_str).collect();
         let known = known.join(", ");
-        self.mistake(value.span().start, format!("there is no material `{word}`; there are {known}"));
+        self.diagnostic(value.span().start, format!("there is no material `{word}`; there are {known}"));
         None
     }
 
     fn known_finish(&mut self, value: &Value) -> Option<String> {
         let word = self.text("finish", value)?;
-        if self.numbers.finishes.contains_key(&word) {
+        if self.config.finishes.contains_key(&word) {
             return Some(word);
         }
-        let known: Vec<&str> = self.numbers.finishes.keys().map(String::as_str).collect();
+        let known: Vec<&str> = self.config.finishes.keys().map(String::as_str).collect();
         let known = if known.is_empty() { "none yet; write [finish.NAME]".to_string() } else { known.join(", ") };
-        self.mistake(value.span().start, format!("there is no finish `{word}`; there are {known}"));
+        self.diagnostic(value.span().start, format!("there is no finish `{word}`; there are {known}"));
         None
     }
 
     fn unknown(&mut self, at: usize, word: &str, known: &str) {
         let known = if known.is_empty() { "nothing" } else { known };
-        self.mistake(at, format!("`{word}` is not known here; there are {known}"));
+        self.diagnostic(at, format!("`{word}` is not known here; there are {known}"));
     }
 
     fn table<'t, 'i>(&mut self, name: &str, value: &'t Value<'i>) -> Option<&'t DeTable<'i>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
             _ => {
-                self.mistake(value.span().start, format!("`{name}` must be a table, as in [material.rubber]"));
+                self.diagnostic(value.span().start, format!("`{name}` must be a table, as in [material.rubber]"));
                 None
             }
         }
@@ -280,7 +280,7 @@ impl Reader<'_> {
         match value.get_ref() {
             DeValue::String(text) => Some(text.to_string()),
             _ => {
-                self.mistake(value.span().start, format!("`{name}` must be text in quotes"));
+                self.diagnostic(value.span().start, format!("`{name}` must be text in quotes"));
                 None
             }
         }
@@ -290,7 +290,7 @@ impl Reader<'_> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Some(*truth),
             _ => {
-                self.mistake(value.span().start, format!("`{name}` must be true or false"));
+                self.diagnostic(value.span().start, format!("`{name}` must be true or false"));
                 None
             }
         }
@@ -299,7 +299,7 @@ impl Reader<'_> {
     fn color(&mut self, name: &str, value: &Value) -> Option<[u8; 3]> {
         let text = self.text(name, value)?;
         let color = style::color(&text);
-        color.map_err(|why| self.mistake(value.span().start, format!("{name}: {why}"))).ok()
+        color.map_err(|why| self.diagnostic(value.span().start, format!("{name}: {why}"))).ok()
     }
 
     fn number(&mut self, name: &str, value: &Value, range: RangeInclusive<f64>) -> Option<f64> {
@@ -311,7 +311,7 @@ impl Reader<'_> {
         let number = number.filter(|number| range.contains(number));
         if number.is_none() {
             let (min, max) = range.into_inner();
-            self.mistake(value.span().start, format!("`{name}` must be a number from {min} to {max}"));
+            self.diagnostic(value.span().start, format!("`{name}` must be a number from {min} to {max}"));
         }
         number
     }
@@ -325,6 +325,6 @@ fn setting_words(class: ElementClass) -> String {
     if class.has_finish() {
         words.extend(["finish", "shadow"]);
     }
-    words.extend(class.keys().iter().map(|Key { name, .. }| *name));
+    words.extend(class.parameters().iter().map(|Parameter { name, .. }| *name));
     words.join(", ")
 }

@@ -1,0 +1,181 @@
+//! Parses a table's files to a [`Table`], or to every diagnostic of them.
+
+use super::config::{self, Config};
+use super::drawing::{self, Drawing, Element};
+use super::element_class::ElementClass;
+use super::solids::{self, ShadowGroups};
+use super::source::{self, Diagnostic, Source};
+use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
+use crate::Failure;
+use physics::{Layout, Part, PartId};
+
+/// The files of a table.
+pub const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
+/// The largest of each, bytes.
+pub const LIMITS_BYTES: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
+
+/// Mistakes that are worth reading at once.
+const MAX_REPORTED: usize = 100;
+
+/// What a table is read from.
+#[derive(Clone, Debug)]
+pub struct TableSources {
+    /// The table's name: `spectrum`.
+    pub name: String,
+    /// See [`Table::origin`].
+    pub origin: String,
+    /// See [`Table::folder`].
+    pub folder: String,
+    /// What each of [`FILES`] holds, or why it cannot be read. Of a file that is larger than [`LIMITS_BYTES`] the first
+    /// byte too many is enough.
+    pub files: [Result<Vec<u8>, String>; 3],
+}
+
+/// The table that these files say, or every diagnostic in them.
+pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
+    let TableSources { name, origin, folder, files } = sources;
+    let mut diagnostics = Vec::new();
+    let mut file = 0;
+    let [svg, toml, rules] = files.map(|bytes| {
+        let path = source::path(&origin, FILES[file]);
+        let source = Source::read(path, bytes, LIMITS_BYTES[file]);
+        file += 1;
+        source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
+    });
+    let document =
+        svg.as_ref().and_then(|svg| drawing::parse_xml(svg).map_err(|diagnostic| diagnostics.push(diagnostic)).ok());
+    let drawing =
+        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
+    let ids = drawing.as_ref().map(|drawing| &drawing.ids);
+    let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
+    let config = &config::parse(&toml, ids, &mut diagnostics);
+    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
+        return Err(failures(diagnostics));
+    };
+    let converted = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
+    check_required(svg, drawing, &mut diagnostics);
+    if !diagnostics.is_empty() {
+        return Err(failures(diagnostics));
+    }
+    let printed = layers::split_layers(&svg.text, document);
+    let mut table = Table {
+        title: config.title.clone().unwrap_or_else(|| name.clone()),
+        name,
+        origin,
+        folder,
+        layout: Layout {
+            size_m: drawing.size_mm * 0.001,
+            slope_rad: config.slope_deg.to_radians(),
+            playfield_friction: config.playfield_friction,
+            parts: converted.parts,
+        },
+        materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
+        size_mm: drawing.size_mm,
+        lamps: converted.lamps,
+        solids: converted.solids,
+        floor_svg: printed.floor,
+        tops_svg: printed.tops,
+        normal_map: NormalMapInputs {
+            height_svg: printed.height,
+            wood_svg: printed.wood,
+            tops_wood_svg: printed.tops_wood,
+            ..config.normal_map.clone()
+        },
+        rules: rules.map_or_else(String::new, |rules| rules.text),
+        ambient: ambient(config),
+        hash: 0,
+    };
+    table.hash = super::hash::of(&table);
+    Ok(table)
+}
+
+/// The diagnostics as sentences, by file and line.
+fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
+    diagnostics.sort();
+    diagnostics.dedup();
+    let mut failures: Vec<Failure> =
+        diagnostics.iter().take(MAX_REPORTED).map(|diagnostic| Failure::new(diagnostic.to_string())).collect();
+    if diagnostics.len() > MAX_REPORTED {
+        failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
+    }
+    failures
+}
+
+fn ambient(config: &Config) -> [f32; 3] {
+    solids::linear(config.ambient).map(|light| light * config.ambient_power as f32)
+}
+
+/// What every table must have.
+fn check_required(svg: &Source, drawing: &Drawing, diagnostics: &mut Vec<Diagnostic>) {
+    let places = |class| drawing.drawn.iter().filter(move |element| element.0 == class).map(|element| element.1);
+    for (class, why) in [
+        (ElementClass::Flipper, "a game needs at least one"),
+        (ElementClass::Drain, "a ball could never be lost"),
+        (ElementClass::Plunger, "no ball could come into play"),
+    ] {
+        if places(class).next().is_none() {
+            diagnostics.push(svg.diagnostic(0, format!("the drawing has no {}: {why}", class.word())));
+        }
+    }
+    for at in places(ElementClass::Plunger).skip(1) {
+        diagnostics.push(svg.diagnostic(at, "there is already a plunger; a table has one"));
+    }
+}
+
+/// What elements are converted to: parts, lamps and solids.
+struct Converted {
+    parts: Vec<Part>,
+    lamps: Vec<Lamp>,
+    solids: Vec<Solid>,
+}
+
+impl Converted {
+    fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
+        let mut converted = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
+        let mut groups = ShadowGroups::default();
+        let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
+        let group_of = |id: &str| {
+            let solid = |element: &Element| element.name == id && element.class.has_finish();
+            grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group)
+        };
+        let mut ordered = Vec::new();
+        for &(element, group) in &grouped {
+            let built = converted.element(element, group, config, group_of);
+            match built {
+                Ok(solids) => {
+                    ordered.extend(solids.into_iter().map(|solid| (solids::draw_order(element.class), solid)))
+                }
+                Err(why) => diagnostics.push(svg.diagnostic(element.at, format!("{}: {why}", element.name))),
+            }
+        }
+        ordered.sort_by_key(|&(order, _)| order);
+        converted.solids = ordered.into_iter().map(|(_, solid)| solid).collect();
+        converted
+    }
+
+    fn element(
+        &mut self,
+        element: &Element,
+        group: u16,
+        config: &Config,
+        group_of: impl Fn(&str) -> Option<u16>,
+    ) -> Result<Vec<Solid>, String> {
+        match element.class {
+            ElementClass::Lamp | ElementClass::Insert => {
+                self.lamps.push(lamps::lamp(element, config, group_of)?);
+                Ok(Vec::new())
+            }
+            ElementClass::Plastic => Ok(solids::solid(element, None, group, config)?.into_iter().collect()),
+            _ => {
+                let id = PartId(self.parts.len() as u16);
+                let part = Part { name: element.name.clone(), kind: parts::kind(element, config)? };
+                let solids = match &part.kind {
+                    physics::Kind::Ramp(ramp) => solids::ramp_solids(element, id, ramp, group, config)?,
+                    _ => solids::solid(element, Some((id, &part)), group, config)?.into_iter().collect(),
+                };
+                self.parts.push(part);
+                Ok(solids)
+            }
+        }
+    }
+}
