@@ -58,14 +58,14 @@ impl Falloff {
         let none = [0.0; LANES];
         let mut incident = IncidentLight { x: none, y: none, square: none, irradiance: none };
         match self.tube {
-            None => self.from_point(x, y, &mut incident),
-            Some((along, half)) => self.from_tube(x, y, along, half, &mut incident),
+            None => self.point_irradiance(x, y, &mut incident),
+            Some((along, half)) => self.tube_irradiance(x, y, along, half, &mut incident),
         }
         incident
     }
 
     #[inline(always)]
-    fn from_point(&self, x: &Lanes, y: &Lanes, incident: &mut IncidentLight) {
+    fn point_irradiance(&self, x: &Lanes, y: &Lanes, incident: &mut IncidentLight) {
         for i in 0..LANES {
             let (ux, uy) = (self.x - x[i], self.y - y[i]);
             let square = ux * ux + uy * uy;
@@ -81,7 +81,7 @@ impl Falloff {
     ///    from q off the line, over q.
     /// 3. That angle is atan2(2 half q, q^2 + (middle - half) (middle + half)); the mean is over 2 half.
     #[inline(always)]
-    fn from_tube(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, incident: &mut IncidentLight) {
+    fn tube_irradiance(&self, x: &Lanes, y: &Lanes, along: [f32; 2], half: f32, incident: &mut IncidentLight) {
         for i in 0..LANES {
             let (mx, my) = (self.x - x[i], self.y - y[i]);
             let middle = mx * along[0] + my * along[1];

@@ -74,6 +74,10 @@ fn light_sampled(
 }
 
 /// The fraction of a lamp that each of some points sees.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "lives on the stack for one surface of one tile; the reference may be slow"
+)]
 enum Seen {
     /// The same of every channel: nothing tinted is in the way.
     Grey(Plane),
