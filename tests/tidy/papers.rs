@@ -148,3 +148,21 @@ fn every_clippy_file_repeats_the_bans_of_the_root() {
         }
     }
 }
+
+/// The example of `docs/add_a_part.md`.
+const EXAMPLE_PART: &str = "magnet";
+
+#[test]
+fn the_page_about_parts_lists_every_file_that_names_its_example() {
+    let page = read("docs/add_a_part.md");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let listed: BTreeSet<String> = rows.map(str::to_string).collect();
+    let naming: BTreeSet<String> = crates()
+        .iter()
+        .flat_map(|folder| production(&format!("{folder}/src")))
+        .filter(|source| source.text.to_lowercase().contains(EXAMPLE_PART))
+        .map(|source| source.path)
+        .collect();
+    assert_eq!(listed, naming, "docs/add_a_part.md lists other files than those that name a {EXAMPLE_PART}");
+    assert!(naming.len() <= 8, "a part touches {} files", naming.len());
+}

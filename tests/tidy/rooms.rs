@@ -77,7 +77,7 @@ fn shortest_circle(room: &str, edges: &BTreeMap<&str, BTreeMap<&str, &Import>>) 
     while let Some(way) = ways.get(next).cloned() {
         let at = way.last().map_or(room, |import| &import.to);
         for (&to, &import) in edges.get(at).into_iter().flatten().filter(|(to, _)| **to >= room) {
-            let longer = [&way[..], &[import.clone()]].concat();
+            let longer = [&way[..], std::slice::from_ref(import)].concat();
             if to == room {
                 return Some(longer);
             }

@@ -32,7 +32,7 @@ impl SharedContext {
     }
 
     /// Takes them back.
-    pub fn into_parts(&self) -> (ScriptState, LampController) {
+    pub fn take_parts(&self) -> (ScriptState, LampController) {
         let mut context = self.lock();
         (std::mem::take(&mut context.script), std::mem::take(&mut context.lamps))
     }

@@ -100,7 +100,7 @@ impl Program {
         let arguments: Vec<Dynamic> = name.map(|name| name.to_string().into()).into_iter().collect();
         let answer =
             self.engine.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, call, arguments);
-        (*script, *lamps) = shared.into_parts();
+        (*script, *lamps) = shared.take_parts();
         *memory = Value::from_script(this).map_err(|what| {
             format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
         })?;
