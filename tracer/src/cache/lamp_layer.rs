@@ -1,4 +1,4 @@
-//! A layer: one tile in one light, of the lamp's colour or white, in packed planes. What is known of it, and its planes.
+//! A lamp layer: one tile in the light of one lamp, white, in packed planes. What is known of it, and its planes.
 //!
 //! Of bare floor the irradiance is kept, before the albedo: one plane for all three channels.
 

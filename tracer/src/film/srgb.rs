@@ -1,4 +1,4 @@
-//! The sRGB transfer curve (IEC 61966-2-1): linear light to the codes of a screen and back.
+//! The sRGB curve (the transfer curve of IEC 61966-2-1): linear light to the codes of a screen and back.
 //!
 //! Four forms of the one curve, since each caller needs another trade of speed, precision and platform:
 //! - [`decode`]: exact in single precision, through `libm`, for the few colours that people write.

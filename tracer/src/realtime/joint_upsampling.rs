@@ -1,4 +1,4 @@
-//! Light that was found at half the resolution, brought to a full one without bleeding over edges.
+//! Joint upsampling: light that was found at half the resolution, brought to the full one without bleeding over edges.
 //!
 //! What a surface sends on is its own reflectance times what arrives, and only that is smooth. So light is divided by a
 //! guide (what the pixel shows under a white sky), filtered, and multiplied by the guide of the full resolution: art and

@@ -189,5 +189,5 @@ fn the_stream_of_a_tick_holds_its_events_and_contacts_and_a_hit_before_the_switc
             }
         }
     }
-    assert!(contacts > 1000 && hits > 20, "{contacts} contacts, {hits} hits");
+    assert!(contacts > 200 && hits > 20, "{contacts} contacts, {hits} hits");
 }
