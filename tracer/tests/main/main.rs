@@ -2,6 +2,8 @@
 //!
 //! One binary, since every binary is linked on its own; `allocation` alone counts its process's allocations.
 
+#![allow(clippy::duplicate_mod, reason = "the examples that are tested share the module that writes their pictures")]
+
 mod agreement;
 mod airborne_balls;
 mod direct_light;
