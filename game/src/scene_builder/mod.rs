@@ -1,4 +1,4 @@
-//! From a moment of the game to what light needs to know: lamps, what stands in their way, what can be seen.
+//! From a snapshot of the game to the scene of light: lamps, what stands in their way, what can be seen.
 //!
 //! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
 //! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
