@@ -18,13 +18,13 @@ pub use blend::blend;
 use crate::Failure;
 use crate::art;
 use crate::simulation::{LampLight, Snapshot};
-use crate::table::{Finish, Lamp, LampKind, Solid, Table};
+use crate::table::{Lamp, LampKind, Solid, Table};
 use geometry::{DVec2, Shape};
 use ids::FirstIds;
 use motion::Motion;
 use physics::{Kind, Leg};
 use tracer::{
-    Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
+    Finish, Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
 };
 
 /// Metres to millimetres.
@@ -94,6 +94,8 @@ struct Actor {
     group: Group,
     /// What it is made of.
     material: Material,
+    /// How it looks as it is drawn.
+    finish: Finish,
     /// The first ids of its occluders and of its tops.
     ids: FirstIds,
     motion: Motion,
@@ -117,7 +119,7 @@ impl SceneBuilder {
             free_group = free_group.saturating_add(1);
             actor.group = Group(free_group);
         }
-        SceneBuilder { actors, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
+        SceneBuilder { actors, overhangs: overhangs(table), rods, free_group, ambient: light::ambient(table) }
     }
 
     /// What `moment` looks like from `view`. `printed` must be of the same table and view.
@@ -170,16 +172,17 @@ impl Actor {
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);
-        let (group, material) = (Group(solid.group), material(&solid));
+        let finish = light::finish(&solid.finish);
+        let (group, material) = (Group(solid.group), material(&solid, &finish));
         let (occluders, tops) = motion.most_pieces(&solid);
         let ids = ids.take(occluders, tops);
         let (bulb, frosted) = (within.filter(|_| highest), within.is_some());
-        Some(Actor { solid, group, material, ids, motion, bulb, frosted })
+        Some(Actor { solid, group, material, finish, ids, motion, bulb, frosted })
     }
 
     fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
         let (group, material, ids) = (self.group, self.material, self.ids);
-        let placed = self.motion.place(&self.solid, &moment.pose);
+        let placed = self.motion.place(&self.solid, self.finish, &moment.pose);
         if self.solid.shadow {
             let occluder =
                 |&(number, shape): &(u32, Shape)| Occluder { id: ids.occluder(number), shape, group, material };
@@ -191,7 +194,6 @@ impl Actor {
             finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
             finish.gloss *= FROSTED_GLOSS;
         }
-        let finish = light::finish(finish);
         let top = |(number, outline)| Top { id: ids.top(number), outline, group, finish };
         scene.tops.extend(placed.outlines.into_iter().map(top));
     }
@@ -224,8 +226,7 @@ fn nearness(height_mm: f64) -> f64 {
 
 /// What a solid is made of. Light passes a translucent one on its way over the table, in its colour, as deep as the glass is
 /// thick, so squared; a plastic lies flat above the light.
-fn material(solid: &Solid) -> Material {
-    let &Finish { albedo, translucency, .. } = &solid.finish;
+fn material(solid: &Solid, &Finish { albedo, translucency, .. }: &Finish) -> Material {
     if !solid.shadow || translucency <= 0.0 || solid.plastic_mm.is_some() {
         return Material::Opaque;
     }
@@ -261,9 +262,9 @@ fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glo
 }
 
 /// A lamp's light: its colour, linear, times its power and its level.
-fn radiance(lamp: &Lamp, light: &LampLight) -> Rgb {
-    let strength = lamp.power as f32 * f32::from(light.level) / 1000.0;
-    tracer::srgb::decode_rgb8(light.color).map(|channel| channel * strength)
+fn radiance(lamp: &Lamp, lit: &LampLight) -> Rgb {
+    let strength = lamp.power as f32 * f32::from(lit.level) / 1000.0;
+    light::linear(lit.color, strength)
 }
 
 /// What comes out through the cap above a bulb.

@@ -62,8 +62,10 @@ pub struct Table {
     pub normal_map: NormalMapInputs,
     /// The rules' text.
     pub rules: String,
-    /// Light from everywhere: linear, red, green, blue.
-    pub ambient: [f32; 3],
+    /// Light from everywhere, sRGB.
+    pub ambient: [u8; 3],
+    /// What that light is multiplied by.
+    pub ambient_power: f32,
     /// Of all that a game depends on (layout, rules, the lamps' names), and of nothing that only changes the picture.
     pub hash: u64,
 }

@@ -82,7 +82,8 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             ..config.normal_map.clone()
         },
         rules: rules.map_or_else(String::new, |rules| rules.text),
-        ambient: ambient(config),
+        ambient: config.ambient,
+        ambient_power: config.ambient_power as f32,
         hash: 0,
     };
     table.hash = super::hash::of(&table);
@@ -99,10 +100,6 @@ fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
         failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
     }
     failures
-}
-
-fn ambient(config: &Config) -> [f32; 3] {
-    solids::linear(config.ambient).map(|light| light * config.ambient_power as f32)
 }
 
 /// What every table must have.
