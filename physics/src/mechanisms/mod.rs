@@ -13,6 +13,7 @@ pub(crate) mod elevation;
 pub(crate) mod flap;
 pub(crate) mod flap_contact;
 pub(crate) mod flipper;
+pub(crate) mod flipper_coil;
 pub(crate) mod flipper_model;
 pub(crate) mod gate;
 pub(crate) mod jointed_body;
