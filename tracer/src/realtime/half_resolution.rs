@@ -4,6 +4,7 @@
 //! resolution by [`crate::realtime::joint_upsampling`]. What glows by itself, the balls and the bloom are made at the full resolution, as
 //! [`crate::Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
+use crate::cache::validity::{CachedItem, Event, Validity};
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
 use crate::realtime::exact_renderer::{ExactRenderer, drawable};
@@ -46,15 +47,15 @@ struct Tile {
     kernel: UpsampleKernel,
     /// Whether a surface has light of its own.
     glows: bool,
-    /// Whether it is not on the film as it should be.
-    stale: bool,
+    /// The tile in the buffer that it is composed into.
+    shown: Validity,
 }
 
-/// A picture that only what has changed is made anew of.
+/// A picture of a part of the scene, of which only what has changed is made anew.
 struct Layer {
     renderer: ExactRenderer,
     radiance: Radiance,
-    /// Whether any tile of the last one was made anew.
+    /// Whether any tile is another than in the frame before.
     redrawn: bool,
 }
 
@@ -115,7 +116,7 @@ impl HalfRenderer {
         display.source = Some((self.lamps.renderer.frame_id(), exposure));
     }
 
-    /// Forgets what earlier pictures showed, as [`crate::Renderer::forget`] does.
+    /// Makes every tile anew in the next frame, as [`crate::Renderer::invalidate`] does.
     pub fn invalidate(&mut self) {
         let HalfRenderer { lamps, guides, surface_ids, glows, .. } = self;
         for layer in [lamps, glows].into_iter().chain(guides).chain(surface_ids) {
@@ -123,7 +124,7 @@ impl HalfRenderer {
         }
     }
 
-    /// Makes every layer true, the balls and the bloom; `known` says that the last picture is there to go on from.
+    /// Makes every layer true, the balls and the bloom; `known` says that the buffer holds the last frame.
     fn find_light(
         &mut self,
         scene: &Scene,
@@ -184,7 +185,7 @@ impl HalfRenderer {
         } = self;
         let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
         let another = tiles.len() != across * down;
-        tiles.resize(across * down, Tile { kernel: UpsampleKernel::none(), glows: false, stale: true });
+        tiles.resize(across * down, Tile { kernel: UpsampleKernel::none(), glows: false, shown: Validity::Empty });
         let guides = Guides {
             half_guide: &half_guide.radiance,
             half_surface_ids: &half_surface_ids.radiance,
@@ -201,11 +202,11 @@ impl HalfRenderer {
             let is_redrawn_around = |layer: &Layer| {
                 layer.redrawn && corners.iter().any(|&(x, y)| layer.renderer.is_redrawn_at(&half, x, y))
             };
-            let printed = is_redrawn(guide)
+            let surfaces_changed = is_redrawn(guide)
                 || is_redrawn(surface_ids)
                 || is_redrawn_around(half_guide)
                 || is_redrawn_around(half_surface_ids);
-            if printed {
+            if surfaces_changed {
                 tile.kernel.take(*simd, guides, x, y);
             }
             let glowing = is_redrawn(glows);
@@ -214,8 +215,10 @@ impl HalfRenderer {
                 glows.radiance.read_tile(x, y, &mut light);
                 tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
             }
-            let redrawn = !known || printed || glowing || is_redrawn_around(lamps);
-            tile.stale |= redrawn;
+            let redrawn = !known || surfaces_changed || glowing || is_redrawn_around(lamps);
+            if redrawn {
+                tile.shown = Validity::Empty;
+            }
             redrawn
         };
         tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
@@ -246,8 +249,8 @@ impl HalfRenderer {
         let bands = rows.zip(blue.par_chunks_mut(stride * TILE)).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (((red, green), blue), tiles))| {
             let (mut planes, mut out) = ([red, green, blue], BLACK);
-            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| tile.stale) {
-                tile.stale = false;
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| !tile.shown.is_valid()) {
+                tile.shown = Validity::Valid;
                 surfaces.compose(tile, x, band * TILE, &mut out);
                 write_planes(&out, x, 0, stride, &mut planes);
             }
@@ -263,11 +266,13 @@ impl HalfRenderer {
             let (mut out, mut mapped) = (BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
-                tile.stale |= bloom.has_changed_at(x, y);
-                if !tile.stale || !DisplayBuffer::in_scissor(scissor, x, y) {
+                if tile.shown.is_valid() && bloom.has_changed_at(x, y) {
+                    tile.shown = tile.shown.after(CachedItem::Display, Event::BloomChanged);
+                }
+                if tile.shown.is_valid() || !DisplayBuffer::in_scissor(scissor, x, y) {
                     continue;
                 }
-                tile.stale = false;
+                tile.shown = Validity::Valid;
                 surfaces.compose(tile, x, y, &mut out);
                 tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut mapped);
                 tone_map::store_tile(&mapped, x, width, pixels);
