@@ -1,40 +1,41 @@
-//! What the last picture was made of, what has moved since, and the tiles that remember it.
+//! Frame history: what the last frame was made of, what has moved before each lamp since the lamp was lit last, and the
+//! tiles' caches.
 
 use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileCache;
 use crate::cache::validity::Event;
 use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 
-/// How many lamps are remembered: in a scene of more, every picture is made from nothing.
+/// The most lamps that are cached: in a scene of more, every frame is made from nothing.
 pub(crate) const MAX_LAMPS: usize = 160;
 
-/// And of inserts.
+/// The most inserts that are cached.
 pub(crate) const MAX_GLOWS: usize = 1_000;
 
-/// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
+/// How many moves a dark lamp may miss before it is lost.
 const MAX_MOVES: usize = 200;
 
-/// A lamp that has been seen.
+/// A lamp that the tiles' caches know.
 #[derive(Clone, Debug)]
 pub(crate) struct KnownLamp {
     /// The lamp, black.
     lamp: Lamp,
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
-    /// The same of balls that float.
+    /// The same of balls in the air.
     pub moved_balls: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
 
-/// What the last picture was made of, and what has moved since.
+/// What the last frame was made of, and what has moved since.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FrameHistory {
     view: Option<View>,
     occluders: Vec<Occluder>,
-    /// The balls that float, not turned.
+    /// The balls in the air, not turned.
     airborne: Vec<Ball>,
-    /// Those of the picture that is to come.
+    /// Those of the frame that is to come.
     next: Vec<Ball>,
     /// The lamps, by the numbers that [`TileCache`] knows them by; and those that have been where they are not any more.
     pub known: Vec<KnownLamp>,
@@ -46,7 +47,7 @@ pub(crate) struct FrameHistory {
 }
 
 impl FrameHistory {
-    /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
+    /// Notes what is new in a frame of `bands` bands of `tiles` tiles.
     pub fn advance(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
         if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
@@ -85,7 +86,7 @@ impl FrameHistory {
         self.occluders.extend_from_slice(occluders);
     }
 
-    /// Whether any tile is another than in the last picture.
+    /// Whether any tile is another than in the last frame.
     pub fn any_redrawn(&self) -> bool {
         self.bands.iter().flatten().any(|tile| tile.redrawn)
     }
@@ -108,7 +109,7 @@ impl FrameHistory {
         number
     }
 
-    /// The lamp of this number has been looked at from everywhere.
+    /// Every tile's layer of the lamp of this number is valid.
     pub fn lamp_updated(&mut self, number: usize) {
         self.known[number].moved.clear();
         self.known[number].moved_balls.clear();

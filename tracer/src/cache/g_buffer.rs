@@ -1,5 +1,5 @@
-//! What a tile shows, kept from picture to picture: which pixels of the floor and of every top, how much of them, and
-//! which way they lean. It holds until a top moves in the tile.
+//! The cached G-buffer of one tile: which pixels of the floor and of every top are seen, how much of them, and their
+//! normals. It is valid until a top moves in the tile.
 
 use crate::cache::validity::Validity;
 use crate::shading::surface::{Normals, Surface};

@@ -1,4 +1,4 @@
-//! Sets of lamps, by the numbers that tiles know them by.
+//! Lamp sets: sets of lamps, by the numbers that the tile caches know them by.
 
 /// Words of 64 numbers: there is room for twice [`crate::cache::frame_history::MAX_LAMPS`], which is as many as there can ever be.
 const WORDS: usize = 5;
@@ -8,7 +8,7 @@ const WORDS: usize = 5;
 pub(crate) struct LampSet([u64; WORDS]);
 
 impl LampSet {
-    /// Puts a number in: nothing is remembered by one that there is no room for.
+    /// Puts a number in; one that there is no room for is left out.
     pub fn insert(&mut self, number: usize) {
         if let Some(word) = self.0.get_mut(number / 64) {
             *word |= 1 << (number % 64);

@@ -1,5 +1,6 @@
 //! Cache: what stays from frame to frame. A tile keeps its G-buffer and one layer for each lamp in packed planes; the
-//! frame history and the damage say which of them are valid, and weighted sums put a picture together from them.
+//! frame history and the damage say which events have met it, one state table what these leave valid, and a weighted sum
+//! of the layers is the tile.
 
 pub(crate) mod cell_means;
 pub(crate) mod damage;

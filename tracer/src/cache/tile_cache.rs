@@ -73,7 +73,7 @@ struct GlowLayer {
 struct TileSum {
     /// The weights of the irradiance planes, of the specular ones and of radiance.
     weights: [Vec<PackedWeights>; 3],
-    /// What a step of the sums is worth.
+    /// The size of a step of the sums.
     step: Rgb,
     ambient: Rgb,
 }

@@ -46,7 +46,7 @@ fn scene<'a>(floor: &'a Floor, masks: &'a [Mask; 2]) -> Scene<'a> {
     let glow = |(id, mask)| Glow { id: ItemId(id), mask, color: [0.3, 0.2, 0.1] };
     Scene {
         lamps: vec![lamp(0, 14.0), lamp(1, 20.0)],
-        occluders: vec![Occluder::opaque(ItemId(0), Shape::disc(POST_MM, 2.0), Group(1))],
+        occluders: vec![Occluder::opaque(ItemId(0), Shape::disc(POST_CENTER_MM, 2.0), Group(1))],
         tops: vec![Top { id: ItemId(0), outline: disc(8.0), group: Group(2), finish }],
         balls: vec![ball],
         glows: (0..).zip(masks).map(glow).collect(),
@@ -55,7 +55,7 @@ fn scene<'a>(floor: &'a Floor, masks: &'a [Mask; 2]) -> Scene<'a> {
     }
 }
 
-const POST_MM: DVec2 = DVec2::new(10.0, 12.0);
+const POST_CENTER_MM: DVec2 = DVec2::new(10.0, 12.0);
 
 fn disc(x: f64) -> Outline {
     Outline::Shape(Shape::disc(DVec2::new(x, 8.0), 4.0))
@@ -66,7 +66,7 @@ fn draw(renderer: &mut ExactRenderer, scene: &Scene, exposure: f32, display: &mu
 }
 
 fn move_post(scene: &mut Scene, by_mm: f64) {
-    scene.occluders[0].shape = Shape::disc(POST_MM + DVec2::new(by_mm, 0.0), 2.0);
+    scene.occluders[0].shape = Shape::disc(POST_CENTER_MM + DVec2::new(by_mm, 0.0), 2.0);
 }
 
 /// The caches of a frame's first band when its events have met them, and before anything is made anew.
