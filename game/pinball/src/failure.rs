@@ -1,4 +1,4 @@
-//! What went wrong, as one sentence for a person.
+//! Failure: what went wrong, as one sentence for a person.
 
 use std::{error, fmt};
 

@@ -1,4 +1,4 @@
-//! What goes wrong with files, in plain words.
+//! File failures: what goes wrong with files, in plain words.
 
 use crate::Failure;
 use std::io::{self, ErrorKind};

@@ -1,4 +1,4 @@
-//! What occluders are made of.
+//! Materials: what occluders are made of.
 
 use crate::Rgb;
 

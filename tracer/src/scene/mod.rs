@@ -1,4 +1,4 @@
-//! What is lit, what lights it and what is in the way: plain data.
+//! The scene: what is lit, what lights it and what is in the way: plain data.
 
 pub(crate) mod id;
 pub(crate) mod lamp;

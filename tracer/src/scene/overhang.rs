@@ -1,4 +1,4 @@
-//! What hangs above the balls: a ramp's floor, the wires of a wire-form.
+//! Overhangs: what hangs above the balls: a ramp's floor, the wires of a wire-form.
 //!
 //! Balls are drawn over everything else. Where one rolls below an overhang, only what the overhang lets through of it is seen; the
 //! rest is what was there without the ball, the overhang's own look among it.

@@ -1,5 +1,5 @@
-//! What a scene may say: sizes that single precision can tell apart and that a table may have, and numbers that are
-//! numbers.
+//! Scene validation: what a scene may say: sizes that single precision can tell apart and that a table may have, and
+//! numbers that are numbers.
 //!
 //! What says anything else is not drawn: it gives no light, casts no shadow, has no top. [`Scene::check`] says what that
 //! would be.

@@ -1,5 +1,5 @@
-//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight
-//! above.
+//! Surface shading: what a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an
+//! eye straight above.
 
 use crate::shading::environment;
 use crate::shading::falloff::{Falloff, IncidentLight};

@@ -1,4 +1,4 @@
-//! What came of one game of a run of self-play.
+//! Game result: what came of one game of a run of self-play.
 
 /// One of a trial's games.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! What would happen: a copy of the machine, played on without the rules.
+//! Lookahead: what would happen: a copy of the machine, played on without the rules.
 
 use super::playfield::Playfield;
 use super::shot_value::ShotValues;

@@ -1,4 +1,5 @@
-//! What a player sees at a glance: where the flippers are, and whether a ball is safe, in reach or lost.
+//! Playfield view: what a player sees at a glance: where the flippers are, and whether a ball is safe, in reach or
+//! lost.
 
 use geometry::{DVec2, trig};
 use physics::{BALL_RADIUS_M, BallPose, FlipperControl, Kind, Layout};

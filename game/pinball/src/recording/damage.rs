@@ -1,4 +1,4 @@
-//! What can be wrong with the bytes of a recording.
+//! Damage: what can be wrong with the bytes of a recording.
 
 use super::FORMAT_VERSION;
 

@@ -1,4 +1,4 @@
-//! What a recorded simulation was started with.
+//! Header: what a recorded simulation was started with.
 
 use super::format::{Bytes, FORMAT_VERSION, MAGIC, SEAL};
 use crate::simulation::SIMULATION_VERSION;
