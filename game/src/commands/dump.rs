@@ -25,7 +25,7 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut composer = FrameComposer::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
-    composer.set_light(args.light.resolution().unwrap_or_default());
+    composer.set_light_resolution(args.light.resolution().unwrap_or_default());
     composer.set_zoom(args.zoom);
     let size = out.size(args);
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");

@@ -24,7 +24,7 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,
     };
     let mut composer = FrameComposer::new(table, parallel::pool(args.threads)?)?;
-    composer.set_light(args.light.resolution().unwrap_or_default());
+    composer.set_light_resolution(args.light.resolution().unwrap_or_default());
     composer.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
         composer.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });

@@ -73,7 +73,7 @@ impl ReplaySession {
     }
 
     fn show(&mut self) {
-        self.timeline.stand(self.replay.simulation());
+        self.timeline.reset_to(self.replay.simulation());
         self.look_for_difference();
     }
 

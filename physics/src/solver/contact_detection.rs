@@ -132,10 +132,10 @@ fn touch_balls(step: &mut Step, ball: usize, out: &mut DVec2) {
 /// Adds a contact, unless the two part or come at each other so fast that it is an impact: faster than the restitution
 /// threshold and by how much the approach may grow within the step.
 fn add_contact(step: &mut Step, touching: Touching, growth: f64) {
-    let clings = |ball: usize| step.state.balls[ball].loose_ticks == 0;
+    let has_friction = |ball: usize| step.state.balls[ball].dither_ticks == 0;
     let both = match touching.body {
-        ContactBody::Ball(other) => clings(touching.ball) && clings(other),
-        _ => clings(touching.ball),
+        ContactBody::Ball(other) => has_friction(touching.ball) && has_friction(other),
+        _ => has_friction(touching.ball),
     };
     let friction = if both { touching.friction } else { 0.0 };
     let (buffers, bodies) = step.split();

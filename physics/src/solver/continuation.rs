@@ -53,8 +53,8 @@ fn end_approaches(step: &mut Step) {
 
 /// A new step acceleration for what is `left`, unless the ball rests: then all of the step's is in its velocity.
 pub(crate) fn restart_acceleration(step: &mut Step, ball: usize, left: f64) {
-    let motion = &mut step.buffers.motions[ball];
-    if !motion.resting && !step.state.balls[ball].is_held() {
-        motion.acceleration = step.state.balls[ball].step_acceleration(&motion.floor, motion.external, left);
+    let ball_step = &mut step.buffers.ball_steps[ball];
+    if !ball_step.resting && !step.state.balls[ball].is_held() {
+        ball_step.acceleration = step.state.balls[ball].step_acceleration(&ball_step.floor, ball_step.external, left);
     }
 }

@@ -3,7 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
-mod cone;
+mod friction_cone;
 mod growth;
 mod physics;
 mod quality;
