@@ -87,12 +87,39 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["simulate", "--minutes", "0"], "a number above 0"),
         (&["simulate", "--seed", "-1"], "invalid value '-1' for '--seed"),
         (&["pla"], "unrecognized subcommand 'pla'"),
+        (&["frame", "--out", "x.png", "--size", "-5x10"], "write it as WIDTHxHEIGHT, for example 540x1080"),
+        (&["frame", "--out", "x.png", "--samples", "9"], "--samples is for --integrator monte-carlo"),
+        (&["frame", "--out", "x.jpg"], "pictures are written as PNG: name a .png file"),
+        (&["frame"], "required arguments were not provided: --out <FILE.png>"),
+        (&["bench", "nothing"], "invalid value 'nothing'"),
+        (&["--fullscren"], "unexpected argument '--fullscren'"),
     ] {
         let output = caustic(words);
         let said = complaint(&output);
         assert_eq!(output.status.code(), Some(2), "{words:?}: {said}");
         assert!(said.contains(told), "{words:?}: {said}");
+        assert!(said.starts_with("caustic: ") && said.lines().count() == 1, "{words:?}: {said}");
     }
+}
+
+/// A folder that is missing is made by every command that writes a file, not by some only.
+#[test]
+fn folders_on_the_way_to_a_picture_are_made() {
+    let folder = Folder::new("on-the-way");
+    let out = folder.path("a/b/x.png");
+    let done = caustic(&["frame", "--size", "64x64", "--out", &out]);
+    assert_eq!(done.status.code(), Some(0), "{}", complaint(&done));
+    assert!(Path::new(&out).is_file());
+}
+
+/// Two pixels of a film share a colour, so its sides are even: a size that is not is rounded, and the user is told.
+#[test]
+fn a_film_of_odd_sides_says_that_it_is_rounded() {
+    let folder = Folder::new("odd");
+    let film = caustic(&["dump", &folder.recording(), "--out", "-", "--size", "65x66", "--to", "0"]);
+    assert_eq!(film.status.code(), Some(0));
+    assert!(film.stdout.starts_with(b"YUV4MPEG2 W64 H66 "));
+    assert_eq!(complaint(&film), "caustic: the sides of a y4m film are even: 65x66 becomes 64x66\n");
 }
 
 #[test]
@@ -102,7 +129,7 @@ fn files_that_are_not_there_or_not_files_are_named() {
     for (words, told) in [
         (&["verify", &folder.path("no")][..], "there is no such file"),
         (&["replay", &here], "it is a folder; name a file"),
-        (&["frame", "--size", "64x64", "--out", &missing], "missing; make it first"),
+        (&["verify", &missing], "there is no such file"),
         (&["frame", "--size", "64x64", "--out", &here], "it is a folder; name a file"),
         (&["check", &here], "has no table.svg, so it is no table"),
     ] {

@@ -2,12 +2,12 @@
 
 use super::parallel;
 use super::print::unwritable;
-use crate::Failure;
 use crate::cli::DumpArgs;
 use crate::frame_composer::{FrameComposer, Interpolation};
 use crate::hud::UiState;
 use crate::screen::Size;
 use crate::storage::{recordings, save_png};
+use crate::{Failure, tell};
 use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -93,6 +93,10 @@ impl Out {
             }
             let mut film = BufWriter::new(io::stdout());
             let Size { width, height } = even(args.size);
+            if args.size != even(args.size) {
+                let Size { width: w, height: h } = args.size;
+                tell(&Failure::new(format!("the sides of a y4m film are even: {w}x{h} becomes {width}x{height}")));
+            }
             let header = format!("YUV4MPEG2 W{width} H{height} F{}:1 Ip A1:1 C420jpeg\n", args.fps);
             film.write_all(header.as_bytes()).map_err(|error| unwritable(&error))?;
             return Ok(Out::Film(film));

@@ -14,6 +14,9 @@ use tracer::monte_carlo::Sampling;
 /// A table is shown this long after it was switched on, when its lamps are alight, s.
 const LIT_S: f64 = 2.0;
 
+/// Random samples a lamp and pixel, if nothing is said.
+const SAMPLES: u32 = 64;
+
 /// Writes the frame that the arguments ask for.
 ///
 /// # Errors
@@ -27,7 +30,7 @@ pub fn run(args: &FrameArgs) -> Result<(), Failure> {
     composer.set_light_resolution(args.light.resolution().unwrap_or_default());
     composer.set_zoom(args.zoom);
     if args.integrator == Integrator::MonteCarlo {
-        composer.use_reference(Sampling { samples: args.samples, seed: 0, stratified: true });
+        composer.use_reference(Sampling { samples: args.samples.unwrap_or(SAMPLES), seed: 0, stratified: true });
     }
     let frame = composer.draw(Interpolation::at(&snapshot), args.size, &UiState::default())?;
     save_png(frame, &args.out)

@@ -1,7 +1,7 @@
 //! Recordings as files: read, matched with their table, and written while a game is played.
 
 use super::file_failure::file_failure;
-use super::tables;
+use super::{new_file, tables};
 use crate::recording::{Header, Recorder, Recording, Replay};
 use crate::{Buttons, Failure, Simulation, Table};
 use std::fs::{self, File};
@@ -78,7 +78,8 @@ impl RecordingFile {
         if path.is_dir() {
             return Err(file_failure(doing, path, &ErrorKind::IsADirectory.into()));
         }
-        let file = File::create_new(path).map_err(|error| file_failure(doing, path, &error))?;
+        let file = new_file::make_parents(path).and_then(|()| File::create_new(path));
+        let file = file.map_err(|error| file_failure(doing, path, &error))?;
         RecordingFile::begin(file, path, simulation, seed)
     }
 
