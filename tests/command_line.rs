@@ -1,5 +1,7 @@
 //! The command line as a newcomer meets it: every mistake is one sentence, and nothing is lost by it.
 
+#![expect(clippy::disallowed_methods, reason = "the test reads what it has written")]
+
 use game::recording::{Header, Writer};
 use game::simulation::Hashes;
 use std::fs;

@@ -11,3 +11,4 @@ mod recording;
 mod still;
 mod techniques;
 mod tidy;
+mod unreadable_files;

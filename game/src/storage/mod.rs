@@ -6,6 +6,7 @@
 pub mod assets;
 mod file_failure;
 pub mod library;
+mod limited_read;
 pub mod new_file;
 mod png_file;
 pub mod recordings;

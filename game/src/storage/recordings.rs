@@ -1,6 +1,7 @@
 //! Recordings as files: read, matched with their table, and written while a game is played.
 
 use super::file_failure::file_failure;
+use super::limited_read::{self, RECORDING_LIMIT_BYTES};
 use super::{new_file, tables};
 use crate::recording::{Header, Recorder, Recording, Replay};
 use crate::{Buttons, Failure, Simulation, Table};
@@ -14,7 +15,8 @@ use std::sync::Arc;
 /// # Errors
 /// If the file cannot be read or is not an undamaged recording: one sentence that names the file and the damage.
 pub fn read(path: &Path) -> Result<Recording, Failure> {
-    let bytes = fs::read(path).map_err(|error| file_failure("read the recording", path, &error))?;
+    let bytes = limited_read::read(path, RECORDING_LIMIT_BYTES)
+        .map_err(|error| file_failure("read the recording", path, &error))?;
     Recording::parse(&bytes).map_err(|damage| Failure::new(damage.to_string()).in_file(path.display()))
 }
 

@@ -2,11 +2,11 @@
 
 use super::assets::{find, roots};
 use super::file_failure::because;
+use super::limited_read;
 use crate::art;
 use crate::table::{FILES, LIMITS_BYTES, TableSources};
 use crate::{Failure, Table};
-use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Reads and checks the table called `name`, or the one in the folder `name`.
@@ -52,26 +52,21 @@ fn recorded_folder(dir: &Path, name: &str) -> String {
     absolute.as_deref().unwrap_or(dir).to_string_lossy().into_owned()
 }
 
-/// The bytes of a file, one more than `limit` at most; or why it cannot be read.
-fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
-    let file = File::open(path).map_err(|error| match error.kind() {
+/// The bytes of a file, or why it cannot be read.
+fn read(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, String> {
+    limited_read::read(path, limit_bytes).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "there is no such file, and a table needs it".to_string(),
-        _ => format!("it cannot be opened: {}", because(&error)),
-    })?;
-    let mut bytes = Vec::new();
-    match file.take(limit + 1).read_to_end(&mut bytes) {
-        Ok(_) => Ok(bytes),
-        Err(error) => Err(format!("it cannot be read: {}", because(&error))),
-    }
+        _ => format!("it cannot be read: {}", because(&error)),
+    })
 }
 
-/// The folder of the table called `name`, or the folder `name` itself if it holds a drawing.
+/// The folder of the table called `name`, or the folder `name` itself if anything in it is called as a drawing.
 ///
 /// # Errors
 /// If there is no such table: which ones there are.
 fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     let folder = Path::new(name);
-    if folder.join("table.svg").is_file() {
+    if folder.join("table.svg").exists() {
         return Ok(folder.to_path_buf());
     }
     let is_plain = folder.components().count() == 1 && folder.file_name().is_some();

@@ -1,6 +1,6 @@
 //! A table's folder, read and watched.
 
-use super::{TableWatch, tables};
+use super::{TableWatch, limited_read, tables};
 use crate::small_table::SVG;
 use std::time::{Duration, SystemTime};
 
@@ -45,6 +45,26 @@ fn a_folder_is_a_table_and_its_missing_files_are_named() {
     std::fs::write(folder.0.join("table.toml"), "#".repeat(2 << 20)).unwrap();
     let mistakes = tables::load_dir(&folder.0).unwrap_err();
     assert!(mistakes.iter().any(|mistake| mistake.to_string().contains("larger than 1024 kB")), "{mistakes:?}");
+}
+
+/// A recording that was a link to `/dev/zero` filled the memory, and the metadata of such a file say that it is empty.
+#[test]
+fn no_more_of_a_file_is_read_than_the_limit() {
+    let folder = Folder::new("limit");
+    let path = folder.0.join("rules.rhai");
+    std::fs::write(&path, "1234").unwrap();
+    assert_eq!(limited_read::read(&path, 4).unwrap(), b"1234");
+    let told = limited_read::read(&path, 3).unwrap_err();
+    assert_eq!(told.kind(), std::io::ErrorKind::FileTooLarge);
+    // The kernel's own files are plain files whose metadata say 0 bytes, whatever is in them.
+    #[cfg(target_os = "linux")]
+    {
+        let own = std::path::Path::new("/proc/self/maps");
+        assert_eq!(std::fs::metadata(own).unwrap().len(), 0);
+        let told = limited_read::read(own, 100).unwrap_err();
+        assert_eq!(told.kind(), std::io::ErrorKind::FileTooLarge);
+        assert!(limited_read::read(own, 1 << 30).unwrap().len() > 100);
+    }
 }
 
 #[test]
