@@ -1,11 +1,16 @@
 //! `caustic check`: every mistake in a table, or a line that says it is good.
 
 use super::print::print;
+use crate::art::{self, PrintCost};
 use crate::cli::CheckArgs;
 use crate::storage::tables;
-use crate::table::LampKind;
+use crate::table::{FILES, LampKind};
 use crate::{Failure, Simulation, Table};
 use std::sync::Arc;
+use tracer::View;
+
+/// The picture that the art is printed on to see whether it can be, pixels.
+const PICTURE: (usize, usize) = (540, 1080);
 
 /// Checks the drawing, the numbers, the art and the rules.
 ///
@@ -19,7 +24,15 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     if !complaints.is_empty() {
         return Err(all(&complaints));
     }
-    print(&summary(&args.table, &table))
+    let cost = print_once(&table)?;
+    print(&summary(&args.table, &table, &cost))
+}
+
+/// Prints the art on a small picture; what it costs.
+fn print_once(table: &Table) -> Result<PrintCost, Failure> {
+    let view = View::fit(PICTURE.0, PICTURE.1, table.size_mm);
+    let printed = art::check(table).and_then(|cost| art::floor(table, &view).map(|_| cost));
+    printed.map_err(|failure| failure.in_file(table.file(FILES[0])))
 }
 
 /// One sentence a line.
@@ -31,16 +44,17 @@ fn all(mistakes: &[impl ToString]) -> Failure {
     }
 }
 
-fn summary(name: &str, table: &Table) -> String {
+fn summary(name: &str, table: &Table, cost: &PrintCost) -> String {
     let bulbs = table.lamps.iter().filter(|lamp| matches!(lamp.kind, LampKind::Bulb { .. })).count();
     format!(
-        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} hash={:016x}",
+        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} print_mops={:.0} hash={:016x}",
         table.title,
         table.size_mm.x,
         table.size_mm.y,
         table.layout.parts.len(),
         table.lamps.len() - bulbs,
         table.solids.len(),
+        (cost.operations * 1e-6).ceil(),
         table.hash
     )
 }
