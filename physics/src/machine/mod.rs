@@ -108,6 +108,7 @@ impl Machine {
     pub fn tick(&mut self, controls: Controls, commands: &[Command]) {
         self.events.clear();
         self.contacts.clear();
+        self.buffers.contact_solves = 0;
         commands.iter().for_each(|command| command.execute(&self.model, &mut self.state, &mut self.events));
         plunger::feed(&self.model, &mut self.state, &mut self.events);
         drop_target::tick(&self.model, &mut self.state, &mut self.rigid, &mut self.events);

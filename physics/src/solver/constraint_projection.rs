@@ -13,6 +13,7 @@ const PROJECTION_ROUNDS: usize = 2;
 pub(crate) fn project(step: &mut Step, left: f64) {
     let (buffers, bodies) = step.split();
     for _ in 0..PROJECTION_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         for constraint in &buffers.constraints {
             project_contact(constraint, constraint.approach(&bodies) / left, &mut buffers.ball_steps);
         }

@@ -40,6 +40,7 @@ fn keep(step: &mut Step, constraint: ContactConstraint) {
 fn end_approaches(step: &mut Step) {
     let (buffers, mut bodies) = step.split();
     for _ in 0..RELEASE_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
         for constraint in &mut buffers.constraints {
             constraint.release();

@@ -40,6 +40,7 @@ pub(crate) fn first(step: &mut Step, left: f64) -> Option<ImpactCandidate> {
 
 fn first_on_paths(step: &Step, means: &[DVec2], left: f64) -> Option<ImpactCandidate> {
     let travel = clearance::flipper_travel(step, left);
+    let near = step.buffers.near_balls.hold(&step.state.balls, means, left);
     let mut first: Option<ImpactCandidate> = None;
     for (ball, own) in step.state.balls.iter().enumerate().filter(|(_, ball)| !ball.is_held()) {
         let mut offer = |time: f64, collider: Collider, normal: DVec2| {
@@ -56,19 +57,34 @@ fn first_on_paths(step: &Step, means: &[DVec2], left: f64) -> Option<ImpactCandi
             offer_rods(step, &path, &mut offer);
             offer_flippers(step, &path, &mut offer);
         }
-        for (other, met) in step.state.balls.iter().enumerate() {
-            if other > ball || (other != ball && met.is_held()) {
-                let (offset, velocity) = (path.center - met.center, path.velocity - means[other]);
-                if are_far_apart(offset, velocity.length_squared() * left * left) || own.passes(met) {
-                    continue;
-                }
-                if let Some(Impact { time, normal }) = ball_time_of_impact(offset, velocity) {
-                    offer(time, Collider::Ball(other), normal);
-                }
-            }
+        let mut meet = |other| offer_ball(step, (ball, &path), (other, means[other]), &mut offer);
+        if near {
+            step.buffers.near_balls.of(ball).for_each(&mut meet);
+        } else {
+            (0..means.len()).for_each(&mut meet);
         }
     }
     first
+}
+
+/// Each pair of balls meets once, from the ball that comes first, or from the one that is not held.
+fn offer_ball(
+    step: &Step,
+    (ball, path): (usize, &StraightPath),
+    (other, mean): (usize, DVec2),
+    offer: &mut impl FnMut(f64, Collider, DVec2),
+) {
+    let (own, met) = (&step.state.balls[ball], &step.state.balls[other]);
+    if other < ball && !met.is_held() || other == ball {
+        return;
+    }
+    let (offset, velocity) = (path.center - met.center, path.velocity - mean);
+    if are_far_apart(offset, velocity.length_squared() * path.duration * path.duration) || own.passes(met) {
+        return;
+    }
+    if let Some(Impact { time, normal }) = ball_time_of_impact(offset, velocity) {
+        offer(time, Collider::Ball(other), normal);
+    }
 }
 
 fn offer_obstacles(step: &Step, ramp: Option<u16>, path: &StraightPath, offer: &mut impl FnMut(f64, Collider, DVec2)) {

@@ -62,6 +62,7 @@ fn start(step: &mut Step, duration: f64) {
 fn solve_contacts(step: &mut Step, duration: f64) {
     let (buffers, mut bodies) = step.split();
     for _ in 0..SOLVER_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
         for (ball, ball_step) in bodies.balls.iter_mut().zip(&mut buffers.ball_steps) {
             if ball_step.resting && !ball.is_held() {

@@ -37,6 +37,7 @@ pub(crate) fn solve(step: &mut Step, left: f64) {
     let walls: Vec<Vec<HalfPlane>> = (0..step.state.balls.len()).map(|ball| walls_of(step.buffers, ball)).collect();
     let (buffers, mut bodies) = step.split();
     for _ in 0..MAX_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
         let moving = |constraint: &&mut ContactConstraint| !matches!(constraint.body, ContactBody::Fixed(_));
         for constraint in buffers.constraints.iter_mut().filter(moving) {

@@ -5,6 +5,7 @@ use crate::mechanisms::model::{Model, State};
 use crate::part::event::{Contact, Event};
 use crate::solver::clearance::Clearance;
 use crate::solver::contact_constraint::{Bodies, ContactConstraint};
+use crate::solver::near_balls::{self, NearBalls};
 use crate::solver::{flipper_contact, resting_contacts, sweep};
 use geometry::DVec2;
 
@@ -27,6 +28,10 @@ pub(crate) struct StepBuffers {
     pub flipper_angles: Vec<f64>,
     /// The mean velocity of each ball in what is left of a step, while the next impact is looked for.
     pub mean_velocities: Vec<DVec2>,
+    /// Which balls are near each other in this step.
+    pub near_balls: NearBalls,
+    /// How often the impulse of a contact was found in this tick.
+    pub contact_solves: u64,
 }
 
 /// A step in work.
@@ -79,6 +84,7 @@ impl Step<'_> {
 
 /// Advances everything by `duration`. The buffers' `ball_steps` hold what acts on each ball.
 pub(crate) fn advance(step: &mut Step, duration: f64) {
+    near_balls::find(step);
     resting_contacts::solve(step, duration);
     sweep::run(step, duration);
     flipper_contact::end_step(step, duration);

@@ -2,6 +2,7 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod captives;
 mod config;
 mod drawing;
 mod element_class;

@@ -5,7 +5,7 @@ use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
-use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -86,6 +86,11 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         ambient_power: config.ambient_power as f32,
         hash: 0,
     };
+    if let Err((part, why)) = captives::check(&table.layout) {
+        let name = &table.layout.parts[part].name;
+        let at = drawing.elements.iter().find(|element| element.name == *name).map_or(0, |element| element.at);
+        return Err(failures(vec![svg.diagnostic(at, format!("{name}: {why}"))]));
+    }
     table.hash = super::hash::of(&table);
     Ok(table)
 }

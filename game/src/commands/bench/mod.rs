@@ -5,6 +5,7 @@
 mod clock;
 mod friction_cone;
 mod growth;
+mod heap;
 mod physics;
 mod quality;
 mod room;

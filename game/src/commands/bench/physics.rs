@@ -65,6 +65,7 @@ pub fn rows(shots: u64, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
         return Err(Failure::new(format!("{} of {} impacts rubbed too hard", cone.outside, cone.impacts)));
     }
     rows.push(crowd(&fresh));
+    rows.extend(super::heap::rows()?);
     Ok(rows)
 }
 
