@@ -24,12 +24,23 @@ pub(super) fn mistake(node: Node) -> Option<String> {
     relative.map(|name| format!("its {name} is given in letters; give it as a number"))
 }
 
-/// Whether the numbers in an attribute are sizes: those in names and colours are none.
+/// Whether the numbers in an attribute decide how many curves a shape is cut into.
 fn is_number(attribute: &str) -> bool {
-    !matches!(
+    matches!(
         attribute,
-        "id" | "class" | "href" | "style" | "font-family" | "lang" | "label" | "type" | "result" | "in" | "in2"
-    ) && !attribute.starts_with("data-")
+        "d" | "points"
+            | "x"
+            | "y"
+            | "width"
+            | "height"
+            | "r"
+            | "rx"
+            | "ry"
+            | "cx"
+            | "cy"
+            | "font-size"
+            | "stroke-width"
+    )
 }
 
 /// The largest number in a text, without its sign.
@@ -40,7 +51,7 @@ pub(super) fn largest(text: &str) -> f64 {
         // What follows a `#` is the name of a colour or of an element.
         if bytes[at] == b'#' {
             at += bytes[at..].iter().take_while(|byte| !byte.is_ascii_whitespace() && **byte != b')').count();
-        } else if bytes[at].is_ascii_digit() {
+        } else if is_start(bytes, at) {
             let end = number_end(bytes, at);
             most = text[at..end].parse().map_or(most, |number| f64::max(most, number));
             at = end;
@@ -49,6 +60,11 @@ pub(super) fn largest(text: &str) -> f64 {
         }
     }
     most
+}
+
+fn is_start(bytes: &[u8], at: usize) -> bool {
+    let digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
+    digit(at) || (bytes[at] == b'.' && digit(at + 1))
 }
 
 /// The end of the number that starts at `start`.
@@ -75,6 +91,7 @@ mod tests {
         let cases = [
             ("", 0.0),
             ("M12-7.5e2L.5.25", 750.0),
+            ("l.123456789.987654321", 0.987_654_321),
             ("3em 2e1em", 20.0),
             ("url(#p99999999) 4", 4.0),
             ("#12345678", 0.0),
