@@ -255,6 +255,7 @@ const ORDER: [(&str, &[&str]); 4] = [
         &[
             "fonts",
             "screen",
+            "terminal",
             "standard_error",
             "input",
             "art",

@@ -17,12 +17,12 @@ const PICTURE: (usize, usize) = (540, 1080);
 /// # Errors
 /// Every mistake, one line each.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let table = tables::load(&args.table).map_err(|mistakes| all(&mistakes))?;
+    let table = tables::load(&args.table).map_err(all)?;
     let table = Arc::new(table);
     let mut simulation = Simulation::new(table.clone(), 0)?;
     let complaints = simulation.complaints();
     if !complaints.is_empty() {
-        return Err(all(&complaints));
+        return Err(all(complaints.into_iter().map(Failure::new).collect()));
     }
     let cost = print_once(&table)?;
     print(&summary(&args.table, &table, &cost))
@@ -36,12 +36,11 @@ fn print_once(table: &Table) -> Result<PrintCost, Failure> {
 }
 
 /// One sentence a line.
-fn all(mistakes: &[impl ToString]) -> Failure {
-    let lines: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
-    match lines.as_slice() {
-        [line] => Failure::new(line),
-        lines => Failure::new(format!("the table has {} mistakes\n{}", lines.len(), lines.join("\n"))),
+fn all(mut mistakes: Vec<Failure>) -> Failure {
+    if mistakes.len() != 1 {
+        mistakes.insert(0, Failure::new(format!("the table has {} mistakes", mistakes.len())));
     }
+    Failure::of_many(mistakes)
 }
 
 fn summary(name: &str, table: &Table, cost: &PrintCost) -> String {

@@ -13,7 +13,7 @@ mod shots;
 mod table;
 mod tick;
 
-use super::print::print;
+use super::print::print_lines;
 use crate::Failure;
 use crate::cli::{Bench, BenchArgs};
 use serde::Serialize;
@@ -76,7 +76,8 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
     }
-    print(&if args.json { json(&rows) } else { table(&rows) })
+    let text = if args.json { json(&rows) } else { table(&rows) };
+    print_lines(text.lines())
 }
 
 fn json(rows: &[Row]) -> String {

@@ -3,7 +3,7 @@
 use super::table;
 use crate::Failure;
 use crate::commands::parallel;
-use crate::commands::print::print;
+use crate::commands::print::print_lines;
 use crate::scene_builder::{RasterizedArt, SceneBuilder};
 use crate::storage::tables;
 use serde::Serialize;
@@ -41,7 +41,8 @@ impl Row {
 /// If the table cannot be read, or a scene does not pass.
 pub fn run(threads: Option<usize>, json: bool) -> Result<(), Failure> {
     let rows = parallel::pool(threads)?.install(rows)?;
-    print(&if json { serde_json::to_string_pretty(&rows).expect("plain numbers are JSON") } else { text(&rows) })?;
+    let text = if json { serde_json::to_string_pretty(&rows).expect("plain numbers are JSON") } else { text(&rows) };
+    print_lines(text.lines())?;
     let failed: Vec<&str> = rows.iter().filter(|row| !row.passes).map(|row| row.scene.as_str()).collect();
     if failed.is_empty() { Ok(()) } else { Err(Failure::new(format!("not exact enough: {}", failed.join(", ")))) }
 }
