@@ -11,12 +11,12 @@ use crate::storage::recordings;
 /// # Errors
 /// If the recording cannot be played again, or there is no display.
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
-    let replay = recordings::open(&args.file)?;
+    let recording = recordings::open_to_show(&args.file)?;
     let options = DisplayOptions {
         size: args.size,
         fullscreen: args.fullscreen,
         light: args.light.resolution(),
         zoom: args.zoom,
     };
-    game_app::watch(replay, options, parallel::pool(args.threads)?)
+    game_app::watch(recording, options, parallel::pool(args.threads)?)
 }

@@ -10,9 +10,9 @@ mod tests;
 
 use crate::desktop::{Display, WindowOptions};
 use crate::frame_composer::{FrameComposer, LightResolution};
-use crate::recording::Replay;
 use crate::screen::Size;
 use crate::session::{LiveGame, ReplaySession, Session};
+use crate::storage::recordings::ShownRecording;
 use crate::{Failure, Table};
 use app::GameApp;
 use std::path::PathBuf;
@@ -59,9 +59,9 @@ pub fn play(game: &GameOptions, options: DisplayOptions, pool: rayon::ThreadPool
 ///
 /// # Errors
 /// If there is no display.
-pub fn watch(replay: Replay, options: DisplayOptions, pool: rayon::ThreadPool) -> Result<(), Failure> {
+pub fn watch(recording: ShownRecording, options: DisplayOptions, pool: rayon::ThreadPool) -> Result<(), Failure> {
     let display = Display::open()?;
-    let session = ReplaySession::new(replay);
+    let session = ReplaySession::new(recording);
     let composer = FrameComposer::new(session.table().clone(), pool)?;
     run(display, Session::Replay(Box::new(session)), composer, options)
 }

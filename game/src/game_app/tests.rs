@@ -39,7 +39,7 @@ impl Headless {
 
     fn replay() -> Headless {
         let demo = assets::demos().expect("the demos").remove(0);
-        let replay = ReplaySession::new(recordings::open(&demo).expect("a demo can be played again"));
+        let replay = ReplaySession::new(recordings::open_to_show(&demo).expect("a demo can be played again"));
         Headless::new(Session::Replay(Box::new(replay)))
     }
 

@@ -194,7 +194,9 @@ impl TickSource for RecordedPlay {
         };
         self.simulation.tick(buttons);
         self.last_ball.push(buttons);
-        self.recordings.record(&self.simulation, buttons, &mut self.complaints);
+        // The opening presses start by itself: a window that is only looked at is not played.
+        let played = self.bot.is_some() || self.held != Buttons::NONE;
+        self.recordings.record(&self.simulation, buttons, played, &mut self.complaints);
         true
     }
 }

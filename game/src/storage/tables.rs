@@ -43,13 +43,20 @@ fn folder_name(dir: &Path) -> String {
     whole.file_name().map_or_else(|| "table".to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The folder that a recording names, so that its reader finds the table; empty for a table that is found by its name.
+/// The folder that a recording names, so that its reader finds the table's art; empty for a built-in table.
 fn recorded_folder(dir: &Path, name: &str) -> String {
-    let absolute = dir.canonicalize();
-    if table_dir(name).is_ok_and(|found| found.canonicalize().ok() == absolute.as_ref().ok().cloned()) {
+    let absolute = dir.canonicalize().ok();
+    if absolute.is_some() && built_in(name).and_then(|built_in| built_in.canonicalize().ok()) == absolute {
         return String::new();
     }
     absolute.as_deref().unwrap_or(dir).to_string_lossy().into_owned()
+}
+
+/// The folder of the built-in table called `name`.
+pub(super) fn built_in(name: &str) -> Option<PathBuf> {
+    let is_plain = Path::new(name).components().count() == 1 && Path::new(name).file_name().is_some();
+    let drawing = is_plain.then(|| find(Path::new("tables").join(name).join(FILES[0]))).flatten()?;
+    drawing.parent().map(Path::to_path_buf)
 }
 
 /// The bytes of a file, or why it cannot be read.
@@ -69,10 +76,8 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     if folder.join("table.svg").exists() {
         return Ok(folder.to_path_buf());
     }
-    let is_plain = folder.components().count() == 1 && folder.file_name().is_some();
-    let known = is_plain.then(|| find(Path::new("tables").join(name).join("table.svg"))).flatten();
-    if let Some(dir) = known.as_deref().and_then(Path::parent) {
-        return Ok(dir.to_path_buf());
+    if let Some(dir) = built_in(name) {
+        return Ok(dir);
     }
     if folder.is_dir() {
         return Err(Failure::new(format!("the folder {name} has no table.svg, so it is no table")));
@@ -85,8 +90,8 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     Err(Failure::new(format!("there is no table called {name}: {there_are}")))
 }
 
-/// The names of the tables there are, in order.
-fn names() -> Vec<String> {
+/// The names of the built-in tables, in order.
+pub(super) fn names() -> Vec<String> {
     let folders = roots().into_iter().filter_map(|root| std::fs::read_dir(root.join("assets/tables")).ok());
     let tables = folders.flatten().flatten().filter(|entry| entry.path().join("table.svg").is_file());
     let mut names: Vec<String> = tables.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();

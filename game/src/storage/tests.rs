@@ -2,9 +2,32 @@
 
 use super::{TableWatch, limited_read, tables};
 use crate::small_table::SVG;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-struct Folder(std::path::PathBuf);
+/// An empty folder of a test's own, which goes with it.
+pub(super) struct Scratch(PathBuf);
+
+impl Scratch {
+    pub fn new(name: &str) -> Scratch {
+        let dir = std::env::temp_dir().join(format!("caustic-storage-{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&dir);
+        std::fs::create_dir_all(&dir).unwrap();
+        Scratch(dir)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Folder {

@@ -6,6 +6,7 @@ mod captives;
 mod config;
 mod drawing;
 mod element_class;
+mod embedded;
 mod hash;
 mod lamp;
 mod lamps;
@@ -25,6 +26,7 @@ mod style;
 pub(crate) mod tests;
 mod transform;
 
+pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};
