@@ -316,6 +316,7 @@ fn a_recording_carries_its_table_to_the_last_bit_and_plays_without_any_file() {
     assert_eq!((&carried.layout, &carried.rules), (&table.layout, &table.rules));
     assert_eq!((&carried.lamps, &carried.solids), (&table.lamps, &table.solids));
     assert_eq!((carried.size_mm, carried.ambient), (table.size_mm, table.ambient));
+    assert_eq!(carried.ambient_power, table.ambient_power);
     let mut replay = Replay::new(recording, Arc::new(carried)).unwrap();
     while replay.step() {}
     assert_eq!((replay.difference(), replay.simulation().hash()), (None, simulation.hash()));

@@ -17,7 +17,7 @@ use std::borrow::Cow;
 /// The floor where there is no art: a grey on which all light can be seen.
 const BLANK_FLOOR: &str = "#7f7f7f";
 /// Light from everywhere on a table whose look is not known.
-const PLAIN_AMBIENT: [f32; 3] = [0.25; 3];
+const PLAIN_AMBIENT_POWER: f32 = 0.25;
 /// The farthest that anything of a look may lie from the drawing's origin, mm.
 const FARTHEST_MM: f64 = 1e5;
 
@@ -52,7 +52,8 @@ struct Look<'a> {
     size_mm: DVec2,
     lamps: Cow<'a, [Lamp]>,
     solids: Cow<'a, [Solid]>,
-    ambient: [f32; 3],
+    ambient: [u8; 3],
+    ambient_power: f32,
 }
 
 impl EmbeddedTable {
@@ -70,6 +71,7 @@ impl EmbeddedTable {
             lamps: Cow::Borrowed(&table.lamps),
             solids: Cow::Borrowed(&table.solids),
             ambient: table.ambient,
+            ambient_power: table.ambient_power,
         };
         EmbeddedTable { game: json(&game), look: Some(json(&look)) }
     }
@@ -98,6 +100,7 @@ impl EmbeddedTable {
             normal_map: NormalMapInputs::default(),
             rules: game.rules.into_owned(),
             ambient: look.ambient,
+            ambient_power: look.ambient_power,
             hash: 0,
         };
         table.hash = hash::of(&table);
@@ -152,6 +155,7 @@ fn plain_look<'a>(game: &Game) -> Look<'a> {
         size_mm: game.layout.size_m * 1000.0,
         lamps: game.lamps.iter().map(lamp).collect(),
         solids: Cow::Borrowed(&[]),
-        ambient: PLAIN_AMBIENT,
+        ambient: [255; 3],
+        ambient_power: PLAIN_AMBIENT_POWER,
     }
 }
