@@ -7,7 +7,7 @@ use game::simulation::Hashes;
 use game::table::EmbeddedTable;
 use std::fs;
 use std::io::Cursor;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// A folder of this test's own.

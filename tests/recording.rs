@@ -1,5 +1,7 @@
 //! Recordings: what was pressed comes back, and no damage goes unnoticed.
 
+#![expect(clippy::disallowed_methods, reason = "the test reads what it has written")]
+
 use game::recording::{CHECKPOINT_TICKS, Checkpoint, Damage, FLUSH_TICKS, Header, Recorder, Recording, Replay, Writer};
 use game::simulation::{Hashes, SIMULATION_VERSION};
 use game::storage::{assets, recordings, tables};
@@ -258,7 +260,8 @@ fn an_unknown_chunk_is_skipped_if_its_tag_is_small_and_refused_by_name_if_it_is_
 #[test]
 fn chunks_in_another_order_or_without_sense_are_refused() {
     let known = chunks(&finished(1500));
-    let changed = |change: &dyn Fn(&mut Vec<(u8, Vec<u8>)>)| {
+    type Change<'a> = &'a dyn Fn(&mut Vec<(u8, Vec<u8>)>);
+    let changed = |change: Change| {
         let mut chunks = known.clone();
         change(&mut chunks);
         Recording::parse(&sealed(&chunks)).is_err()

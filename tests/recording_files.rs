@@ -1,5 +1,7 @@
 //! Recordings as files on a player's disk: they play wherever they lie, and nothing is written over or lost by them.
 
+#![expect(clippy::disallowed_methods, reason = "the test reads what it has written")]
+
 use super::command_line::{Folder, caustic, complaint, program, sentence};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,7 @@
 //! Numbers in a drawing's attributes: none may be so large that the libraries lose themselves in it.
 //!
-//! An arc is cut into more curves the larger it is, so that one of 1e300 mm fills the memory before anybody sees it.
+//! An arc is cut into more curves the larger it is, so that one of 1e300 mm fills the memory before anybody sees it; a
+//! displacement of 1e9 is more than a whole number of pixels holds.
 
 use resvg::usvg::roxmltree::Node;
 use simplecss::DeclarationTokenizer;
@@ -8,15 +9,22 @@ use simplecss::DeclarationTokenizer;
 /// The largest number that art may have anywhere: ten kilometres in a drawing.
 const MAX_NUMBER: f64 = 1e7;
 
+/// The smallest number but 0 that a step of a filter may have: what is divided by less is beyond single precision.
+const MIN_FILTER_NUMBER: f64 = 1e-9;
+
 /// What is wrong with the numbers of an element, if anything is.
 pub(super) fn mistake(node: Node) -> Option<String> {
     let too_large = |number: f64| format!("the number {number} in it is too large; {MAX_NUMBER} is the most");
-    let values = node.attributes().filter(|own| is_number(own.name())).map(|own| own.value());
+    let counts = |name: &str| is_number(name) || (is_filter_primitive(node) && !is_word(name));
+    let values = node.attributes().filter(|own| counts(own.name())).map(|own| own.value());
     let styled = node.attribute("style").into_iter().flat_map(DeclarationTokenizer::from);
     let values = values.chain(styled.filter(|own| is_number(own.name)).map(|own| own.value));
-    let largest = values.map(largest).fold(0.0, f64::max);
-    if largest > MAX_NUMBER {
-        return Some(too_large(largest));
+    let [least, most] = values.map(range).fold(NO_NUMBERS, |[least, most], [l, m]| [least.min(l), most.max(m)]);
+    if most > MAX_NUMBER {
+        return Some(too_large(most));
+    }
+    if is_filter_primitive(node) && least < MIN_FILTER_NUMBER {
+        return Some(format!("the number {least:e} in it is too small; write 0, or {MIN_FILTER_NUMBER:e} at least"));
     }
     // A length in letters multiplies with each font size round it.
     let in_letters = |length: &str| length.contains("em") || length.contains("ex");
@@ -43,23 +51,39 @@ fn is_number(attribute: &str) -> bool {
     )
 }
 
-/// The largest number in a text, without its sign.
-pub(super) fn largest(text: &str) -> f64 {
+/// Whether an element is a step of a filter, whose arithmetic is done in whole numbers here and there.
+fn is_filter_primitive(node: Node) -> bool {
+    node.tag_name().name().starts_with("fe")
+}
+
+/// Whether an attribute of a filter's step holds names, in which digits are no numbers.
+fn is_word(attribute: &str) -> bool {
+    matches!(attribute, "id" | "class" | "in" | "in2" | "result" | "href" | "style")
+}
+
+/// The range of no numbers at all.
+const NO_NUMBERS: [f64; 2] = [f64::INFINITY, 0.0];
+
+/// The smallest number but 0 and the largest number in a text, without their signs.
+fn range(text: &str) -> [f64; 2] {
     let bytes = text.as_bytes();
-    let (mut at, mut most) = (0, 0.0);
+    let (mut at, [mut least, mut most]) = (0, NO_NUMBERS);
     while at < bytes.len() {
         // What follows a `#` is the name of a colour or of an element.
         if bytes[at] == b'#' {
             at += bytes[at..].iter().take_while(|byte| !byte.is_ascii_whitespace() && **byte != b')').count();
         } else if is_start(bytes, at) {
             let end = number_end(bytes, at);
-            most = text[at..end].parse().map_or(most, |number| f64::max(most, number));
+            if let Ok(number) = text[at..end].parse::<f64>() {
+                most = most.max(number);
+                least = if number > 0.0 { least.min(number) } else { least };
+            }
             at = end;
         } else {
             at += 1;
         }
     }
-    most
+    [least, most]
 }
 
 fn is_start(bytes: &[u8], at: usize) -> bool {
@@ -102,7 +126,8 @@ mod tests {
             ("7.", 7.0),
         ];
         for (text, number) in cases {
-            assert_eq!(largest(text), number, "{text}");
+            assert_eq!(range(text)[1], number, "{text}");
         }
+        assert_eq!(range("0 -3 1e-20 5"), [1e-20, 5.0]);
     }
 }

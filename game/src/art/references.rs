@@ -19,6 +19,17 @@ pub(super) enum Times {
     EachCorner,
 }
 
+impl Times {
+    /// Whether an element of this name can be meant: paint is a gradient or a pattern, and a corner's is a marker.
+    fn may_mean(self, element: &str) -> bool {
+        match self {
+            Times::AsOwn | Times::Once => true,
+            Times::EachShape => matches!(element, "linearGradient" | "radialGradient" | "pattern"),
+            Times::EachCorner => element == "marker",
+        }
+    }
+}
+
 /// A reference by id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Reference<'a> {
@@ -46,10 +57,11 @@ impl<'a, 'input> References<'a, 'input> {
         References { sheet, ids }
     }
 
-    /// The elements that an id may mean.
-    pub fn find(&self, id: &str) -> impl Iterator<Item = Node<'a, 'input>> + use<'a, 'input> {
-        let [first, last] = self.ids.get(id).copied().map_or([None; 2], |found| found.map(Some));
-        first.into_iter().chain(last.filter(|last| Some(*last) != first))
+    /// The elements that a reference may mean: several where an id is there twice, as a gradient and the group in it.
+    pub fn find(&self, reference: Reference) -> impl Iterator<Item = Node<'a, 'input>> + use<'a, 'input> {
+        let [first, last] = self.ids.get(reference.id).copied().map_or([None; 2], |found| found.map(Some));
+        let both = first.into_iter().chain(last.filter(|last| Some(*last) != first));
+        both.filter(move |node| reference.times.may_mean(node.tag_name().name()))
     }
 
     /// How many comparisons the sheets take for each element, where elements lie up to `depth` deep: a selector of

@@ -181,7 +181,7 @@ impl<'a, 'input> Counter<'a, 'input> {
         depth: usize,
         amount: &mut Amount,
     ) -> Result<(), Failure> {
-        for target in self.references.find(reference.id) {
+        for target in self.references.find(reference) {
             let drawn = self.count(target, depth + 1)?;
             let times = match reference.times {
                 Times::AsOwn | Times::Once => 1.0,

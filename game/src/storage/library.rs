@@ -146,7 +146,7 @@ mod tests {
         left.finish(&simulation).unwrap();
         play(&mut killed, &mut simulation, 2500, false);
         drop(killed);
-        assert_eq!(recordings(folder.path()), [old.clone()]);
+        assert_eq!(recordings(folder.path()), std::slice::from_ref(&old));
         let mut played = new();
         play(&mut played, &mut simulation, 1, true);
         let kept = recordings(folder.path());

@@ -15,16 +15,23 @@ pub(super) const RECORDING_LIMIT_BYTES: u64 = 32 << 20;
 /// # Errors
 /// If it cannot be read, is no plain file, or has more than `limit_bytes`.
 pub(super) fn read(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
-    let metadata = fs::metadata(path)?;
-    check_kind(metadata.file_type())?;
-    if metadata.len() > limit_bytes {
+    let file = open(path)?;
+    if file.metadata()?.len() > limit_bytes {
         return Err(too_large(limit_bytes));
     }
-    #[expect(clippy::disallowed_methods, reason = "this is the function that the others are to use")]
-    let file = File::open(path)?;
     let mut bytes = Vec::new();
     file.take(limit_bytes + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit_bytes { Err(too_large(limit_bytes)) } else { Ok(bytes) }
+}
+
+/// The plain file `path`, opened.
+///
+/// # Errors
+/// If it cannot be opened or is no plain file.
+#[expect(clippy::disallowed_methods, reason = "this is the function that the others are to use")]
+pub(super) fn open(path: &Path) -> io::Result<File> {
+    check_kind(fs::metadata(path)?.file_type())?;
+    File::open(path)
 }
 
 fn too_large(limit_bytes: u64) -> io::Error {

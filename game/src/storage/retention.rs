@@ -4,6 +4,7 @@
 //! Recordings of before there were numbers begin with their moment; they come first, by it. A file with any other name is
 //! not the folder's own: somebody named it, so it is neither counted nor ever removed.
 
+use super::limited_read;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -77,7 +78,7 @@ pub(super) fn hold_written(file: &File) {
 
 /// Holds the recording in the file `path` while it is shown: as long as what is returned is open.
 pub(super) fn hold_shown(path: &Path) -> Option<File> {
-    let file = File::open(path).ok().filter(|_| HOLDS)?;
+    let file = limited_read::open(path).ok().filter(|_| HOLDS)?;
     // One that is being written is held by its writer.
     let _ = file.try_lock_shared();
     Some(file)
@@ -87,7 +88,7 @@ pub(super) fn hold_shown(path: &Path) -> Option<File> {
 const HOLDS: bool = cfg!(unix);
 
 fn is_in_use(path: &Path) -> bool {
-    HOLDS && File::open(path).is_ok_and(|file| matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)))
+    HOLDS && limited_read::open(path).is_ok_and(|file| matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)))
 }
 
 #[cfg(test)]

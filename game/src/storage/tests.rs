@@ -82,7 +82,7 @@ fn no_more_of_a_file_is_read_than_the_limit() {
     // The kernel's own files are plain files whose metadata say 0 bytes, whatever is in them.
     #[cfg(target_os = "linux")]
     {
-        let own = std::path::Path::new("/proc/self/maps");
+        let own = Path::new("/proc/self/maps");
         assert_eq!(std::fs::metadata(own).unwrap().len(), 0);
         let told = limited_read::read(own, 100).unwrap_err();
         assert_eq!(told.kind(), std::io::ErrorKind::FileTooLarge);

@@ -47,7 +47,8 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let drawing =
         svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
-    let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
+    // Without its numbers a drawing has mistakes that it does not have.
+    let Some(toml) = toml else { return Err(failures(diagnostics)) };
     let config = &config::parse(&toml, ids, &mut diagnostics);
     let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
         return Err(failures(diagnostics));
