@@ -85,6 +85,7 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     let names = names();
     let there_are = match names.as_slice() {
         [] => "no assets/tables folder was found; start the game where its assets are".to_string(),
+        [name] => format!("there is only {name}; or give the folder of one"),
         names => format!("there are {}; or give the folder of one", names.join(", ")),
     };
     Err(Failure::new(format!("there is no table called {name}: {there_are}")))

@@ -15,7 +15,7 @@ pub enum Damage {
     #[error("it was recorded with a chunk `{0}` that this program does not know; play it with a newer Caustic")]
     UnknownChunk(char),
     /// The end is missing.
-    #[error("it is cut short: {left} of its {whole} bytes are left")]
+    #[error("it is cut short: {left} of its {whole} bytes are left; caustic verify --salvage OUT keeps what is sound")]
     CutShort {
         /// Bytes that are there.
         left: u64,
