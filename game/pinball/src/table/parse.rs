@@ -5,6 +5,7 @@ use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
+use super::written_out::{self, WrittenOut};
 use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
@@ -42,35 +43,40 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         file += 1;
         source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
     });
-    let document =
-        svg.as_ref().and_then(|svg| drawing::parse_xml(svg).map_err(|diagnostic| diagnostics.push(diagnostic)).ok());
-    let drawing =
-        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
+    let written = svg.and_then(|svg| written_out::write_out(svg, &mut diagnostics));
+    let document = written.as_ref().and_then(|written| {
+        drawing::parse_xml(&written.source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
+    });
+    let drawing = written
+        .as_ref()
+        .zip(document.as_ref())
+        .map(|(written, document)| Drawing::read(written, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
     let config = &config::parse(&toml, ids, &mut diagnostics);
-    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
+    let (Some(WrittenOut { source: svg, .. }), Some(document), Some(drawing)) = (&written, &document, &drawing) else {
         return Err(failures(diagnostics));
     };
     let converted = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
-    if !diagnostics.is_empty() {
-        return Err(failures(diagnostics));
+    let warnings = failures(diagnostics);
+    if warnings.iter().any(|failure| !failure.is_warning()) {
+        return Err(warnings);
     }
-    let printed = layers::split_layers(&svg.text, document);
+    let printed = layers::split_layers(&svg.text, document, drawing.page.mm_per_unit);
     let mut table = Table {
         title: config.title.clone().unwrap_or_else(|| name.clone()),
         name,
         origin,
         folder,
         layout: Layout {
-            size_m: drawing.size_mm * 0.001,
+            size_m: drawing.page.size_mm * 0.001,
             slope_rad: config.slope_deg.to_radians(),
             playfield_friction: config.playfield_friction,
             parts: converted.parts,
         },
         materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
-        size_mm: drawing.size_mm,
+        size_mm: drawing.page.size_mm,
         lamps: converted.lamps,
         solids: converted.solids,
         floor_svg: printed.floor,
@@ -84,6 +90,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         rules: rules.map_or_else(String::new, |rules| rules.text),
         ambient: config.ambient,
         ambient_power: config.ambient_power as f32,
+        warnings,
         hash: 0,
     };
     table.hash = super::hash::of(&table);
@@ -94,10 +101,12 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
 fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
     diagnostics.sort();
     diagnostics.dedup();
-    let mut failures: Vec<Failure> =
-        diagnostics.iter().take(MAX_REPORTED).map(|diagnostic| Failure::new(diagnostic.to_string())).collect();
+    let mut failures: Vec<Failure> = diagnostics.iter().take(MAX_REPORTED).map(Diagnostic::failure).collect();
     if diagnostics.len() > MAX_REPORTED {
-        failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
+        let rest = &diagnostics[MAX_REPORTED..];
+        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.failure().is_warning()).count();
+        let more = format!("and {mistakes} more mistakes and {} more warnings", rest.len() - mistakes);
+        failures.push(if mistakes > 0 { Failure::new(more) } else { Failure::warning(more) });
     }
     failures
 }

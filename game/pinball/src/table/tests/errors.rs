@@ -90,8 +90,9 @@ fn mistakes_in_words_have_their_line() {
     says(drawn(r#"<image href="a.png"/>"#), &["5: `image` cannot be printed"]);
     says(
         drawn(r#"<line class="flippr" data-side="left" x2="9"/>"#),
-        &["5: it has `data-side` but its class is no thing"],
+        &["5: the class `flippr` means nothing; did you mean `flipper`?"],
     );
+    says(drawn(r#"<line data-side="left" x2="9"/>"#), &["5: it has `data-side` but its class is no thing"]);
     says(drawn(r#"<line id="p" class="plunger" x1="9" y1="9" x2="9" y2="40"/>"#), &["5: there is already a plunger"]);
 }
 
