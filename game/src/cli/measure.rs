@@ -39,7 +39,7 @@ pub enum Bench {
     Tick,
     /// How exact the light is, against shadow rays.
     Quality,
-    /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls costs.
+    /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.
     Physics,
     /// All of them but quality and physics.
     All,

@@ -118,6 +118,9 @@ pub struct VerifyArgs {
     /// Also hash every tick and print one number for each recording, and one for all of them by their seeds
     #[arg(long)]
     pub digest: bool,
+    /// Cut one damaged recording to its sound part, in this new file, and verify that
+    #[arg(long, value_name = "OUT")]
+    pub salvage: Option<PathBuf>,
 }
 
 /// `caustic dump`
@@ -128,6 +131,9 @@ pub struct DumpArgs {
     /// A folder for numbered PNG files, or - for y4m on standard output
     #[arg(long, value_name = "DIR|-")]
     pub out: PathBuf,
+    /// Write over frames that are in the folder already
+    #[arg(long)]
+    pub overwrite: bool,
     /// Size of the frames in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse,
         default_value = "540x1080")]
@@ -239,6 +245,9 @@ pub struct SimulateArgs {
     /// A folder for recordings of all the games
     #[arg(long, value_name = "DIR")]
     pub save_all: Option<PathBuf>,
+    /// Write over recordings that are in these folders already
+    #[arg(long)]
+    pub overwrite: bool,
     /// Who plays
     #[arg(long, value_enum, default_value_t = Player::Bot)]
     pub player: Player,
@@ -285,6 +294,9 @@ impl Cli {
             }
             Some(Command::Frame(FrameArgs { integrator: Integrator::Exact, samples: Some(_), .. })) => {
                 Err("--samples is for --integrator monte-carlo; exact light takes no samples".to_string())
+            }
+            Some(Command::Verify(VerifyArgs { files, salvage: Some(_), .. })) if files.len() != 1 => {
+                Err("--salvage cuts one recording; name just one".to_string())
             }
             Some(Command::Dump(DumpArgs { size, zoom, .. }) | Command::Frame(FrameArgs { size, zoom, .. })) => {
                 check_zoomed(*size, *zoom)

@@ -129,7 +129,7 @@ pub(crate) fn tick(kicker_ticks: &mut [u16]) {
 }
 
 /// Fires every kicker, whatever its switch says: what lies at it is thrown off.
-pub(crate) fn search(model: &Model, state: &mut State) {
+pub(crate) fn fire_all(model: &Model, state: &mut State) {
     for obstacle in &model.collision.obstacles {
         let ObstacleRole::Kicker(index) = obstacle.role else { continue };
         state.mechanisms.kicker_ticks[index] = 0;

@@ -9,7 +9,7 @@ use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 /// The most lamps that are cached: in a scene of more, every frame is made from nothing.
 pub(crate) const MAX_LAMPS: usize = 160;
 
-/// The most inserts that are cached.
+/// The most glows that are cached.
 pub(crate) const MAX_GLOWS: usize = 1_000;
 
 /// How many moves a dark lamp may miss before it is lost.
@@ -35,12 +35,12 @@ pub(crate) struct FrameHistory {
     occluders: Vec<Occluder>,
     /// The balls in the air, not turned.
     airborne: Vec<Ball>,
-    /// Those of the frame that is to come.
+    /// Scratch: the airborne balls of this frame.
     next: Vec<Ball>,
-    /// The lamps, by the numbers that [`TileCache`] knows them by; and those that have been where they are not any more.
+    /// The lamps by their slots, which [`TileCache`] knows them by. A lamp that moves gets another slot; its old slot stays.
     pub known: Vec<KnownLamp>,
-    /// The lamps' numbers, in the order of their ids.
-    numbers: Vec<(ItemId, usize)>,
+    /// The lamps' slots, in the order of their ids.
+    slots: Vec<(ItemId, usize)>,
     pairing: ItemPairing,
     /// The tiles, band by band.
     pub bands: Vec<Vec<TileCache>>,
@@ -53,7 +53,7 @@ impl FrameHistory {
         if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
-            self.numbers.clear();
+            self.slots.clear();
             self.bands.resize_with(bands, Vec::new);
             for band in &mut self.bands {
                 band.resize_with(tiles, TileCache::default);
@@ -91,28 +91,28 @@ impl FrameHistory {
         self.bands.iter().flatten().any(|tile| tile.redrawn)
     }
 
-    /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
-    pub fn number(&mut self, lamp: &Lamp) -> usize {
+    /// The slot of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
+    pub fn slot(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
-        let at = self.numbers.binary_search_by_key(&lamp.id, |&(id, _)| id);
+        let at = self.slots.binary_search_by_key(&lamp.id, |&(id, _)| id);
         if let Ok(at) = at
-            && self.known[self.numbers[at].1].lamp == black
+            && self.known[self.slots[at].1].lamp == black
         {
-            return self.numbers[at].1;
+            return self.slots[at].1;
         }
-        let number = self.known.len();
+        let slot = self.known.len();
         self.known.push(KnownLamp { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
         match at {
-            Ok(at) => self.numbers[at].1 = number,
-            Err(at) => self.numbers.insert(at, (lamp.id, number)),
+            Ok(at) => self.slots[at].1 = slot,
+            Err(at) => self.slots.insert(at, (lamp.id, slot)),
         }
-        number
+        slot
     }
 
-    /// Every tile's layer of the lamp of this number is valid.
-    pub fn lamp_updated(&mut self, number: usize) {
-        self.known[number].moved.clear();
-        self.known[number].moved_balls.clear();
-        self.known[number].lost = false;
+    /// Every tile's layer of the lamp of this slot is valid.
+    pub fn lamp_updated(&mut self, slot: usize) {
+        self.known[slot].moved.clear();
+        self.known[slot].moved_balls.clear();
+        self.known[slot].lost = false;
     }
 }

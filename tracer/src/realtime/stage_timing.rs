@@ -6,7 +6,7 @@ pub enum RenderStage {
     /// What is new in the scene is known.
     Prepared,
     /// The tile caches are valid: shadows and surfaces are found where something has moved.
-    Lit,
+    Shaded,
     /// The balls mirror the table.
     BallsRendered,
     /// The bloom is there.

@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_veil_hides_what_it_covers_and_half_at_its_edge() {
+    fn an_overhang_hides_what_it_covers_and_half_at_its_edge() {
         let overhang = Overhang { shape: Shape::capsule(DVec2::ZERO, DVec2::new(100.0, 0.0), 20.0), passes: 0.6 };
         for (y, seen) in [(0.0, 0.6), (19.0, 0.6), (20.0, 0.8), (21.0, 1.0), (50.0, 1.0)] {
             assert!((overhang.passes_at(DVec2::new(40.0, y), 1.0) - seen).abs() < 1e-6, "at {y}");

@@ -158,7 +158,7 @@ pub(crate) fn wrong_with_view(view: &View) -> Option<&'static str> {
 pub(crate) fn wrong_with_lamp(lamp: &Lamp) -> Option<&'static str> {
     let size = match lamp.emitter {
         Emitter::Disc { radius_mm } => radius_mm,
-        Emitter::Segment { half_mm } => half_mm.length(),
+        Emitter::Tube { half_mm } => half_mm.length(),
     };
     if !is_place(lamp.center_mm) {
         Some("must be within 10 km of the origin")

@@ -14,9 +14,9 @@ use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
 use crate::visibility::projected_emitter::ProjectedChord;
 
 /// A slope that stands for infinity: a direction parallel to the chord. Its square is finite in single precision.
-const STEEP: f32 = 1e18;
+const SLOPE_INFINITY: f32 = 1e18;
 
-/// The interval that the chain or piece of this number covers, for each of a block of points.
+/// The interval that the chain or piece of this number covers, for each of a block of samples.
 #[inline(always)]
 pub(crate) fn covered_interval<S: ProjectedChord>(
     x: &Lanes,
@@ -41,7 +41,7 @@ pub(crate) fn covered_interval<S: ProjectedChord>(
     }
 }
 
-/// The interval of a chain that lies, for every point of the block, between the point and the lamp's chord.
+/// The interval of a chain that lies, for every sample of the block, between the point and the lamp's chord.
 ///
 /// From outside, the hull of two discs spans the same directions as the two discs together and whatever lies between
 /// them, and the links of a chain leave no gap: its interval goes from its discs' lowest tangent to their highest.
@@ -62,12 +62,12 @@ fn cover_chain<S: ProjectedChord>(
     low: &mut Lanes,
     high: &mut Lanes,
 ) {
-    let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
+    let (mut lowest, mut highest) = ([SLOPE_INFINITY; LANES], [-SLOPE_INFINITY; LANES]);
     for element in elements {
         match *element {
             Element::Disc([qx, qy, radius]) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = emitter.way(x[i], y[i]);
+                    let (ux, uy, square) = emitter.to_chord_line(x[i], y[i]);
                     let (cx, cy) = (qx - x[i], qy - y[i]);
                     let (ahead, aside) = (cx * ux + cy * uy, cy * ux - cx * uy);
                     let tangent = max(cx * cx + cy * cy - radius * radius, 0.0).sqrt();
@@ -80,14 +80,14 @@ fn cover_chain<S: ProjectedChord>(
             }
             Element::Bulge(cap) => {
                 for i in 0..LANES {
-                    let (ux, uy, square) = emitter.way(x[i], y[i]);
+                    let (ux, uy, square) = emitter.to_chord_line(x[i], y[i]);
                     let ends = tangents(x[i], y[i], cap.circle, ux, uy);
                     let middle = in_frame(cap.middle, ux, uy);
                     let least = cap.least * square;
                     let (lower, upper) =
                         (on_cap(&ends, ends.lower, middle, least), on_cap(&ends, ends.upper, middle, least));
-                    lowest[i] = if lower { min(lowest[i], slope(ends.lower, -STEEP)) } else { lowest[i] };
-                    highest[i] = if upper { max(highest[i], slope(ends.upper, STEEP)) } else { highest[i] };
+                    lowest[i] = if lower { min(lowest[i], slope(ends.lower, -SLOPE_INFINITY)) } else { lowest[i] };
+                    highest[i] = if upper { max(highest[i], slope(ends.upper, SLOPE_INFINITY)) } else { highest[i] };
                 }
             }
         }
@@ -139,7 +139,7 @@ fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tan
 #[inline(always)]
 fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
     let forward = ahead > 0.0;
-    let quotient = clamp(aside / (if forward { ahead } else { 1.0 }), -STEEP, STEEP);
+    let quotient = clamp(aside / (if forward { ahead } else { 1.0 }), -SLOPE_INFINITY, SLOPE_INFINITY);
     if forward { quotient } else { behind }
 }
 
@@ -174,7 +174,7 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
     let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0, inner: [-1.0; 2] });
     let hull = !piece.single;
     for i in 0..LANES {
-        let (ux, uy, square) = emitter.way(x[i], y[i]);
+        let (ux, uy, square) = emitter.to_chord_line(x[i], y[i]);
         let a = tangents(x[i], y[i], piece.a, ux, uy);
         let b = tangents(x[i], y[i], piece.b, ux, uy);
         // Directions are compared by the sign of their cross product, not by slope: a hull may reach round the point.
@@ -193,7 +193,8 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
         }
         // Step 2: the hull spans less than half a turn, so both ends behind means all behind.
         let behind = (lower.direction[0] <= 0.0) & (upper.direction[0] <= 0.0);
-        let (mut lowest, mut highest) = (slope(lower.direction, -STEEP), slope(upper.direction, STEEP));
+        let (mut lowest, mut highest) =
+            (slope(lower.direction, -SLOPE_INFINITY), slope(upper.direction, SLOPE_INFINITY));
         // Step 3: from outside, the turn from the lower tangent of one disc to the upper tangent of the other is less
         // than half a turn; from within the hull it is more.
         let b_above_a = cross(a.center, b.center) >= 0.0;
@@ -215,8 +216,8 @@ fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
             highest = if upper.is_beyond(square) { top } else { highest };
         }
         let empty = behind | (lowest > highest);
-        low[i] = if inside { -STEEP } else { if empty { STEEP } else { lowest } };
-        high[i] = if inside | empty { STEEP } else { highest };
+        low[i] = if inside { -SLOPE_INFINITY } else { if empty { SLOPE_INFINITY } else { lowest } };
+        high[i] = if inside | empty { SLOPE_INFINITY } else { highest };
     }
 }
 
@@ -276,7 +277,7 @@ fn across_chord(
     uy: f32,
     square: f32,
 ) -> (f32, f32) {
-    let (mut bottom, mut top) = (STEEP, -STEEP);
+    let (mut bottom, mut top) = (SLOPE_INFINITY, -SLOPE_INFINITY);
     for (disc, radius) in [(a, piece.a[2]), (b, piece.b[2])] {
         let off = square - disc.center[0];
         let half_square = radius * radius * square - off * off;
@@ -310,6 +311,6 @@ fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32,
         let on_piece = off * middle[0] + aside * middle[1] >= least * square;
         let crosses = (half_square >= 0.0) & (radius > 0.0) & on_piece;
         let slope = (center[1] + aside) / square;
-        (if crosses { slope } else { STEEP }, if crosses { slope } else { -STEEP })
+        (if crosses { slope } else { SLOPE_INFINITY }, if crosses { slope } else { -SLOPE_INFINITY })
     })
 }

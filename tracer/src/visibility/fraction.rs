@@ -1,4 +1,4 @@
-//! The visible fraction of a lamp, point by point.
+//! The visible fraction of a lamp, sample by sample.
 //!
 //! Everything lies in the plane of the floor, where occluders are areas and a lamp is a line. From a point P a disc
 //! lamp is its *chord*: the diameter that is perpendicular to the line from P to the disc's centre. A tube is its own
@@ -18,7 +18,7 @@ use crate::visibility::covered_interval::covered_interval;
 use crate::visibility::interval_union::{uncovered, uncovered_many};
 use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};
 
-/// Scratch memory for the ends of the intervals that one block of points sees, as slopes.
+/// Scratch memory for the ends of the intervals that one block of samples sees, as slopes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct IntervalScratch {
     low: Vec<Lanes>,
@@ -26,7 +26,7 @@ pub(crate) struct IntervalScratch {
 }
 
 impl IntervalScratch {
-    /// Makes room for `count` intervals a point.
+    /// Makes room for `count` intervals a sample.
     pub fn reserve(&mut self, count: usize) {
         if self.low.len() < count {
             self.low.resize(count, [0.0; LANES]);
@@ -36,7 +36,7 @@ impl IntervalScratch {
 }
 
 multiversion! {
-    /// The visible fraction of `emitter` at those blocks of points whose bits are set.
+    /// The visible fraction of `emitter` at those blocks of samples whose bits are set.
     pub(crate) fn visible_fraction(
         blocks: u16, x: &Plane, y: &Plane, emitter: ProjectedEmitter, blockers: &Blockers, scratch: &mut IntervalScratch,
         fraction: &mut Plane,
@@ -53,7 +53,7 @@ fn visible_fraction_lanes(
     scratch: &mut IntervalScratch,
     fraction: &mut Plane,
 ) {
-    // Coherence: the occluder that hid the lamp from the last points is tested first for the next.
+    // Coherence: the occluder that hid the lamp from the last samples is tested first for the next.
     let mut first = 0;
     for block in set_bits(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);

@@ -101,7 +101,7 @@ impl Rules {
         rules.call("on_start", None, lamps, 0);
         match rules.complaints.is_empty() {
             true => Ok(rules),
-            false => Err(Failure::new(rules.complaints.join("\n"))),
+            false => Err(Failure::of_many(rules.complaints.into_iter().map(Failure::new).collect())),
         }
     }
 

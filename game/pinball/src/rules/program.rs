@@ -60,8 +60,8 @@ impl Program {
         mistakes.extend(literals::unknown_names(&table.rules, &names));
         if !mistakes.is_empty() {
             mistakes.sort();
-            let lines: Vec<String> = mistakes.iter().map(|(line, what)| format!("{file}:{line}: {what}")).collect();
-            return Err(Failure::new(lines.join("\n")));
+            let mistakes = mistakes.iter().map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
+            return Err(Failure::of_many(mistakes.collect()));
         }
         let function = |name: &str| (name.to_string(), line_of(name, &table.rules));
         let functions = ast.iter_functions().map(|found| function(found.name)).collect();

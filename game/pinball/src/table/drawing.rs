@@ -16,6 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// XML nodes that a drawing may have.
 const MAX_NODES: u32 = 200_000;
+/// Elements that may lie inside each other.
+pub(super) const MAX_DEPTH: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
 const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
@@ -46,7 +48,7 @@ const SHAPES: [&str; 8] = ["line", "polyline", "polygon", "path", "circle", "ell
 /// Reads the XML, and nothing that could grow without end.
 pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    Document::parse_with_options(&source.text, options).map_err(|error| match error {
+    let document = Document::parse_with_options(&source.text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => {
             Diagnostic::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
         }
@@ -54,7 +56,27 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
         }
         error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
-    })
+    })?;
+    match too_deep(&document) {
+        Some(at) => {
+            let what = format!("more than {MAX_DEPTH} elements lie inside each other; take some out");
+            Err(source.diagnostic(at, what))
+        }
+        None => Ok(document),
+    }
+}
+
+/// Where the first element begins that lies too deep in others for what walks through them, shown or not.
+fn too_deep(document: &Document) -> Option<usize> {
+    let mut depths = vec![0; document.descendants().count()];
+    for node in document.descendants().filter(Node::is_element) {
+        let depth = node.parent_element().map_or(0, |parent| depths[parent.id().get_usize()] + 1);
+        if depth > MAX_DEPTH {
+            return Some(node.range().start);
+        }
+        depths[node.id().get_usize()] = depth;
+    }
+    None
 }
 
 /// One element of the table.

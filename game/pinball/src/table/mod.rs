@@ -2,6 +2,7 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod captives;
 mod class_typo;
 mod clones;
 mod color;
@@ -9,6 +10,7 @@ mod config;
 mod css;
 mod drawing;
 mod element_class;
+mod embedded;
 mod hash;
 mod lamp;
 mod lamps;
@@ -33,6 +35,7 @@ mod transform;
 mod viewport;
 mod written_out;
 
+pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};

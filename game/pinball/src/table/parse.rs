@@ -6,7 +6,7 @@ use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
 use super::written_out::{self, WrittenOut};
-use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -52,7 +52,8 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         .zip(document.as_ref())
         .map(|(written, document)| Drawing::read(written, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
-    let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
+    // Without its numbers a drawing has mistakes that it does not have.
+    let Some(toml) = toml else { return Err(failures(diagnostics)) };
     let config = &config::parse(&toml, ids, &mut diagnostics);
     let (Some(WrittenOut { source: svg, .. }), Some(document), Some(drawing)) = (&written, &document, &drawing) else {
         return Err(failures(diagnostics));
@@ -93,6 +94,11 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         warnings,
         hash: 0,
     };
+    if let Err((part, why)) = captives::check(&table.layout) {
+        let name = &table.layout.parts[part].name;
+        let at = drawing.elements.iter().find(|element| element.name == *name).map_or(0, |element| element.at);
+        return Err(failures(vec![svg.diagnostic(at, format!("{name}: {why}"))]));
+    }
     table.hash = super::hash::of(&table);
     Ok(table)
 }

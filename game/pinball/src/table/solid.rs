@@ -2,9 +2,10 @@
 
 use geometry::{DVec2, Shape};
 use physics::PartId;
+use serde::{Deserialize, Serialize};
 
 /// A drawn element that casts a shadow, has a top, or both.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solid {
     /// The part that moves it or is hit with it, if any.
     pub part: Option<PartId>,
@@ -21,7 +22,7 @@ pub struct Solid {
 }
 
 /// How a solid's top looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finish {
     /// Reflectance, sRGB. With `art` it multiplies the art.
     pub albedo: [u8; 3],
@@ -42,7 +43,7 @@ pub struct Finish {
 }
 
 /// A top's form in cross section.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Profile {
     /// Flat, with an edge rounded over this width, mm.
     Bevel(f32),

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod normal_map;
+mod refusals;
 
 use crate::art;
 use crate::small_table::{read, table};

@@ -8,7 +8,7 @@ use tracer::srgb::decode_rgb8;
 pub(super) fn emitter(emitter: table::Emitter) -> tracer::Emitter {
     match emitter {
         table::Emitter::Disc { radius_mm } => tracer::Emitter::Disc { radius_mm },
-        table::Emitter::Segment { half_mm } => tracer::Emitter::Segment { half_mm },
+        table::Emitter::Segment { half_mm } => tracer::Emitter::Tube { half_mm },
     }
 }
 

@@ -18,7 +18,7 @@ const RING_PULL: f64 = 0.07;
 const SHADOW_ENDS: f64 = 0.08;
 
 /// What moves a solid.
-pub enum Motion {
+pub enum SolidMotion {
     /// Nothing.
     Still,
     /// It turns with a flipper, round this point, from the angle at which it is drawn.
@@ -45,22 +45,22 @@ pub struct Placed {
     pub finish: Finish,
 }
 
-impl Motion {
+impl SolidMotion {
     /// What moves `solid`; `None` where the scene builder draws the part in its own way.
-    pub fn of(layout: &Layout, solid: &Solid) -> Option<Motion> {
-        let Some(id) = solid.part else { return Some(Motion::Still) };
-        let Some(part) = layout.parts.get(usize::from(id.0)) else { return Some(Motion::Still) };
+    pub fn of(layout: &Layout, solid: &Solid) -> Option<SolidMotion> {
+        let Some(id) = solid.part else { return Some(SolidMotion::Still) };
+        let Some(part) = layout.parts.get(usize::from(id.0)) else { return Some(SolidMotion::Still) };
         Some(match &part.kind {
             Kind::Plunger(_) => return None,
             Kind::Flipper(flipper) => {
-                Motion::Turns { flipper: id, pivot_mm: mm(flipper.base.center), drawn_rad: flipper.rest_rad }
+                SolidMotion::Turns { flipper: id, pivot_mm: mm(flipper.base.center), drawn_rad: flipper.rest_rad }
             }
-            Kind::DropTarget(_) => Motion::Sinks(id),
-            Kind::Gate(gate) => Motion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.direction },
-            Kind::Spinner(spinner) => Motion::Spins { spinner: id, axle: in_mm(spinner.segment) },
-            Kind::Bumper(bumper) => Motion::Pulled { bumper: id, center_mm: mm(bumper.circle.center) },
-            Kind::Slingshot(sling) => Motion::Bends { slingshot: id, out: into_play(layout, sling.segment) },
-            _ => Motion::Still,
+            Kind::DropTarget(_) => SolidMotion::Sinks(id),
+            Kind::Gate(gate) => SolidMotion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.direction },
+            Kind::Spinner(spinner) => SolidMotion::Spins { spinner: id, axle: in_mm(spinner.segment) },
+            Kind::Bumper(bumper) => SolidMotion::Pulled { bumper: id, center_mm: mm(bumper.circle.center) },
+            Kind::Slingshot(sling) => SolidMotion::Bends { slingshot: id, out: into_play(layout, sling.segment) },
+            _ => SolidMotion::Still,
         })
     }
 
@@ -70,8 +70,8 @@ impl Motion {
         let drawn = if solid.plastic_mm.is_some() { 1 } else { shapes };
         match self {
             // The plate and the two pins of its axle.
-            Motion::Swings { .. } | Motion::Spins { .. } => (1, 3),
-            Motion::Bends { .. } if solid.plastic_mm.is_none() => (2 * shapes, 2 * shapes),
+            SolidMotion::Swings { .. } | SolidMotion::Spins { .. } => (1, 3),
+            SolidMotion::Bends { .. } if solid.plastic_mm.is_none() => (2 * shapes, 2 * shapes),
             _ => (shapes, drawn),
         }
     }
@@ -79,23 +79,23 @@ impl Motion {
     /// `solid` in this pose; `finish` is how it looks as it is drawn.
     pub fn place(&self, solid: &Solid, finish: Finish, pose: &Pose) -> Placed {
         match *self {
-            Motion::Still => as_drawn(solid, finish),
-            Motion::Turns { flipper, pivot_mm, drawn_rad } => match value(&pose.flippers_rad, flipper) {
+            SolidMotion::Still => as_drawn(solid, finish),
+            SolidMotion::Turns { flipper, pivot_mm, drawn_rad } => match value(&pose.flippers_rad, flipper) {
                 Some(angle) => Turn { pivot: pivot_mm, by_rad: angle - drawn_rad, scale: 1.0 }.place(solid, finish),
                 None => as_drawn(solid, finish),
             },
-            Motion::Sinks(target) => sunk(solid, finish, value(&pose.drop_targets, target).unwrap_or(1.0)),
-            Motion::Swings { gate, axle, way } => {
+            SolidMotion::Sinks(target) => sunk(solid, finish, value(&pose.drop_targets, target).unwrap_or(1.0)),
+            SolidMotion::Swings { gate, axle, way } => {
                 swung(solid, finish, axle, way, value(&pose.gates_rad, gate).unwrap_or_default())
             }
-            Motion::Spins { spinner, axle } => {
+            SolidMotion::Spins { spinner, axle } => {
                 spun(solid, finish, axle, value(&pose.spinners_rad, spinner).unwrap_or_default())
             }
-            Motion::Pulled { bumper, center_mm } => {
-                pulled(solid, finish, center_mm, value(&pose.kickers, bumper).unwrap_or_default())
+            SolidMotion::Pulled { bumper, center_mm } => {
+                pulled(solid, finish, center_mm, value(&pose.extensions, bumper).unwrap_or_default())
             }
-            Motion::Bends { slingshot, out } => {
-                bent(solid, finish, out, value(&pose.kickers, slingshot).unwrap_or_default())
+            SolidMotion::Bends { slingshot, out } => {
+                bent(solid, finish, out, value(&pose.extensions, slingshot).unwrap_or_default())
             }
         }
     }
