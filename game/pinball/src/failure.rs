@@ -15,12 +15,12 @@ struct Sentence {
 impl Failure {
     /// The failure that this sentence tells.
     pub fn new(sentence: impl Into<String>) -> Failure {
-        Failure(vec![Sentence { text: sentence.into(), is_warning: false }])
+        Failure(vec![Sentence { text: shortened(sentence.into()), is_warning: false }])
     }
 
     /// The warning that this sentence tells: something is odd, and nothing has failed.
     pub fn warning(sentence: impl Into<String>) -> Failure {
-        Failure(vec![Sentence { text: sentence.into(), is_warning: true }])
+        Failure(vec![Sentence { text: shortened(sentence.into()), is_warning: true }])
     }
 
     /// Whether nothing has failed.
@@ -47,6 +47,29 @@ impl Failure {
     }
 }
 
+/// Characters of a quote that are enough to find it.
+const MAX_QUOTE: usize = 100;
+/// Characters of a sentence that anybody reads.
+const MAX_SENTENCE: usize = 2000;
+
+/// A sentence of which every quote in `backticks` is as long as one can read: a file may have a word of a megabyte.
+fn shortened(sentence: String) -> String {
+    if sentence.len() <= MAX_QUOTE {
+        return sentence;
+    }
+    let pieces = sentence.split('`').enumerate();
+    let pieces: Vec<String> = pieces.map(|(at, piece)| beginning(piece, if at % 2 == 1 { MAX_QUOTE } else { MAX_SENTENCE })).collect();
+    beginning(&pieces.join("`"), MAX_SENTENCE)
+}
+
+/// The beginning of a text, and dots for what is left out.
+fn beginning(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_string(),
+    }
+}
+
 impl fmt::Display for Sentence {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = if self.is_warning { "warning: " } else { "" };
@@ -61,3 +84,19 @@ impl fmt::Display for Failure {
 }
 
 impl error::Error for Failure {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A table whose part was of a kind of a megabyte filled the terminal with it.
+    #[test]
+    fn quotes_from_files_are_cut_and_what_is_said_of_them_is_not() {
+        let long = "\u{e4}".repeat(1 << 20);
+        let told = Failure::new(format!("there is no `{long}` here; write `wall`")).to_string();
+        assert_eq!(told, format!("there is no `{}...` here; write `wall`", "\u{e4}".repeat(100)));
+        assert!(Failure::warning(long).to_string().chars().count() < 2100);
+        let plain = "the class `sling-shot` means nothing; ".repeat(4);
+        assert_eq!(Failure::new(&plain).to_string(), plain);
+    }
+}

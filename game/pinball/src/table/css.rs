@@ -94,7 +94,7 @@ impl Cascade {
         }
         let declared = strongest(self.declared(element), element.node);
         let written: Vec<(&str, &str)> = declared.iter().map(|d| (d.name.as_str(), d.value.as_str())).collect();
-        let is_plain = written == plain_reading(own.unwrap_or("")).collect::<Vec<_>>();
+        let is_plain = written == style_declarations(own.unwrap_or("")).collect::<Vec<_>>();
         let style: Vec<String> = written.iter().map(|(name, value)| format!("{name}:{value}")).collect();
         let style = style.join(";");
         self.written += style.len();
@@ -135,9 +135,27 @@ fn strongest(declared: Vec<Declaration>, node: Node) -> Vec<Declaration> {
     kept
 }
 
-/// A `style` attribute as a reader takes it that knows nothing of comments, case and `!important`.
-pub(super) fn plain_reading(style: &str) -> impl DoubleEndedIterator<Item = (&str, &str)> {
-    let declarations = style.split(';').filter_map(|declaration| declaration.split_once(':'));
+/// The declarations of a `style` attribute that is written out, property and value: what a reader finds that knows nothing
+/// of comments, case and `!important`.
+pub fn style_declarations(style: &str) -> impl DoubleEndedIterator<Item = (&str, &str)> {
+    let (mut quote, mut brackets, mut is_escaped) = (None, 0_usize, false);
+    let ends = |c: char| {
+        match c {
+            _ if is_escaped => {
+                is_escaped = false;
+                return false;
+            }
+            '\\' => is_escaped = true,
+            '"' | '\'' if quote.is_none() => quote = Some(c),
+            _ if quote.is_some() => quote = quote.filter(|open| *open != c),
+            '(' => brackets += 1,
+            ')' => brackets = brackets.saturating_sub(1),
+            _ => {}
+        }
+        c == ';' && quote.is_none() && brackets == 0
+    };
+    let written: Vec<&str> = style.split(ends).collect();
+    let declarations = written.into_iter().filter_map(|declaration| declaration.split_once(':'));
     declarations.map(|(name, value)| (name.trim(), value.trim()))
 }
 
@@ -156,4 +174,17 @@ pub(super) fn plain_attribute(name: &str, value: &str) -> Option<String> {
 fn class_words(sheet: &str) -> impl Iterator<Item = String> {
     let in_name = |c: &char| c.is_alphanumeric() || matches!(c, '-' | '_');
     sheet.split('.').skip(1).map(move |rest| rest.chars().take_while(in_name).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::style_declarations;
+
+    #[test]
+    fn semicolons_in_texts_and_addresses_end_no_declaration() {
+        let style = "fill : red;font-family:'a;fill:b\\';';mask:url(#c;d);; stroke:\"";
+        let read: Vec<(&str, &str)> = style_declarations(style).collect();
+        let font = ("font-family", "'a;fill:b\\';'");
+        assert_eq!(read, [("fill", "red"), font, ("mask", "url(#c;d)"), ("stroke", "\"")]);
+    }
 }

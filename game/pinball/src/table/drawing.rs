@@ -3,6 +3,7 @@
 //! Refuses to know what `table.toml` says and what an element is good for.
 
 use super::element_class::ElementClass;
+use super::ids::Ids;
 use super::outline::Outline;
 use super::page::{Page, SVG};
 use super::source::{Diagnostic, Source};
@@ -54,6 +55,10 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
         }
         roxmltree::Error::NodesLimitReached => {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
+        }
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
+            let what = "the drawing ends here, in the middle of an element; it was not saved whole";
+            source.diagnostic(source.text.trim_end().len(), what)
         }
         error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
     })?;
@@ -118,8 +123,7 @@ impl Element {
 pub(super) struct Drawing {
     pub page: Page,
     pub elements: Vec<Element>,
-    /// What each id is, even of elements that could not be read.
-    pub ids: BTreeMap<String, ElementClass>,
+    pub ids: Ids,
     /// Every element's class and where it is, even of those that could not be read.
     pub drawn: Vec<(ElementClass, usize)>,
 }
@@ -141,7 +145,7 @@ impl Drawing {
             diagnostics,
             size_mm: page.size_mm,
             elements: Vec::new(),
-            ids: BTreeMap::new(),
+            ids: Ids::default(),
             drawn: Vec::new(),
             words: BTreeSet::new(),
             pieces: 0,
@@ -149,7 +153,6 @@ impl Drawing {
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
-        let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
         Drawing { page, elements, ids, drawn }
     }
 }
@@ -169,8 +172,7 @@ struct Reader<'a> {
     diagnostics: &'a mut Vec<Diagnostic>,
     size_mm: DVec2,
     elements: Vec<Element>,
-    /// What each id is, and the line that took it.
-    ids: BTreeMap<String, (ElementClass, usize)>,
+    ids: Ids,
     drawn: Vec<(ElementClass, usize)>,
     /// Classes without a meaning that were told.
     words: BTreeSet<String>,
@@ -230,6 +232,7 @@ impl Reader<'_> {
             }
             if let Some(meant) = class_typo::meant(word).filter(|_| is_shape) {
                 self.diagnostic(node, format!("the class `{word}` means nothing; did you mean `{meant}`?"));
+                self.refuse(node);
                 typo = true;
             } else if !self.styled.contains(word) && self.words.insert(word.to_string()) {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
@@ -258,10 +261,12 @@ impl Reader<'_> {
     fn element(&mut self, node: Node, transform: &Result<Transform, String>, inherited: &Inherited) {
         let all: Vec<&str> = classes(node).map(ElementClass::word).collect();
         if all.len() > 1 {
+            self.refuse(node);
             return self.diagnostic(node, format!("it is both {}; a thing is one of them", all.join(" and ")));
         }
         let Some(class) = element_class(node) else { return };
         if let Err(outside) = &inherited.drawn {
+            self.refuse(node);
             return self.diagnostic(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
         }
         if self.drawn.len() >= MAX_ELEMENTS {
@@ -273,8 +278,16 @@ impl Reader<'_> {
         self.data(node, class, &name);
         match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
             Ok(element) => self.keep(node, element),
-            Err(why) => self.diagnostic(node, format!("{name}: {why}")),
+            Err(why) => {
+                self.refuse(node);
+                self.diagnostic(node, format!("{name}: {why}"));
+            }
         }
+    }
+
+    /// What names a thing that is refused is no further mistake.
+    fn refuse(&mut self, node: Node) {
+        node.attribute("id").into_iter().for_each(|id| self.ids.refuse(id));
     }
 
     fn keep(&mut self, node: Node, element: Element) {
@@ -308,7 +321,7 @@ impl Reader<'_> {
             return unnamed;
         };
         let line = self.source.line(node.range().start);
-        if let Some((_, first)) = self.ids.insert(id.to_string(), (class, line)) {
+        if let Err(first) = self.ids.take(id, class, line) {
             self.diagnostic(node, format!("the id `{id}` is already taken in line {first}"));
         }
         id.to_string()
@@ -340,7 +353,7 @@ fn element_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
 fn placed_by_style<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let inside = node.ancestors().filter(|outer| outer.parent_element().is_some());
     let declared = inside.flat_map(|outer| {
-        let style = css::plain_reading(outer.attribute("style").unwrap_or("")).map(|(name, _)| name);
+        let style = css::style_declarations(outer.attribute("style").unwrap_or("")).map(|(name, _)| name);
         style.chain(outer.has_attribute("transform-origin").then_some("transform-origin"))
     });
     declared.into_iter().find(|name| PLACES.contains(name))

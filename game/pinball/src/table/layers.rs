@@ -8,7 +8,7 @@
 use super::drawing::element_class;
 use super::element_class::ElementClass;
 use super::page::SVG;
-use super::references::{href, urls};
+use super::references::{href_id, urls};
 use super::text_edit::{Edit, edited, escaped, prefix};
 use super::transform::Transform;
 use super::{style, viewport};
@@ -100,7 +100,7 @@ fn root_size(root: Node) -> Vec<Edit> {
 fn needed<'a>(document: &'a Document) -> BTreeMap<&'a str, Vec<usize>> {
     let mut needed: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for node in document.descendants().filter(Node::is_element) {
-        let named = href(node).and_then(|link| link.trim().strip_prefix('#'));
+        let named = href_id(node);
         let painted = node.attributes().flat_map(|attribute| urls(attribute.value()));
         for id in named.into_iter().chain(painted) {
             needed.entry(id).or_default().push(node.range().start);

@@ -2,6 +2,7 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod amount;
 mod captives;
 mod class_typo;
 mod clones;
@@ -12,6 +13,7 @@ mod drawing;
 mod element_class;
 mod embedded;
 mod hash;
+mod ids;
 mod lamp;
 mod lamps;
 mod layers;
@@ -35,6 +37,7 @@ mod transform;
 mod viewport;
 mod written_out;
 
+pub use css::style_declarations;
 pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;

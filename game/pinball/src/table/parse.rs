@@ -58,7 +58,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let (Some(WrittenOut { source: svg, .. }), Some(document), Some(drawing)) = (&written, &document, &drawing) else {
         return Err(failures(diagnostics));
     };
-    let converted = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
+    let converted = Converted::new(svg, drawing, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
     let warnings = failures(diagnostics);
     if warnings.iter().any(|failure| !failure.is_warning()) {
@@ -142,13 +142,16 @@ struct Converted {
 }
 
 impl Converted {
-    fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
+    fn new(svg: &Source, drawing: &Drawing, config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
         let mut converted = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = ShadowGroups::default();
-        let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
+        let grouped: Vec<(&Element, u16)> =
+            drawing.elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
             let solid = |element: &Element| element.name == id && element.class.has_finish();
-            grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group)
+            let found = grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group);
+            // Of what was refused no group is known, and no table will come of it.
+            found.or_else(|| drawing.ids.is_refused(id).then_some(0))
         };
         let mut ordered = Vec::new();
         for &(element, group) in &grouped {

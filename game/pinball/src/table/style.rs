@@ -26,7 +26,7 @@ impl Paint {
 /// A property of an element itself: its `style` wins over its attribute.
 pub(super) fn own_property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let style = node.attribute("style").unwrap_or("");
-    let declared = css::plain_reading(style).rev().find(|(key, _)| *key == name).map(|(_, value)| value);
+    let declared = css::style_declarations(style).rev().find(|(key, _)| *key == name).map(|(_, value)| value);
     declared.or_else(|| node.attribute(name)).map(str::trim)
 }
 

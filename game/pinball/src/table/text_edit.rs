@@ -8,7 +8,8 @@ use std::ops::Range;
 /// Text to put in the place of a range of bytes.
 pub(super) type Edit = (Range<usize>, String);
 
-/// The text after `edits`, which do not overlap; of two at one place the earlier comes first.
+/// The text after `edits`, which do not overlap; of two at one place the earlier comes first. No line moves: the line
+/// breaks that an edit has fewer than what it replaces come after it.
 pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     edits.sort_by_key(|(range, _)| range.start);
     let mut result = String::with_capacity(text.len());
@@ -16,19 +17,17 @@ pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     for (range, new) in edits {
         result.push_str(&text[from..range.start]);
         result.push_str(&new);
+        let lines = |text: &str| text.matches('\n').count();
+        result.extend(std::iter::repeat_n('\n', lines(&text[range.clone()]).saturating_sub(lines(&new))));
         from = range.end;
     }
     result.push_str(&text[from..]);
     result
 }
 
-/// An edit that moves no line, so that diagnostics of the new text name lines of the old: `new` becomes one line, and
-/// the line breaks that it replaces come after it.
-pub(super) fn in_its_lines(text: &str, range: Range<usize>, new: &str) -> Edit {
-    let lines = text[range.clone()].bytes().filter(|&byte| byte == b'\n').count();
-    let mut new = new.replace(['\n', '\r'], " ");
-    new.extend(std::iter::repeat_n('\n', lines));
-    (range, new)
+/// A text in one line, which moves no line of what it is put into.
+pub(super) fn in_one_line(text: &str) -> String {
+    text.replace(['\n', '\r'], " ")
 }
 
 /// A text as the value of an attribute in double quotes.
@@ -63,7 +62,7 @@ mod tests {
         let text = "<a>\n<b\nc='d'/>\n</a>";
         let document = roxmltree::Document::parse(text).unwrap();
         let inner = document.root_element().first_element_child().unwrap();
-        let new = edited(text, vec![in_its_lines(text, inner.range(), "<e>\n</e>")]);
+        let new = edited(text, vec![(inner.range(), in_one_line("<e>\n</e>"))]);
         assert_eq!(new, "<a>\n<e> </e>\n\n</a>");
     }
 

@@ -3,13 +3,14 @@
 //! Whatever reads the drawing afterwards, for things or for art, finds one and the same simple drawing, and every line is
 //! where its maker has it.
 
+use super::amount;
 use super::clones::{Cloner, Holders};
 use super::css::{self, Cascade, Instance};
 use super::drawing::{element_class, parse_xml};
 use super::page::SVG;
-use super::references::{self, Links, href, is_use};
+use super::references::{Links, XLINK, href, is_use};
 use super::source::{Diagnostic, Source};
-use super::text_edit::{Edit, attributes_start, edited, escaped, in_its_lines, prefix};
+use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 
@@ -44,7 +45,7 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<(Vec<Edit
     let styles: Vec<Option<String>> = document.descendants().map(|node| style(&mut cascade, node)).collect();
     let links = &Links::of(document);
     let style_of = |node: Node| styles.get(node.id().get_usize()).and_then(Option::as_deref);
-    let mistakes = references::check(document, links, style_of);
+    let mistakes = amount::check(document, links, style_of);
     if !mistakes.is_empty() {
         return Err(mistakes.into_iter().map(|(at, why)| source.diagnostic(at, why)).collect());
     }
@@ -78,7 +79,7 @@ struct Writer<'w, 'a, 'i> {
 
 impl Writer<'_, '_, '_> {
     fn put(&mut self, range: std::ops::Range<usize>, new: &str) {
-        self.edits.push(in_its_lines(&self.source.text, range, new));
+        self.edits.push((range, in_one_line(new)));
     }
 
     /// Writes out an element; `drawn` says whether it is drawn where it stands.
@@ -97,6 +98,11 @@ impl Writer<'_, '_, '_> {
             self.inner_svg(node)
         } else {
             self.style(node)
+        }
+        // Of two links the newer counts, and readers of SVG do not agree about that.
+        let older = node.attribute_node((XLINK, "href")).filter(|_| node.has_attribute("href"));
+        if let Some(older) = older {
+            self.put(older.range(), "");
         }
         for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
             if let Some(plain) = css::plain_attribute(attribute.name(), attribute.value()) {
@@ -157,7 +163,7 @@ impl Writer<'_, '_, '_> {
         }
         // Of all that a style says this is the one that is about the edge of the <svg> itself.
         let style = declared.as_deref().or_else(|| node.attribute("style")).unwrap_or("");
-        let overflow = css::plain_reading(style).find(|(name, _)| *name == "overflow");
+        let overflow = css::style_declarations(style).find(|(name, _)| *name == "overflow");
         if let Some((name, value)) = overflow.filter(|_| !node.has_attribute("overflow")) {
             self.add_attribute(node, name, value);
         }

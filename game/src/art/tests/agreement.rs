@@ -37,6 +37,7 @@ fn a_thing_and_art_of_one_style_have_one_colour() {
         (".s { color: #ff8000; fill: CurrentColor }", ""),
         ("", "style=\"fill:/* ; */ #f80000; Fill: #ff8000 !important; fill: red\""),
         ("", "fill=\"#ff8000 icc-color(swop, 0, 0.5, 1, 0)\""),
+        ("", "style=\"fill:#ff8000 icc-color(swop, 0, 0.5, 1, 0)\""),
     ];
     for (sheet, rest) in sheets {
         let drawn = format!(

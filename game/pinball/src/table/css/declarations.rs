@@ -4,8 +4,9 @@
 use super::value;
 use cssparser::{
     AtRuleParser, CowRcStr, DeclarationParser, ParseError, Parser, ParserState, QualifiedRuleParser,
-    RuleBodyItemParser, RuleBodyParser, Token, parse_important,
+    RuleBodyItemParser, RuleBodyParser, ToCss, Token, parse_important,
 };
+use std::borrow::Cow;
 
 /// Brackets that may lie inside each other in a value.
 const MAX_DEPTH: usize = 16;
@@ -87,12 +88,21 @@ fn read_value(input: &mut Parser, written: &mut String, depth: usize) -> Result<
             Token::Comment(_) => written.push(' '),
             token if token.is_parse_error() || depth == MAX_DEPTH => return Err(ParseError::custom(())),
             token => {
-                written.push_str(input.slice_from(start));
+                written.push_str(&closed(&token, input.slice_from(start)));
                 let Some(end) = closing(&token) else { continue };
                 input.parse_nested_block(|input| read_value(input, written, depth + 1))?;
                 written.push(end);
             }
         }
+    }
+}
+
+/// A token as it is written, with the quote that a text lacks which the end of the style has cut off.
+fn closed<'a>(token: &Token, written: &'a str) -> Cow<'a, str> {
+    let has_end = written.len() > 1 && written.ends_with(&written[..1]) && !written[..written.len() - 1].ends_with('\\');
+    match token {
+        Token::QuotedString(_) if !has_end => Cow::Owned(token.to_css_string()),
+        _ => Cow::Borrowed(written),
     }
 }
 
@@ -145,5 +155,6 @@ mod tests {
         let declarations = read("font-family: 'a;b'; fill: url(#c) ; stroke: red");
         assert_eq!(declarations.len(), 3, "{declarations:?}");
         assert_eq!(declarations[0], is("font-family", "'a;b'", false));
+        assert_eq!(one("font-family: 'a;b"), is("font-family", "\"a;b\"", false));
     }
 }
