@@ -58,7 +58,8 @@ fn shortened(sentence: String) -> String {
         return sentence;
     }
     let pieces = sentence.split('`').enumerate();
-    let pieces: Vec<String> = pieces.map(|(at, piece)| beginning(piece, if at % 2 == 1 { MAX_QUOTE } else { MAX_SENTENCE })).collect();
+    let pieces: Vec<String> =
+        pieces.map(|(at, piece)| beginning(piece, if at % 2 == 1 { MAX_QUOTE } else { MAX_SENTENCE })).collect();
     beginning(&pieces.join("`"), MAX_SENTENCE)
 }
 

@@ -260,7 +260,8 @@ mod tests {
         }
         let told_of = told(&format!("{laughs}</defs>"));
         assert!(told_of[0].contains(" elements, and 200000 is the most, once it is written out; `l"), "{told_of:?}");
-        let heavy = format!(r##"<desc id="p">{}</desc>{}"##, "M0 0".repeat(20_000), r##"<use href="#p"/>"##.repeat(1000));
+        let heavy =
+            format!(r##"<desc id="p">{}</desc>{}"##, "M0 0".repeat(20_000), r##"<use href="#p"/>"##.repeat(1000));
         assert!(told(&heavy)[0].contains("81 MB, and 32 is the most"), "{:?}", told(&heavy));
         let chain: String = (0..5000).map(|i| format!(r##"<use id="c{i}" href="#c{}"/>"##, i + 1)).collect();
         assert!(told(&chain)[0].contains("more than 128 elements lie inside each other"));

@@ -5,20 +5,17 @@
 use super::{Config, FinishOverrides, Settings};
 use crate::table::Profile;
 use crate::table::element_class::{ElementClass, Parameter};
+use crate::table::ids::Ids;
 use crate::table::source::{Diagnostic, Source};
 use crate::table::style;
 use physics::Material;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
-pub(in crate::table) fn parse(
-    source: &Source,
-    drawn: Option<&Ids>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Config {
+pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics: &mut Vec<Diagnostic>) -> Config {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut broken = BTreeSet::new();
     for error in &errors {
