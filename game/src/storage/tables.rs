@@ -86,8 +86,9 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     }
     if folder.is_file() {
         let around = folder.parent().filter(|around| around.join(FILES[0]).exists());
-        let around = around.map_or_else(String::new, |around| format!(", {}", around.display()));
-        return Err(Failure::new(format!("{name} is a file; name the folder of a table{around}")));
+        let folder = around
+            .map_or_else(|| "the folder of a table".to_string(), |around| format!("its folder, {}", around.display()));
+        return Err(Failure::new(format!("{name} is a file; name {folder}")));
     }
     if folder.is_dir() {
         return Err(Failure::new(format!("the folder {name} has no table.svg, so it is no table")));

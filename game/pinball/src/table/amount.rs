@@ -181,6 +181,12 @@ impl<'a, 'i, S: Fn(Node) -> Option<&'a str>> Counter<'_, 'a, 'i, S> {
         let referred = round.windows(2).filter(|pair| pair[1].parent() != Some(pair[0])).map(|pair| name(pair[1]));
         let names: Vec<String> = [name(first)].into_iter().chain(referred).chain([name(first)]).collect();
         let at = round.last().map_or(0, |node| node.range().start);
+        let id_of_two = |node: &&Node| node.attribute("id").is_some_and(|id| self.links.named(id) != Some(**node));
+        if let Some(second) = round.iter().find(id_of_two) {
+            let id = second.attribute("id").unwrap_or_default();
+            let what = format!("the id `{id}` is given twice, and is meant to draw itself; give each its own");
+            return self.circles.push((at, what));
+        }
         let what = if names.len() == 2 { "refers to itself" } else { "and what it refers to refer to each other" };
         let way = names.join(" -> ");
         self.circles.push((at, format!("{} {what} without end: {way}; take this reference out", names[0])));

@@ -99,10 +99,11 @@ fn read_value(input: &mut Parser, written: &mut String, depth: usize) -> Result<
 
 /// A token as it is written, with the quote that a text lacks which the end of the style has cut off.
 fn closed<'a>(token: &Token, written: &'a str) -> Cow<'a, str> {
-    let has_end =
-        written.len() > 1 && written.ends_with(&written[..1]) && !written[..written.len() - 1].ends_with('\\');
-    match token {
-        Token::QuotedString(_) if !has_end => Cow::Owned(token.to_css_string()),
+    let is_inside = |inside: &str| !inside.is_empty() && !inside.ends_with('\\');
+    match (token, written.chars().next()) {
+        (Token::QuotedString(_), Some(quote)) if !written.strip_suffix(quote).is_some_and(is_inside) => {
+            Cow::Owned(token.to_css_string())
+        }
         _ => Cow::Borrowed(written),
     }
 }

@@ -150,7 +150,10 @@ fn mistakes_in_clones_have_their_line() {
     };
     let says = |drawn: String, what: &str| assert!(drawn.contains(what), "`{drawn}` does not say `{what}`");
     says(drawn(r##"<use href="#p" x="50"/>"##), "table.svg:6: this bumper has no id");
-    says(drawn(r##"<use id="p" href="#p" x="50"/>"##), "table.svg:6: the id `p` is already taken in line 5");
+    says(
+        drawn(r##"<use id="p" href="#p" x="50"/>"##),
+        "table.svg:6: the id `p` is given twice, and is meant to draw itself; give each its own",
+    );
     says(drawn(r##"<use id="c" href="#p" x="5%"/>"##), "table.svg:6: its x `5%` is not a plain number");
     says(drawn("<use id=\"c\"\nhref=\"#p\" x=\"5000\"/>"), "table.svg:6: c: it lies outside the playfield");
     says(drawn(r##"<use id="c" href="#p" transform="scale(1 2)"/>"##), "table.svg:6: c: its transforms stretch");

@@ -107,7 +107,7 @@ fn what_is_not_read_of_a_sheet_is_told() {
     assert_eq!(
         warnings(&table(odd)),
         [
-            "warning: table.svg:6: the rule `@import 'a.css';` of this sheet is not read",
+            "warning: table.svg:6: the rule `@import 'a.css'` of this sheet is not read",
             "warning: table.svg:7: the rule `path::before` of this sheet is not read",
             "warning: table.svg:8: the rule `g:has(a)` of this sheet is not read"
         ]
