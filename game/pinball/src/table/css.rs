@@ -68,11 +68,11 @@ impl Cascade {
     fn comparisons(&self, document: &Document) -> usize {
         let elements = || document.descendants().filter(Node::is_element);
         let most_children = elements().map(|node| node.children().count()).max().unwrap_or(0).max(1);
-        let each = self.rules.iter().flat_map(|rule| rule.selectors.slice()).map(|selector| {
-            let looks_beside = selector.iter_raw_match_order().any(selector::looks_beside);
-            selector.len() * if looks_beside { most_children } else { 1 }
-        });
-        each.sum::<usize>().saturating_mul(elements().count())
+        let deepest = elements().map(|node| node.ancestors().count()).max().unwrap_or(0);
+        let around = selector::Around { beside: most_children, above: deepest };
+        let selectors = self.rules.iter().flat_map(|rule| rule.selectors.slice());
+        let each = selectors.map(|selector| selector::comparisons(selector, around));
+        each.fold(0, usize::saturating_add).saturating_mul(elements().count())
     }
 
     /// Whether what the sheets say of all elements together can be written down.

@@ -138,7 +138,7 @@ impl Drawing {
             diagnostics.push(source.diagnostic(at, why));
             Page { size_mm: DVec2::new(514.0, 1067.0), mm_per_unit: 1.0 }
         });
-        diagnostics.extend(page.warning().map(|what| source.diagnostic(at, what).as_warning()));
+        diagnostics.extend(page.warning().map(|what| source.diagnostic(at, what).into_warning()));
         let mut reader = Reader {
             source,
             styled: &written.styled,
@@ -196,7 +196,7 @@ impl Reader<'_> {
 
     fn children(&mut self, parent: Node, inherited: &Inherited) {
         for node in parent.children().filter(Node::is_element) {
-            if self.too_many || style::own_property(node, "display") == Some("none") {
+            if self.too_many || style::own_property(node, "display") == Some("none") || !is_chosen(node) {
                 continue;
             }
             self.visit(node, inherited);
@@ -238,7 +238,7 @@ impl Reader<'_> {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
                 let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
                 let what = format!("the class `{word}` means nothing{meant}");
-                self.diagnostics.push(self.source.diagnostic(node.range().start, what).as_warning());
+                self.diagnostics.push(self.source.diagnostic(node.range().start, what).into_warning());
             }
         }
         typo
@@ -337,6 +337,13 @@ impl Reader<'_> {
             self.diagnostic(node, format!("{name}: a {} has no `data-{data}`; it may have {known}", class.word()));
         }
     }
+}
+
+/// Whether an element is drawn as far as a `<switch>` around it says: that draws the first that needs nothing special.
+fn is_chosen(node: Node) -> bool {
+    let plain = |node: &Node| node.is_element() && !node.has_attribute("requiredExtensions");
+    let switch = node.parent().filter(|around| around.has_tag_name((SVG, "switch")));
+    switch.is_none_or(|switch| switch.children().find(plain) == Some(node))
 }
 
 /// The transform of what is in an inner `<svg>`.

@@ -123,7 +123,7 @@ impl Writer<'_, '_, '_> {
             let what =
                 href(node).map_or("it has no href".to_string(), |id| format!("there is no `{id}` in the drawing"));
             let why = format!("this <use> draws nothing: {what}");
-            self.diagnostics.push(self.source.diagnostic(node.range().start, why).as_warning());
+            self.diagnostics.push(self.source.diagnostic(node.range().start, why).into_warning());
         }
         self.cloner.holders.has(node)
     }

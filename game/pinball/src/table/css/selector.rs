@@ -9,7 +9,7 @@ use selectors::matching::{
     self, ElementSelectorFlags, MatchingContext, MatchingForInvalidation, MatchingMode, NeedsSelectorFlags, QuirksMode,
     SelectorCaches,
 };
-use selectors::parser::{self, ParseRelative, SelectorList, SelectorParseErrorKind};
+use selectors::parser::{self, Combinator, Component, ParseRelative, Selector, SelectorList, SelectorParseErrorKind};
 use selectors::{Element, OpaqueElement};
 use std::fmt;
 
@@ -35,18 +35,38 @@ pub(super) fn specificity(selectors: &Selectors, element: Instance, caches: &mut
     meant.map(|selector| selector.specificity()).max()
 }
 
+/// How far a selector may look around an element.
+#[derive(Clone, Copy)]
+pub(super) struct Around {
+    /// Elements beside it.
+    pub beside: usize,
+    /// Elements that it lies in.
+    pub above: usize,
+}
+
+/// How many comparisons it takes at most to find whether a selector means an element.
+pub(super) fn comparisons(selector: &Selector<Svg>, around: Around) -> usize {
+    let sum = |all: usize, one: usize| all.saturating_add(one);
+    let each = selector.iter_raw_match_order().map(|part| {
+        let inner = inner(part).iter().map(|inner| comparisons(inner, around).saturating_mul(around.above));
+        inner.fold(1, sum)
+    });
+    let is_beside = selector.iter_raw_match_order().any(looks_beside);
+    each.fold(0, sum).saturating_mul(if is_beside { around.beside } else { 1 })
+}
+
+/// The selectors in a part of a selector.
+fn inner(part: &Component<Svg>) -> &[Selector<Svg>] {
+    match part {
+        Component::Is(list) | Component::Where(list) | Component::Negation(list) => list.slice(),
+        Component::NthOf(nth) => nth.selectors(),
+        _ => &[],
+    }
+}
+
 /// Whether a part of a selector is looked for among all elements beside one.
-pub(super) fn looks_beside(part: &parser::Component<Svg>) -> bool {
-    use parser::{Combinator, Component};
-    matches!(
-        part,
-        Component::Combinator(Combinator::LaterSibling)
-            | Component::Nth(_)
-            | Component::NthOf(_)
-            | Component::Is(_)
-            | Component::Where(_)
-            | Component::Negation(_)
-    )
+fn looks_beside(part: &Component<Svg>) -> bool {
+    matches!(part, Component::Combinator(Combinator::LaterSibling) | Component::Nth(_) | Component::NthOf(_))
 }
 
 /// An element where it is drawn: where it stands, or in the copy that a `<use>` makes of it or of what is around it.

@@ -50,7 +50,7 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
                 let line = first + place.line as usize;
                 let begin: String = rule.trim().chars().take_while(|&c| c != '{' && c != '\n').take(40).collect();
                 let why = format!("the rule `{}` of this sheet is not read", begin.trim_end());
-                diagnostics.push(source.diagnostic_in_line(line, why).as_warning());
+                diagnostics.push(source.diagnostic_in_line(line, why).into_warning());
             }
         }
     }

@@ -167,6 +167,15 @@ fn mistakes_in_clones_have_their_line() {
     );
 }
 
+/// Illustrator writes a drawing for itself before the one for others.
+#[test]
+fn of_a_switch_the_first_choice_is_drawn_that_needs_nothing() {
+    let drawn = r##"<switch><foreignObject requiredExtensions="http://ns.adobe.com/AdobeIllustrator/10.0/"/>
+        <g><circle id="a" class="bumper" cx="100" cy="100" r="20"/></g>
+        <g><circle id="b" class="bumper" cx="200" cy="100" r="20"/></g></switch>"##;
+    assert_eq!(names(&table(drawn)), ["a"]);
+}
+
 #[test]
 fn a_clone_of_nothing_is_warned_of() {
     let table = table(r##"<use href="#nobody"/><use/>"##);

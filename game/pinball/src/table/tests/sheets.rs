@@ -120,6 +120,9 @@ fn sheets_without_end_are_refused() {
         let svg = SVG.replace("{}", &format!("<style>{sheet}</style>{drawn}"));
         read_files(&svg, "", "").unwrap_err().join("\n")
     };
+    let nested = format!(":is({}){{}}", ".a .b,".repeat(10_000) + ".c");
+    let said = refused(&nested, &"<g><g/></g>".repeat(10_000));
+    assert!(said.contains("comparisons, and at most"), "{said}");
     let said = refused(&"path{fill:red}".repeat(30_000), "");
     assert!(said.contains("table.svg:5: the sheets have more than 256 kB"), "{said}");
     let said = refused(&format!("{}path{}{{}}", ":not(".repeat(9000), ")".repeat(9000)), "");
