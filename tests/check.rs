@@ -34,7 +34,7 @@ fn a_bad_table_is_told_mistake_by_mistake() {
     let (code, said, complained) = told(&check(&dir.to_string_lossy()));
     std::fs::remove_dir_all(&dir).expect("the folder goes");
     assert_eq!((code, said.as_str()), (Some(1), ""));
-    assert!(complained.starts_with("caustic: the table has 2 mistakes\n"), "{complained}");
+    assert!(complained.ends_with("\n2 errors\n"), "{complained}");
     assert!(complained.contains("a flipper needs data-side=\"left\" or data-side=\"right\""), "{complained}");
     assert!(complained.contains("`slope` is not known; there are name, slope_deg"), "{complained}");
 }
@@ -45,6 +45,115 @@ fn an_unknown_table_is_told_with_those_that_there_are() {
     assert_eq!(code, Some(1));
     assert!(complained.contains("there is no table called no-such-table: there is only spectrum"), "{complained}");
     assert!(complained.contains("spectrum"), "{complained}");
+}
+
+/// What `check` says of the orchard, a table as Inkscape 1.2 saves it, with these changes to its drawing.
+fn orchard(name: &str, changes: &[(&str, &str)]) -> (Option<i32>, String, String) {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/orchard");
+    let dir = std::env::temp_dir().join(format!("caustic-orchard-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&dir).expect("a folder");
+    for file in ["table.svg", "table.toml", "rules.rhai"] {
+        let mut text = std::fs::read_to_string(source.join(file)).expect(file);
+        for (from, to) in changes.iter().filter(|_| file == "table.svg") {
+            assert!(text.contains(from), "{from}");
+            text = text.replace(from, to);
+        }
+        std::fs::write(dir.join(file), text).expect(file);
+    }
+    let told = told(&check(&dir.to_string_lossy()));
+    std::fs::remove_dir_all(&dir).expect("the folder goes");
+    told
+}
+
+/// How many parts the line of `check` counts.
+fn parts(said: &str) -> &str {
+    said.split_once("parts=").expect("a count").1.split(' ').next().expect("a number")
+}
+
+/// Inkscape's "Edit > Clone" of a bumper was printed on the floor, and nothing was there to hit.
+#[test]
+fn a_drawing_that_inkscape_saved_is_a_table() {
+    let (code, said, complained) = orchard("as-it-is", &[]);
+    assert_eq!((code, complained.as_str()), (Some(0), ""), "{said}");
+    assert!(said.contains("title=\"Orchard\" size_mm=420x900 parts=14 ") && said.contains("warnings=0"), "{said}");
+    // The clone of the bumper is the fourteenth.
+    let (code, said, complained) = orchard("without-clone", &[("xlink:href=\"#bump1\"", "xlink:href=\"#star1\"")]);
+    assert_eq!((code, parts(&said), complained.as_str()), (Some(0), "13", ""));
+}
+
+/// A wall whose look stood in a sheet was as thin as a line that nobody gave a thickness, and black.
+#[test]
+fn a_look_in_a_sheet_is_the_look_that_a_thing_has() {
+    let style = "style=\"fill:none;stroke:#8f5902;stroke-width:6;stroke-linecap:round;stroke-dasharray:none\"";
+    let sheet = "<style id=\"st\">#outer{FILL:none;/* brown */stroke:#8f5902;stroke-width:6}</style></svg>";
+    let (_, written, _) = orchard("attribute", &[]);
+    let (code, said, complained) = orchard("sheet", &[(style, ""), ("</svg>", sheet)]);
+    assert_eq!((code, complained.as_str()), (Some(0), ""), "{said}");
+    let hash = |said: &str| said.split_once("hash=").expect("a hash").1.to_string();
+    assert_eq!(hash(&said), hash(&written), "the same table to the bit");
+}
+
+/// A page of 420 x 900 mm that Inkscape had divided into pixels was a table of 1.6 x 3.4 metres.
+#[test]
+fn the_size_in_print_and_the_view_box_say_how_large_a_table_is() {
+    let pixels = [("viewBox=\"0 0 420 900\"", "viewBox=\"0 0 1587.4016 3401.5748\"")];
+    let whole = "<g transform=\"scale(3.7795275)\"><g\n     inkscape:label=\"Art\"";
+    let scaled = [pixels[0], ("<g\n     inkscape:label=\"Art\"", whole), ("</svg>", "</g></svg>")];
+    let (code, said, complained) = orchard("pixels", &scaled);
+    assert_eq!((code, complained.as_str()), (Some(0), ""), "{said}");
+    assert!(said.contains("size_mm=420x900 parts=14 "), "{said}");
+    // Without a unit of print one unit is one millimetre.
+    let (code, said, complained) =
+        orchard("units", &[pixels[0], ("width=\"420mm\"", "width=\"420\""), ("height=\"900mm\"", "height=\"900px\"")]);
+    assert_eq!(code, Some(0), "{complained}");
+    assert!(said.contains("size_mm=1587.4x3401.57 ") && said.contains("warnings=1"), "{said}");
+    assert!(
+        complained.starts_with("caustic: warning: ") && complained.contains("the playfield is 1587.4 x 3401.57 mm")
+    );
+    let stretched = ("viewBox=\"0 0 420 900\"", "viewBox=\"0 0 420 1800\" preserveAspectRatio=\"none\"");
+    let (code, _, complained) = orchard("stretched", &[stretched]);
+    assert!(code == Some(1) && complained.contains("stretch its viewBox"), "{complained}");
+}
+
+/// A slingshot of the class `sling-shot` was art, and `check` said that all was well.
+#[test]
+fn mistakes_and_warnings_are_counted() {
+    let (code, said, complained) = orchard("typo", &[("\"slingshot\"", "\"sling-shot\"")]);
+    assert_eq!((code, said.as_str()), (Some(1), ""));
+    assert!(
+        complained.ends_with(":178: the class `sling-shot` means nothing; did you mean `slingshot`?\n"),
+        "{complained}"
+    );
+    let two = [("\"slingshot\"", "\"sling-shot\""), ("sodipodi:type=\"star\"", "class=\"star\"")];
+    let (_, _, complained) = orchard("typo-and-word", &two);
+    assert!(complained.ends_with("\n1 error, 1 warning\n"), "{complained}");
+    assert!(
+        complained.contains("\nwarning: ") && complained.contains("the class `star` means nothing"),
+        "{complained}"
+    );
+    let (code, said, complained) = orchard("word", &two[1..]);
+    assert!(code == Some(0) && said.contains("warnings=1"), "{said}");
+    assert!(complained.contains("warning: ") && complained.contains("the class `star` means nothing"), "{complained}");
+}
+
+/// It was told that a limit of the library that reads art was met.
+#[test]
+fn art_that_draws_itself_is_told_by_its_ids() {
+    let circle = "<g id=\"a\"><use xlink:href=\"#b\"/></g><g id=\"b\"><use xlink:href=\"#a\"/></g></defs>";
+    let (code, _, complained) = orchard("circle", &[("</defs>", circle)]);
+    assert_eq!(code, Some(1));
+    assert!(complained.contains("#a -> #b -> #a; take this reference out"), "{complained}");
+}
+
+#[test]
+fn a_file_in_the_place_of_a_folder_is_told_as_such() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let (code, said, complained) = told(&check(&root.join("README.md").to_string_lossy()));
+    assert_eq!((code, said.as_str()), (Some(1), ""));
+    assert!(complained.ends_with("README.md is a file; name the folder of a table\n"), "{complained}");
+    let (_, _, complained) = told(&check(&root.join("tests/orchard/table.svg").to_string_lossy()));
+    assert!(complained.contains("table.svg is a file; name its folder, "), "{complained}");
+    assert!(complained.ends_with("/tests/orchard\n"), "{complained}");
 }
 
 /// A small table of this test's own, with `drawn` on it.
@@ -94,6 +203,9 @@ fn art_that_the_rasteriser_cannot_take_is_refused() {
     assert_refused("panic", panics, &number);
     let aborts = r#"<g class="wood"><path d="M12 668 A36 36 0 0 1 48 704 V812 L62 838 L145 892 L146 912 L205 950 H265 L324 912 L325 892 L408 838 L-2147483649 812 V704 A36 36 0 0 1 458 668 V914 L284 992 V1067 H186 V992 L12 914 Z"/></g>"#;
     assert_refused("abort", aborts, &number);
+    let function = r#"<rect id="r" width="9" height="9" style="filter:blur(1e38px)"/>"#;
+    let measured = ["table.svg: line 5: rect `r`: the number 1", "in it is too large"];
+    assert_refused("function", function, &measured);
     let scaled = r#"<g id="big" transform="scale(1e5)"><path d="M12 668 L408 838 V914 Z" transform="scale(1e5)"/></g>"#;
     assert_refused(
         "scaled",

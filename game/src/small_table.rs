@@ -16,6 +16,11 @@ pub fn read(drawn: &str, numbers: &str) -> Result<Table, Vec<String>> {
     read_files(&SVG.replace("{}", drawn), numbers, "")
 }
 
+/// Reads the table of this drawing.
+pub fn read_svg(svg: &str) -> Result<Table, Vec<String>> {
+    read_files(svg, "", "")
+}
+
 fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> {
     let sources = TableSources {
         name: "small".to_string(),

@@ -6,6 +6,6 @@ use std::io::{self, Write};
 
 /// Tells a failure, a line for each sentence. When nobody reads standard error, there is nobody to tell.
 pub fn tell(failure: &Failure) {
-    let lines: Vec<_> = failure.sentences().map(escaped).collect();
+    let lines: Vec<_> = failure.sentences().map(|sentence| escaped(&sentence).into_owned()).collect();
     let _ = writeln!(io::stderr(), "caustic: {}", lines.join("\n"));
 }

@@ -4,12 +4,28 @@ use std::{error, fmt};
 
 /// Plain sentences, usually one: what went wrong, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Failure(Vec<String>);
+pub struct Failure(Vec<Sentence>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Sentence {
+    text: String,
+    is_warning: bool,
+}
 
 impl Failure {
     /// The failure that this sentence tells.
     pub fn new(sentence: impl Into<String>) -> Failure {
-        Failure(vec![sentence.into()])
+        Failure(vec![Sentence { text: shortened(sentence.into()), is_warning: false }])
+    }
+
+    /// The warning that this sentence tells: something is odd, and nothing has failed.
+    pub fn warning(sentence: impl Into<String>) -> Failure {
+        Failure(vec![Sentence { text: shortened(sentence.into()), is_warning: true }])
+    }
+
+    /// Whether nothing has failed.
+    pub fn is_warning(&self) -> bool {
+        self.0.iter().all(|sentence| sentence.is_warning)
     }
 
     /// All of `failures` as one, in their order.
@@ -19,22 +35,69 @@ impl Failure {
 
     /// The same failure, with the name of the file that it is about before it.
     pub fn in_file(mut self, file: impl fmt::Display) -> Failure {
-        if let Some(first) = self.0.first_mut() {
-            *first = format!("{file}: {first}");
+        if let Some(Sentence { text, .. }) = self.0.first_mut() {
+            *text = format!("{file}: {text}");
         }
         self
     }
 
     /// The sentences, each of which is told in a line of its own. What they quote may itself hold line breaks.
-    pub fn sentences(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().map(String::as_str)
+    pub fn sentences(&self) -> impl Iterator<Item = String> {
+        self.0.iter().map(Sentence::to_string)
+    }
+}
+
+/// Characters of a quote that are enough to find it.
+const MAX_QUOTE: usize = 100;
+/// Characters of a sentence that anybody reads.
+const MAX_SENTENCE: usize = 2000;
+
+/// A sentence of which every quote in `backticks` is as long as one can read: a file may have a word of a megabyte.
+fn shortened(sentence: String) -> String {
+    if sentence.len() <= MAX_QUOTE {
+        return sentence;
+    }
+    let pieces = sentence.split('`').enumerate();
+    let pieces: Vec<String> =
+        pieces.map(|(at, piece)| beginning(piece, if at % 2 == 1 { MAX_QUOTE } else { MAX_SENTENCE })).collect();
+    beginning(&pieces.join("`"), MAX_SENTENCE)
+}
+
+/// The beginning of a text, and dots for what is left out.
+fn beginning(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_string(),
+    }
+}
+
+impl fmt::Display for Sentence {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = if self.is_warning { "warning: " } else { "" };
+        write!(formatter, "{kind}{}", self.text)
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.0.join("\n"))
+        formatter.write_str(&self.sentences().collect::<Vec<_>>().join("\n"))
     }
 }
 
 impl error::Error for Failure {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A table whose part was of a kind of a megabyte filled the terminal with it.
+    #[test]
+    fn quotes_from_files_are_cut_and_what_is_said_of_them_is_not() {
+        let long = "\u{e4}".repeat(1 << 20);
+        let told = Failure::new(format!("there is no `{long}` here; write `wall`")).to_string();
+        assert_eq!(told, format!("there is no `{}...` here; write `wall`", "\u{e4}".repeat(100)));
+        assert!(Failure::warning(long).to_string().chars().count() < 2100);
+        let plain = "the class `sling-shot` means nothing; ".repeat(4);
+        assert_eq!(Failure::new(&plain).to_string(), plain);
+    }
+}

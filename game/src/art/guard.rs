@@ -1,6 +1,6 @@
 //! Guard: the libraries that read and print art are called where their panic ends in a sentence.
 //!
-//! What is known to be too much for them is refused before (`written_out.rs`, `cost/`); this is the net below that. They
+//! What is known to be too much for them is refused before (`numbers.rs`, `cost/`; a drawing's references when it is read); this is the net below that. They
 //! go as deep as art lies in each other, so they have a stack of their own.
 
 use crate::Failure;

@@ -10,11 +10,9 @@ mod normal_map;
 mod numbers;
 mod print;
 mod read;
-mod references;
 #[cfg(test)]
 mod tests;
 mod typefaces;
-mod written_out;
 
 pub use mask::masks;
 pub use read::{PrintCost, check};

@@ -3,27 +3,49 @@
 //! An arc is cut into more curves the larger it is, so that one of 1e300 mm fills the memory before anybody sees it; a
 //! displacement of 1e9 is more than a whole number of pixels holds.
 
-use resvg::usvg::roxmltree::Node;
-use simplecss::DeclarationTokenizer;
+use crate::Failure;
+use crate::table::style_declarations;
+use resvg::usvg::roxmltree::{Document, Node};
 
 /// The largest number that art may have anywhere: ten kilometres in a drawing.
 const MAX_NUMBER: f64 = 1e7;
 
-/// The smallest number but 0 that a step of a filter may have: what is divided by less is beyond single precision.
+/// The smallest number but 0 that a step of a filter, or a function of one, may have: what is divided by less is beyond single precision.
 const MIN_FILTER_NUMBER: f64 = 1e-9;
 
+/// Refuses art whose numbers are out of all measure.
+///
+/// # Errors
+/// The first such number, and where it is.
+pub(super) fn check(document: &Document) -> Result<(), Failure> {
+    let elements = document.descendants().filter(Node::is_element);
+    elements.filter_map(|node| Some((node, mistake(node)?))).next().map_or(Ok(()), |(node, mistake)| {
+        let line = document.text_pos_at(node.range().start).row;
+        Err(Failure::new(format!("line {line}: {}: {mistake}", name(node))))
+    })
+}
+
+fn name(node: Node) -> String {
+    let tag = node.tag_name().name();
+    node.attribute("id").map_or_else(|| format!("this {tag}"), |id| format!("{tag} `{id}`"))
+}
+
 /// What is wrong with the numbers of an element, if anything is.
-pub(super) fn mistake(node: Node) -> Option<String> {
+fn mistake(node: Node) -> Option<String> {
     let too_large = |number: f64| format!("the number {number} in it is too large; {MAX_NUMBER} is the most");
     let counts = |name: &str| is_number(name) || (is_filter_primitive(node) && !is_word(name));
     let values = node.attributes().filter(|own| counts(own.name())).map(|own| own.value());
-    let styled = node.attribute("style").into_iter().flat_map(DeclarationTokenizer::from);
-    let values = values.chain(styled.filter(|own| is_number(own.name)).map(|own| own.value));
-    let [least, most] = values.map(range).fold(NO_NUMBERS, |[least, most], [l, m]| [least.min(l), most.max(m)]);
+    let styled = || style_declarations(node.attribute("style").unwrap_or(""));
+    let values = values.chain(styled().filter(|(name, _)| is_number(name)).map(|(_, value)| value));
+    let [least, most] = ranges(values);
     if most > MAX_NUMBER {
         return Some(too_large(most));
     }
-    if is_filter_primitive(node) && least < MIN_FILTER_NUMBER {
+    let functions = node.attribute("filter").into_iter();
+    let [least_of_functions, _] =
+        ranges(functions.chain(styled().filter(|(name, _)| *name == "filter").map(|(_, value)| value)));
+    let least = if is_filter_primitive(node) { least.min(least_of_functions) } else { least_of_functions };
+    if least < MIN_FILTER_NUMBER {
         return Some(format!("the number {least:e} in it is too small; write 0, or {MIN_FILTER_NUMBER:e} at least"));
     }
     // A length in letters multiplies with each font size round it.
@@ -32,7 +54,7 @@ pub(super) fn mistake(node: Node) -> Option<String> {
     relative.map(|name| format!("its {name} is given in letters; give it as a number"))
 }
 
-/// Whether the numbers in an attribute decide how many curves a shape is cut into.
+/// Whether the numbers in an attribute decide into how many curves a shape is cut, or how far a filter reaches.
 fn is_number(attribute: &str) -> bool {
     matches!(
         attribute,
@@ -48,6 +70,7 @@ fn is_number(attribute: &str) -> bool {
             | "cy"
             | "font-size"
             | "stroke-width"
+            | "filter"
     )
 }
 
@@ -63,6 +86,11 @@ fn is_word(attribute: &str) -> bool {
 
 /// The range of no numbers at all.
 const NO_NUMBERS: [f64; 2] = [f64::INFINITY, 0.0];
+
+/// The range of the numbers of several texts.
+fn ranges<'a>(texts: impl Iterator<Item = &'a str>) -> [f64; 2] {
+    texts.map(range).fold(NO_NUMBERS, |[least, most], [l, m]| [least.min(l), most.max(m)])
+}
 
 /// The smallest number but 0 and the largest number in a text, without their signs.
 fn range(text: &str) -> [f64; 2] {

@@ -2,8 +2,8 @@
 
 use super::cost::{self, PICTURE, Tally, millions};
 use super::guard::guarded;
+use super::numbers;
 use super::typefaces::{families, fonts, is_known};
-use super::written_out;
 use crate::Failure;
 use crate::table::Table;
 use geometry::DVec2;
@@ -62,7 +62,7 @@ impl Art {
     pub fn read(svg: &str, size_mm: DVec2) -> Result<Art, Failure> {
         let failure = |error: &dyn std::fmt::Display| Failure::new(format!("its art cannot be printed: {error}"));
         let document = Document::parse(svg).map_err(|error| failure(&error))?;
-        written_out::check(&document)?;
+        numbers::check(&document)?;
         let tree = tree(&document, failure)?;
         let view = View::fit(PICTURE.0, PICTURE.1, size_mm);
         let mut tally = Tally::new(&document);

@@ -5,7 +5,7 @@ use crate::art::{self, PrintCost};
 use crate::cli::CheckArgs;
 use crate::storage::tables;
 use crate::table::{FILES, LampKind};
-use crate::{Failure, Simulation, Table};
+use crate::{Failure, Simulation, Table, tell};
 use std::sync::Arc;
 use tracer::View;
 
@@ -17,14 +17,18 @@ const PICTURE: (usize, usize) = (540, 1080);
 /// # Errors
 /// Every mistake, one line each.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let table = tables::load(&args.table).map_err(all)?;
+    let table = tables::load(&args.table).map_err(counted)?;
     let table = Arc::new(table);
     let mut simulation = Simulation::new(table.clone(), 0)?;
     let complaints = simulation.complaints();
+    let found = table.warnings.iter().cloned().chain(complaints.iter().map(Failure::new)).collect();
     if !complaints.is_empty() {
-        return Err(all(complaints.into_iter().map(Failure::new).collect()));
+        return Err(counted(found));
     }
     let cost = print_once(&table)?;
+    if !found.is_empty() {
+        tell(&counted(found));
+    }
     print(&summary(&args.table, &table, &cost))
 }
 
@@ -35,25 +39,36 @@ fn print_once(table: &Table) -> Result<PrintCost, Failure> {
     printed.map_err(|failure| failure.in_file(table.file(FILES[0])))
 }
 
-/// One sentence a line.
-fn all(mut mistakes: Vec<Failure>) -> Failure {
-    if mistakes.len() != 1 {
-        mistakes.insert(0, Failure::new(format!("the table has {} mistakes", mistakes.len())));
+/// One sentence a line; below several stands how many there are.
+fn counted(mut found: Vec<Failure>) -> Failure {
+    let warnings = found.iter().filter(|failure| failure.is_warning()).count();
+    let several = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let counts = [(found.len() - warnings, "error"), (warnings, "warning")];
+    if found.len() > 1 {
+        let counts: Vec<String> = counts.iter().filter(|one| one.0 > 0).map(|one| several(one.0, one.1)).collect();
+        found.push(Failure::new(counts.join(", ")));
     }
-    Failure::of_many(mistakes)
+    Failure::of_many(found)
 }
 
 fn summary(name: &str, table: &Table, cost: &PrintCost) -> String {
     let bulbs = table.lamps.iter().filter(|lamp| matches!(lamp.kind, LampKind::Bulb { .. })).count();
     format!(
-        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} print_mops={:.0} hash={:016x}",
+        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} warnings={} print_mops={:.0} \
+         hash={:016x}",
         table.title,
-        table.size_mm.x,
-        table.size_mm.y,
+        hundredths(table.size_mm.x),
+        hundredths(table.size_mm.y),
         table.layout.parts.len(),
         table.lamps.len() - bulbs,
         table.solids.len(),
+        table.warnings.len(),
         (cost.operations * 1e-6).ceil(),
         table.hash
     )
+}
+
+/// A length to a hundredth of a millimetre.
+fn hundredths(mm: f64) -> f64 {
+    (mm * 100.0).round() / 100.0
 }

@@ -24,8 +24,13 @@ pub fn load(name: &str) -> Result<Table, Vec<Failure>> {
 /// As [`load`].
 pub fn load_dir(dir: &Path) -> Result<Table, Vec<Failure>> {
     let table = Table::parse(sources(dir))?;
-    art::check(&table).map_err(|failure| vec![failure.in_file(table.file(FILES[0]))])?;
-    Ok(table)
+    match art::check(&table) {
+        Ok(_) => Ok(table),
+        Err(failure) => {
+            let failure = failure.in_file(table.file(FILES[0]));
+            Err(table.warnings.into_iter().chain([failure]).collect())
+        }
+    }
 }
 
 fn sources(dir: &Path) -> TableSources {
@@ -78,6 +83,12 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     }
     if let Some(dir) = built_in(name) {
         return Ok(dir);
+    }
+    if folder.is_file() {
+        let around = folder.parent().filter(|around| around.join(FILES[0]).exists());
+        let folder = around
+            .map_or_else(|| "the folder of a table".to_string(), |around| format!("its folder, {}", around.display()));
+        return Err(Failure::new(format!("{name} is a file; name {folder}")));
     }
     if folder.is_dir() {
         return Err(Failure::new(format!("the folder {name} has no table.svg, so it is no table")));

@@ -3,29 +3,48 @@
 //! Refuses to know what `table.toml` says and what an element is good for.
 
 use super::element_class::ElementClass;
+use super::ids::Ids;
 use super::outline::Outline;
+use super::page::{Page, SVG};
 use super::source::{Diagnostic, Source};
 use super::style::{self, Paint};
 use super::transform::Transform;
+use super::written_out::{WrittenOut, is_container};
+use super::{class_typo, css, viewport};
 use geometry::{Bounds, DVec2};
 use roxmltree::{Document, Node, ParsingOptions};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// XML nodes that a drawing may have.
 const MAX_NODES: u32 = 200_000;
 /// Elements that may lie inside each other.
-const MAX_DEPTH: usize = 64;
+pub(super) const MAX_DEPTH: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
 const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
 const MAX_PIECES: usize = 200_000;
 /// How far an element may reach beyond the playfield, mm.
 const MARGIN_MM: f64 = 60.0;
-/// The playfield's sides, mm.
-const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
-
-/// SVG's namespace.
-pub(super) const SVG: &str = "http://www.w3.org/2000/svg";
+/// Properties of CSS that place and shape an element.
+const PLACES: [&str; 15] = [
+    "transform",
+    "transform-origin",
+    "translate",
+    "rotate",
+    "scale",
+    "x",
+    "y",
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "width",
+    "height",
+    "d",
+];
+/// What is drawn as a shape, and so can be a thing.
+const SHAPES: [&str; 8] = ["line", "polyline", "polygon", "path", "circle", "ellipse", "rect", "use"];
 
 /// Reads the XML, and nothing that could grow without end.
 pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
@@ -36,6 +55,10 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
         }
         roxmltree::Error::NodesLimitReached => {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
+        }
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
+            let what = "the drawing ends here, in the middle of an element; it was not saved whole";
+            source.diagnostic(source.text.trim_end().len(), what)
         }
         error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
     })?;
@@ -98,58 +121,39 @@ impl Element {
 /// The playfield and the elements on it.
 #[derive(Debug)]
 pub(super) struct Drawing {
-    pub size_mm: DVec2,
+    pub page: Page,
     pub elements: Vec<Element>,
-    /// What each id is, even of elements that could not be read.
-    pub ids: BTreeMap<String, ElementClass>,
+    pub ids: Ids,
     /// Every element's class and where it is, even of those that could not be read.
     pub drawn: Vec<(ElementClass, usize)>,
 }
 
 impl Drawing {
     /// Finds the elements; every diagnostic goes to `diagnostics`.
-    pub fn read(source: &Source, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Drawing {
+    pub fn read(written: &WrittenOut, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Drawing {
+        let source = &written.source;
         let root = document.root_element();
-        let size_mm = match size(root) {
-            Ok(size) => size,
-            Err(why) => {
-                diagnostics.push(source.diagnostic(root.range().start, why));
-                DVec2::new(514.0, 1067.0)
-            }
-        };
+        let at = root.range().start;
+        let page = Page::of(root).unwrap_or_else(|why| {
+            diagnostics.push(source.diagnostic(at, why));
+            Page { size_mm: DVec2::new(514.0, 1067.0), mm_per_unit: 1.0 }
+        });
+        diagnostics.extend(page.warning().map(|what| source.diagnostic(at, what).into_warning()));
         let mut reader = Reader {
             source,
+            styled: &written.styled,
             diagnostics,
-            size_mm,
+            size_mm: page.size_mm,
             elements: Vec::new(),
-            ids: BTreeMap::new(),
+            ids: Ids::default(),
             drawn: Vec::new(),
+            words: BTreeSet::new(),
             pieces: 0,
             too_many: false,
         };
-        reader.children(root, Inherited { transform: Ok(Transform::IDENTITY), drawn: Ok(()) });
+        reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
-        let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
-        Drawing { size_mm, elements, ids, drawn }
-    }
-}
-
-fn size(root: Node) -> Result<DVec2, String> {
-    if root.tag_name().name() != "svg" || root.tag_name().namespace() != Some(SVG) {
-        return Err(format!("the drawing must begin with <svg xmlns=\"{SVG}\" ...>"));
-    }
-    let expected = "viewBox=\"0 0 WIDTH HEIGHT\", the playfield's size in millimetres";
-    let text = root.attribute("viewBox").ok_or_else(|| format!("the drawing has no viewBox; write {expected}"))?;
-    let numbers: Vec<f64> = text.split([',', ' ']).filter(|word| !word.is_empty()).flat_map(str::parse).collect();
-    match numbers[..] {
-        [x, y, width, height] if x == 0.0 && y == 0.0 && [width, height].iter().all(|side| SIDES_MM.contains(side)) => {
-            Ok(DVec2::new(width, height))
-        }
-        _ => Err(format!(
-            "the viewBox is `{text}`; write {expected}, each side from {} to {}",
-            SIDES_MM.start(),
-            SIDES_MM.end()
-        )),
+        Drawing { page, elements, ids, drawn }
     }
 }
 
@@ -163,12 +167,15 @@ struct Inherited {
 
 struct Reader<'a> {
     source: &'a Source,
+    /// Words that sheets have as classes.
+    styled: &'a BTreeSet<String>,
     diagnostics: &'a mut Vec<Diagnostic>,
     size_mm: DVec2,
     elements: Vec<Element>,
-    /// What each id is, and the line that took it.
-    ids: BTreeMap<String, (ElementClass, usize)>,
+    ids: Ids,
     drawn: Vec<(ElementClass, usize)>,
+    /// Classes without a meaning that were told.
+    words: BTreeSet<String>,
     pieces: usize,
     too_many: bool,
 }
@@ -187,39 +194,63 @@ impl Reader<'_> {
         self.diagnostics.push(self.source.diagnostic(node.range().start, what));
     }
 
-    fn children(&mut self, parent: Node, inherited: Inherited) {
+    fn children(&mut self, parent: Node, inherited: &Inherited) {
         for node in parent.children().filter(Node::is_element) {
-            if self.too_many || style::own_property(node, "display") == Some("none") {
+            if self.too_many || style::own_property(node, "display") == Some("none") || !is_chosen(node) {
                 continue;
             }
-            self.visit(node, &inherited);
+            self.visit(node, inherited);
         }
     }
 
     fn visit(&mut self, node: Node, inherited: &Inherited) {
-        let transform = match (&inherited.transform, node.attribute("transform")) {
-            (Ok(transform), Some(attribute)) => transform.transformed(attribute),
-            (transform, _) => transform.clone(),
-        };
+        let attribute = node.attribute("transform").unwrap_or("");
+        let transform = inherited.transform.clone().and_then(|transform| transform.transformed(attribute));
+        let typo = self.unknown_classes(node);
         if classes(node).next().is_some() {
             self.element(node, &transform, inherited);
         } else {
-            self.art(node);
+            self.art(node, typo);
         }
-        let drawn = match node.tag_name().name() {
-            "g" | "a" => inherited.drawn.clone(),
-            other => inherited.drawn.clone().and(Err(other.to_string())),
-        };
-        self.children(node, Inherited { transform, drawn });
+        let is_inner_svg = node.has_tag_name((SVG, "svg"));
+        let transform = if is_inner_svg { transform.and_then(|outer| inner_svg(outer, node)) } else { transform };
+        let not_drawn = || Err(node.tag_name().name().to_string());
+        let drawn = inherited.drawn.clone().and_then(|()| if is_container(node) { Ok(()) } else { not_drawn() });
+        self.children(node, &Inherited { transform, drawn });
+    }
+
+    /// Tells words in an element's class that mean nothing; whether one of them was meant to be a thing's.
+    fn unknown_classes(&mut self, node: Node) -> bool {
+        let is_shape = SHAPES.contains(&node.tag_name().name());
+        let mut typo = false;
+        if node.tag_name().namespace() != Some(SVG) || !(is_shape || is_container(node)) {
+            return typo;
+        }
+        for word in node.attribute("class").unwrap_or("").split_ascii_whitespace() {
+            if ElementClass::from_word(word).is_some() || class_typo::is_known(word) {
+                continue;
+            }
+            if let Some(meant) = class_typo::meant(word).filter(|_| is_shape) {
+                self.diagnostic(node, format!("the class `{word}` means nothing; did you mean `{meant}`?"));
+                self.refuse(node);
+                typo = true;
+            } else if !self.styled.contains(word) && self.words.insert(word.to_string()) {
+                let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
+                let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
+                let what = format!("the class `{word}` means nothing{meant}");
+                self.diagnostics.push(self.source.diagnostic(node.range().start, what).into_warning());
+            }
+        }
+        typo
     }
 
     /// Whatever is no element of the table must be art that can be printed.
-    fn art(&mut self, node: Node) {
+    fn art(&mut self, node: Node, typo: bool) {
         let name = node.tag_name().name();
         if matches!(name, "image" | "foreignObject") && node.tag_name().namespace() == Some(SVG) {
             self.diagnostic(node, format!("`{name}` cannot be printed on a playfield; draw it with shapes"));
         }
-        if let Some(data) = element_data(node) {
+        if let Some(data) = element_data(node).filter(|_| !typo) {
             self.diagnostic(
                 node,
                 format!("it has `data-{data}` but its class is no thing; it may be {}", ElementClass::words()),
@@ -230,10 +261,12 @@ impl Reader<'_> {
     fn element(&mut self, node: Node, transform: &Result<Transform, String>, inherited: &Inherited) {
         let all: Vec<&str> = classes(node).map(ElementClass::word).collect();
         if all.len() > 1 {
+            self.refuse(node);
             return self.diagnostic(node, format!("it is both {}; a thing is one of them", all.join(" and ")));
         }
         let Some(class) = element_class(node) else { return };
         if let Err(outside) = &inherited.drawn {
+            self.refuse(node);
             return self.diagnostic(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
         }
         if self.drawn.len() >= MAX_ELEMENTS {
@@ -245,8 +278,16 @@ impl Reader<'_> {
         self.data(node, class, &name);
         match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
             Ok(element) => self.keep(node, element),
-            Err(why) => self.diagnostic(node, format!("{name}: {why}")),
+            Err(why) => {
+                self.refuse(node);
+                self.diagnostic(node, format!("{name}: {why}"));
+            }
         }
+    }
+
+    /// What names a thing that is refused is no further mistake.
+    fn refuse(&mut self, node: Node) {
+        node.attribute("id").into_iter().for_each(|id| self.ids.refuse(id));
     }
 
     fn keep(&mut self, node: Node, element: Element) {
@@ -280,7 +321,7 @@ impl Reader<'_> {
             return unnamed;
         };
         let line = self.source.line(node.range().start);
-        if let Some((_, first)) = self.ids.insert(id.to_string(), (class, line)) {
+        if let Err(first) = self.ids.take(id, class, line) {
             self.diagnostic(node, format!("the id `{id}` is already taken in line {first}"));
         }
         id.to_string()
@@ -298,12 +339,37 @@ impl Reader<'_> {
     }
 }
 
+/// Whether an element is drawn as far as a `<switch>` around it says: that draws the first that needs nothing special.
+fn is_chosen(node: Node) -> bool {
+    let plain = |node: &Node| node.is_element() && !node.has_attribute("requiredExtensions");
+    let switch = node.parent().filter(|around| around.has_tag_name((SVG, "switch")));
+    switch.is_none_or(|switch| switch.children().find(plain) == Some(node))
+}
+
+/// The transform of what is in an inner `<svg>`.
+fn inner_svg(outer: Transform, node: Node) -> Result<Transform, String> {
+    outer.transformed(&viewport::transform(node, None)?)
+}
+
 fn element_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let known = |data: &str| ElementClass::ALL.iter().any(|class| class.data().any(|known| known == data));
     node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-")).find(|data| known(data))
 }
 
+/// What a browser lets a sheet or a `style` say of where and how large something is, and what only it does.
+fn placed_by_style<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    let inside = node.ancestors().filter(|outer| outer.parent_element().is_some());
+    let declared = inside.flat_map(|outer| {
+        let style = css::style_declarations(outer.attribute("style").unwrap_or("")).map(|(name, _)| name);
+        style.chain(outer.has_attribute("transform-origin").then_some("transform-origin"))
+    });
+    declared.into_iter().find(|name| PLACES.contains(name))
+}
+
 fn read_element(node: Node, class: ElementClass, name: &str, transform: Transform) -> Result<Element, String> {
+    if let Some(property) = placed_by_style(node) {
+        return Err(format!("its style, or one around it, sets `{property}`; say with plain attributes where it is"));
+    }
     let scale = transform.scale()?;
     let thickness_mm = style::stroke_width(node)? * scale;
     if !(0.0..=1000.0).contains(&thickness_mm) {

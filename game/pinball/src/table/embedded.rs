@@ -102,6 +102,7 @@ impl EmbeddedTable {
             rules: game.rules.into_owned(),
             ambient: look.ambient,
             ambient_power: look.ambient_power,
+            warnings: Vec::new(),
             hash: 0,
         };
         table.hash = hash::of(&table);

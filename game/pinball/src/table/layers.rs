@@ -2,18 +2,19 @@
 //! both is wood, and how high the floor is.
 //!
 //! The text is cut by byte range and everything else is left as it was, so the art stays what its maker wrote: its
-//! gradients, its sheets, its transforms, and the lines on which they stand.
+//! gradients, its filters, its transforms. What is cut out of a layer and is needed by something else becomes a
+//! definition there.
 
 use super::drawing::element_class;
 use super::element_class::ElementClass;
-use super::style;
+use super::page::SVG;
+use super::references::{href_id, urls};
+use super::text_edit::{Edit, edited, escaped, prefix};
 use super::transform::Transform;
+use super::{style, viewport};
 use roxmltree::{Document, Node};
+use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::ops::Range;
-
-/// Text to put in the place of a range of bytes.
-type Edit = (Range<usize>, String);
 
 /// The layers of a drawing, each a well-formed SVG whose size is the `viewBox`.
 pub(super) struct Layers {
@@ -29,18 +30,19 @@ pub(super) struct Layers {
     pub tops_wood: Option<String>,
 }
 
-/// The layers of a drawing.
-pub(super) fn split_layers(text: &str, document: &Document) -> Layers {
+/// The layers of a drawing of this scale.
+pub(super) fn split_layers(text: &str, document: &Document, mm_per_unit: f64) -> Layers {
     let root = document.root_element();
+    let cutter = Cutter { text, mm_per_unit, needed: needed(document) };
     let with = |cut: &dyn Fn(&mut Vec<Edit>)| {
         let mut edits = root_size(root);
         cut(&mut edits);
         edited(text, edits)
     };
-    let only = |layer: Layer| with(&|edits| keep_only(root, layer, edits));
+    let only = |layer: Layer| with(&|edits| cutter.keep_only(root, layer, edits));
     let some = |layer: Layer| root.descendants().any(|node| layer.holds(node)).then(|| only(layer));
     Layers {
-        floor: with(&|edits| floor_edits(root, edits)),
+        floor: with(&|edits| cutter.floor(root, edits)),
         tops: only(Layer::Tops),
         height: some(Layer::Height),
         wood: some(Layer::Wood),
@@ -94,42 +96,78 @@ fn root_size(root: Node) -> Vec<Edit> {
     attributes.map(|attribute| (attribute.range(), String::new())).collect()
 }
 
-fn floor_edits(parent: Node, edits: &mut Vec<Edit>) {
-    for node in parent.children().filter(Node::is_element) {
-        match element_class(node) {
-            // A hole and a window are in the floor itself.
-            Some(ElementClass::Saucer) => {}
-            Some(ElementClass::Insert) => edits.push(unlit(node)),
-            Some(_) => edits.push((node.range(), String::new())),
-            None if is(node, "plastics") || is(node, "relief") => edits.push((node.range(), String::new())),
-            None => floor_edits(node, edits),
+/// Where each id of a drawing is named by another element, bytes.
+fn needed<'a>(document: &'a Document) -> BTreeMap<&'a str, Vec<usize>> {
+    let mut needed: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for node in document.descendants().filter(Node::is_element) {
+        let named = href_id(node);
+        let painted = node.attributes().flat_map(|attribute| urls(attribute.value()));
+        for id in named.into_iter().chain(painted) {
+            needed.entry(id).or_default().push(node.range().start);
         }
     }
+    needed
 }
 
-fn keep_only(parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
-    for node in parent.children().filter(Node::is_element) {
-        if is_resource(node) {
-            continue;
-        }
-        if layer.holds(node) {
-            cut_strangers(node, layer, edits);
-        } else if element_class(node).is_none() && node.descendants().any(|inner| layer.holds(inner)) {
-            keep_only(node, layer, edits);
-        } else {
-            edits.push((node.range(), String::new()));
+/// Cuts a drawing apart.
+struct Cutter<'a> {
+    text: &'a str,
+    mm_per_unit: f64,
+    needed: BTreeMap<&'a str, Vec<usize>>,
+}
+
+impl Cutter<'_> {
+    fn floor(&self, parent: Node, edits: &mut Vec<Edit>) {
+        for node in parent.children().filter(Node::is_element) {
+            match element_class(node) {
+                // A hole and a window are in the floor itself.
+                Some(ElementClass::Saucer) => {}
+                Some(ElementClass::Insert) => edits.push(self.unlit(node)),
+                Some(_) => self.cut(node, edits),
+                None if is(node, "plastics") || is(node, "relief") => self.cut(node, edits),
+                None => self.floor(node, edits),
+            }
         }
     }
-}
 
-/// Art in a layer stays; a lamp or a post that was drawn in it is no art.
-fn cut_strangers(parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
-    for node in parent.children().filter(Node::is_element) {
-        if layer.refuses(node) {
-            edits.push((node.range(), String::new()));
-        } else {
-            cut_strangers(node, layer, edits);
+    fn keep_only(&self, parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
+        for node in parent.children().filter(Node::is_element) {
+            if is_resource(node) {
+                continue;
+            }
+            if layer.holds(node) {
+                self.cut_strangers(node, layer, edits);
+            } else if element_class(node).is_none() && node.descendants().any(|inner| layer.holds(inner)) {
+                self.keep_only(node, layer, edits);
+            } else {
+                self.cut(node, edits);
+            }
         }
+    }
+
+    /// Art in a layer stays; a lamp or a post that was drawn in it is no art.
+    fn cut_strangers(&self, parent: Node, layer: Layer, edits: &mut Vec<Edit>) {
+        for node in parent.children().filter(Node::is_element) {
+            if layer.refuses(node) {
+                self.cut(node, edits);
+            } else {
+                self.cut_strangers(node, layer, edits);
+            }
+        }
+    }
+
+    /// Takes an element out, or makes a definition of it if something outside needs it: a gradient that is kept in
+    /// the relief layer, a shape that art uses.
+    fn cut(&self, node: Node, edits: &mut Vec<Edit>) {
+        let range = node.range();
+        let from_outside = |users: &Vec<usize>| users.iter().any(|user| !range.contains(user));
+        let needed = |inner: Node| inner.attribute("id").and_then(|id| self.needed.get(id)).is_some_and(from_outside);
+        if !node.descendants().any(needed) {
+            return edits.push((range, String::new()));
+        }
+        let prefix = prefix(self.text, node);
+        edits.push((range.start..range.start, format!("<{prefix}defs>")));
+        edits.push((range.end..range.end, format!("</{prefix}defs>")));
     }
 }
 
@@ -167,57 +205,45 @@ const LOOKS: [&str; 13] = [
     "paint-order",
 ];
 
-/// A window with no light behind it: a dark, translucent version of its colour with an engraved line round it.
-fn unlit(node: Node) -> Edit {
-    let name = node.tag_name().name();
-    let mut tag = format!("<{name}");
-    let kept = node.attributes().filter(|attribute| {
-        attribute.namespace().is_none() && !LOOKS.contains(&attribute.name()) && !attribute.name().starts_with("data-")
-    });
-    for attribute in kept {
-        let _ = write!(tag, " {}=\"{}\"", attribute.name(), escaped(attribute.value()));
+impl Cutter<'_> {
+    /// A window with no light behind it: a dark, translucent version of its colour with an engraved line round it.
+    fn unlit(&self, node: Node) -> Edit {
+        let name = node.tag_name().name();
+        let mut tag = format!("<{}{name}", prefix(self.text, node));
+        let kept = node.attributes().filter(|attribute| {
+            let name = attribute.name();
+            attribute.namespace().is_none() && !LOOKS.contains(&name) && !name.starts_with("data-")
+        });
+        for attribute in kept {
+            let _ = write!(tag, " {}=\"{}\"", attribute.name(), escaped(attribute.value()));
+        }
+        let [red, green, blue] = match style::fill(node) {
+            Ok(style::Paint::Color(color)) => color.map(|channel| (f32::from(channel) * UNLIT) as u8 + 4),
+            _ => [24; 3],
+        };
+        let _ = write!(
+            tag,
+            " style=\"fill:#{red:02x}{green:02x}{blue:02x};fill-opacity:.9;fill-rule:evenodd;stroke:#000;\
+             stroke-opacity:.6;stroke-width:{}\"/>",
+            ENGRAVED_MM / self.scale(node)
+        );
+        (node.range(), tag)
     }
-    let [red, green, blue] = match style::fill(node) {
-        Ok(style::Paint::Color(color)) => color.map(|channel| (f32::from(channel) * UNLIT) as u8 + 4),
-        _ => [24; 3],
-    };
-    let _ = write!(
-        tag,
-        " style=\"fill:#{red:02x}{green:02x}{blue:02x};fill-opacity:.9;fill-rule:evenodd;stroke:#000;\
-         stroke-opacity:.6;stroke-width:{}\"/>",
-        ENGRAVED_MM / scale(node)
-    );
-    (node.range(), tag)
-}
 
-/// How much the transforms of an element and its ancestors enlarge it; elements have only such that do it uniformly.
-fn scale(node: Node) -> f64 {
-    let transforms: Vec<&str> = node.ancestors().filter_map(|node| node.attribute("transform")).collect();
-    let transform =
-        transforms.iter().rev().try_fold(Transform::IDENTITY, |transform, attribute| transform.transformed(attribute));
-    transform.and_then(|transform| transform.scale()).unwrap_or(1.0)
+    /// How much the drawing, the transforms of an element and those around it enlarge it; elements have only such that
+    /// do it uniformly.
+    fn scale(&self, node: Node) -> f64 {
+        let around: Vec<Node> = node.ancestors().filter(Node::is_element).collect();
+        let transform = around.iter().rev().try_fold(Transform::scaling(self.mm_per_unit), |outer, one| {
+            let outer = outer.transformed(one.attribute("transform").unwrap_or(""))?;
+            let is_inner_svg = one.has_tag_name((SVG, "svg")) && one.parent_element().is_some();
+            if is_inner_svg { outer.transformed(&viewport::transform(*one, None)?) } else { Ok(outer) }
+        });
+        transform.and_then(|transform| transform.scale()).unwrap_or(1.0)
+    }
 }
 
 /// How bright a window's colour is with no light behind it.
 const UNLIT: f32 = 0.22;
 /// The width of the line round a window, mm.
 const ENGRAVED_MM: f64 = 0.8;
-
-fn escaped(value: &str) -> String {
-    value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
-}
-
-fn edited(text: &str, mut edits: Vec<Edit>) -> String {
-    edits.sort_by_key(|(range, _)| range.start);
-    let mut result = String::with_capacity(text.len());
-    let mut from = 0;
-    for (range, new) in edits {
-        result.push_str(&text[from..range.start]);
-        result.push_str(&new);
-        let lines = |text: &str| text.matches('\n').count();
-        result.extend(std::iter::repeat_n('\n', lines(&text[range.clone()]).saturating_sub(lines(&new))));
-        from = range.end;
-    }
-    result.push_str(&text[from..]);
-    result
-}

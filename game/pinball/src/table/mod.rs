@@ -2,30 +2,42 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod amount;
 mod captives;
+mod class_typo;
+mod clones;
+mod color;
 mod config;
+mod css;
 mod drawing;
 mod element_class;
 mod embedded;
 mod hash;
+mod ids;
 mod lamp;
 mod lamps;
 mod layers;
 mod normal_map;
 mod outline;
 mod outline_offset;
+mod page;
 mod parse;
 mod parts;
 mod path_data;
 mod path_flattening;
+mod references;
 mod solid;
 mod solids;
 mod source;
 mod style;
 #[cfg(test)]
 pub(crate) mod tests;
+mod text_edit;
 mod transform;
+mod viewport;
+mod written_out;
 
+pub use css::style_declarations;
 pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
@@ -71,6 +83,8 @@ pub struct Table {
     pub ambient: [u8; 3],
     /// What that light is multiplied by.
     pub ambient_power: f32,
+    /// What is odd in its files and yet no mistake, by file and line.
+    pub warnings: Vec<Failure>,
     /// Of all that a game depends on (layout, rules, the lamps' names), and of nothing that only changes the picture.
     pub hash: u64,
 }

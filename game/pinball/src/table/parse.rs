@@ -5,6 +5,7 @@ use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
+use super::written_out::{self, WrittenOut};
 use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
@@ -42,37 +43,42 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         file += 1;
         source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
     });
-    let document =
-        svg.as_ref().and_then(|svg| drawing::parse_xml(svg).map_err(|diagnostic| diagnostics.push(diagnostic)).ok());
-    let drawing =
-        svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
+    let written = svg.and_then(|svg| written_out::write_out(svg, &mut diagnostics));
+    let document = written.as_ref().and_then(|written| {
+        drawing::parse_xml(&written.source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
+    });
+    let drawing = written
+        .as_ref()
+        .zip(document.as_ref())
+        .map(|(written, document)| Drawing::read(written, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     // Without its numbers a drawing has mistakes that it does not have.
     let Some(toml) = toml else { return Err(failures(diagnostics)) };
     let config = &config::parse(&toml, ids, &mut diagnostics);
-    let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
+    let (Some(WrittenOut { source: svg, .. }), Some(document), Some(drawing)) = (&written, &document, &drawing) else {
         return Err(failures(diagnostics));
     };
-    let converted = Converted::new(svg, &drawing.elements, config, &mut diagnostics);
+    let converted = Converted::new(svg, drawing, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
-    if !diagnostics.is_empty() {
-        return Err(failures(diagnostics));
+    let warnings = failures(diagnostics);
+    if warnings.iter().any(|failure| !failure.is_warning()) {
+        return Err(warnings);
     }
-    let printed = layers::split_layers(&svg.text, document);
+    let printed = layers::split_layers(&svg.text, document, drawing.page.mm_per_unit);
     let mut table = Table {
         title: config.title.clone().unwrap_or_else(|| name.clone()),
         name,
         origin,
         folder,
         layout: Layout {
-            size_m: drawing.size_mm * 0.001,
+            size_m: drawing.page.size_mm * 0.001,
             slope_rad: config.slope_deg.to_radians(),
             playfield_friction: config.playfield_friction,
             parts: converted.parts,
         },
         part_lines: converted.part_lines,
         materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
-        size_mm: drawing.size_mm,
+        size_mm: drawing.page.size_mm,
         lamps: converted.lamps,
         solids: converted.solids,
         floor_svg: printed.floor,
@@ -86,6 +92,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         rules: rules.map_or_else(String::new, |rules| rules.text),
         ambient: config.ambient,
         ambient_power: config.ambient_power as f32,
+        warnings,
         hash: 0,
     };
     if let Err((part, why)) = captives::check(&table.layout) {
@@ -101,10 +108,12 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
 fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
     diagnostics.sort();
     diagnostics.dedup();
-    let mut failures: Vec<Failure> =
-        diagnostics.iter().take(MAX_REPORTED).map(|diagnostic| Failure::new(diagnostic.to_string())).collect();
+    let mut failures: Vec<Failure> = diagnostics.iter().take(MAX_REPORTED).map(Diagnostic::failure).collect();
     if diagnostics.len() > MAX_REPORTED {
-        failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
+        let rest = &diagnostics[MAX_REPORTED..];
+        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.failure().is_warning()).count();
+        let more = format!("and {mistakes} more mistakes and {} more warnings", rest.len() - mistakes);
+        failures.push(if mistakes > 0 { Failure::new(more) } else { Failure::warning(more) });
     }
     failures
 }
@@ -135,14 +144,17 @@ struct Converted {
 }
 
 impl Converted {
-    fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
+    fn new(svg: &Source, drawing: &Drawing, config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
         let mut converted =
             Converted { parts: Vec::new(), part_lines: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = ShadowGroups::default();
-        let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
+        let grouped: Vec<(&Element, u16)> =
+            drawing.elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
             let solid = |element: &Element| element.name == id && element.class.has_finish();
-            grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group)
+            let found = grouped.iter().find(|(element, _)| solid(element)).map(|&(_, group)| group);
+            // Of what was refused no group is known, and no table will come of it.
+            found.or_else(|| drawing.ids.is_refused(id).then_some(0))
         };
         let mut ordered = Vec::new();
         for &(element, group) in &grouped {

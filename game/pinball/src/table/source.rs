@@ -2,6 +2,7 @@
 //!
 //! Refuses to know what the text means.
 
+use crate::Failure;
 use std::fmt;
 
 /// What people should see as the path of the file `name` of a table from `origin`.
@@ -9,9 +10,11 @@ pub(super) fn path(origin: &str, name: &str) -> String {
     if origin.is_empty() || origin.ends_with('/') { format!("{origin}{name}") } else { format!("{origin}/{name}") }
 }
 
-/// A diagnostic: what is wrong, and where. Diagnostics sort by file and line.
+/// A diagnostic: what is wrong, and where. Diagnostics sort by file and line, mistakes before warnings.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Diagnostic {
+    /// The table can be played all the same.
+    is_warning: bool,
     path: String,
     /// From 1; 0 for the file as a whole.
     line: usize,
@@ -21,15 +24,26 @@ pub(super) struct Diagnostic {
 impl Diagnostic {
     /// A diagnostic of a file as a whole.
     pub fn of_file(path: impl fmt::Display, what: impl fmt::Display) -> Diagnostic {
-        Diagnostic { path: path.to_string(), line: 0, what: what.to_string() }
+        Diagnostic { is_warning: false, path: path.to_string(), line: 0, what: what.to_string() }
+    }
+
+    /// The same as a warning.
+    pub fn into_warning(self) -> Diagnostic {
+        Diagnostic { is_warning: true, ..self }
+    }
+
+    /// The same as a sentence for a person.
+    pub fn failure(&self) -> Failure {
+        let sentence = self.to_string();
+        if self.is_warning { Failure::warning(sentence) } else { Failure::new(sentence) }
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Diagnostic { path, line: 0, what } => write!(formatter, "{path}: {what}"),
-            Diagnostic { path, line, what } => write!(formatter, "{path}:{line}: {what}"),
+            Diagnostic { path, line: 0, what, .. } => write!(formatter, "{path}: {what}"),
+            Diagnostic { path, line, what, .. } => write!(formatter, "{path}:{line}: {what}"),
         }
     }
 }
@@ -60,7 +74,12 @@ impl Source {
         String::from_utf8(bytes).map(|text| Source::new(path.clone(), text)).map_err(|error| {
             let good = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes()[..good].iter().filter(|&&byte| byte == b'\n').count();
-            Diagnostic { path, line, what: "this is not UTF-8 text; save the file as UTF-8".to_string() }
+            Diagnostic {
+                is_warning: false,
+                path,
+                line,
+                what: "this is not UTF-8 text; save the file as UTF-8".to_string(),
+            }
         })
     }
 
@@ -83,7 +102,7 @@ impl Source {
 
     /// A diagnostic in a line, from 1.
     pub fn diagnostic_in_line(&self, line: usize, what: impl fmt::Display) -> Diagnostic {
-        Diagnostic { path: self.path.clone(), line, what: what.to_string() }
+        Diagnostic { is_warning: false, path: self.path.clone(), line, what: what.to_string() }
     }
 }
 

@@ -1,9 +1,9 @@
 //! Colours and thicknesses as SVG says them: attributes, `style="..."`, and what is inherited.
 //!
-//! A `<style>` sheet is for art only.
+//! Refuses to know sheets: they are written out before.
 
+use super::{color, css};
 use roxmltree::Node;
-use std::str::FromStr;
 
 /// What fills or strokes an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,12 +25,9 @@ impl Paint {
 
 /// A property of an element itself: its `style` wins over its attribute.
 pub(super) fn own_property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
-    let declared = node.attribute("style").and_then(|style| {
-        let declarations = style.split(';').filter_map(|declaration| declaration.split_once(':'));
-        declarations.rev().find(|(key, _)| key.trim() == name).map(|(_, value)| value)
-    });
-    let value = declared.or_else(|| node.attribute(name))?;
-    Some(value.trim().trim_end_matches("!important").trim_end())
+    let style = node.attribute("style").unwrap_or("");
+    let declared = css::style_declarations(style).rev().find(|(key, _)| *key == name).map(|(_, value)| value);
+    declared.or_else(|| node.attribute(name)).map(str::trim)
 }
 
 /// A property of an element, or else of the nearest ancestor that has it.
@@ -40,27 +37,28 @@ pub(super) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
 
 /// What fills an element: black when nobody says, as in SVG.
 pub(super) fn fill(node: Node) -> Result<Paint, String> {
-    property(node, "fill").map_or(Ok(Paint::Color([0; 3])), |text| paint(text, "fill"))
+    property(node, "fill").map_or(Ok(Paint::Color([0; 3])), |text| paint(node, text, "fill"))
 }
 
 /// What strokes an element: nothing when nobody says, as in SVG.
 pub(super) fn stroke(node: Node) -> Result<Paint, String> {
-    property(node, "stroke").map_or(Ok(Paint::None), |text| paint(text, "stroke"))
+    property(node, "stroke").map_or(Ok(Paint::None), |text| paint(node, text, "stroke"))
 }
 
-fn paint(text: &str, name: &str) -> Result<Paint, String> {
+fn paint(node: Node, text: &str, name: &str) -> Result<Paint, String> {
+    let text = if text == "currentColor" { property(node, "color").unwrap_or("black") } else { text };
     match text {
         "none" | "transparent" => Ok(Paint::None),
-        _ if text.starts_with("url(") || text.starts_with("context-") || text == "currentColor" => Ok(Paint::Other),
+        _ if text.starts_with("url(") || text.starts_with("context-") => Ok(Paint::Other),
         _ => color(text).map(Paint::Color).map_err(|why| format!("its {name} {why}")),
     }
 }
 
 /// A colour as CSS writes it.
 pub(super) fn color(text: &str) -> Result<[u8; 3], String> {
-    let color = svgtypes::Color::from_str(text.trim())
-        .map_err(|_| format!("`{text}` is not a colour; write it as \"#rrggbb\""))?;
-    Ok([color.red, color.green, color.blue])
+    let color = color::parse(text).ok_or_else(|| format!("`{text}` is not a colour; write it as \"#rrggbb\""))?;
+    let [red, green, blue, _] = color;
+    Ok([red, green, blue])
 }
 
 /// The thickness of an element's line in its own units: 1 when nobody says, as in SVG.
@@ -70,7 +68,10 @@ pub(super) fn stroke_width(node: Node) -> Result<f64, String> {
 
 /// A length in user units; `px` are user units.
 pub(super) fn length(text: &str, name: &str) -> Result<f64, String> {
-    let number = text.trim().trim_end_matches("px").trim_end();
+    let text = text.trim();
+    let start = text.len().saturating_sub(2);
+    let pixels = text.get(start..).is_some_and(|unit| unit.eq_ignore_ascii_case("px"));
+    let number = if pixels { text[..start].trim_end() } else { text };
     match number.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("its {name} `{text}` is not a plain number; one unit is one millimetre")),
@@ -102,8 +103,11 @@ mod tests {
 
     #[test]
     fn a_gradient_is_paint_but_no_colour() {
-        assert_eq!(paint("url(#glow)", "fill"), Ok(Paint::Other));
-        assert_eq!(paint("#f80", "fill"), Ok(Paint::Color([255, 136, 0])));
-        assert!(paint("#ff", "fill").is_err());
+        let filled =
+            |fill: &str| with_first_shape(&format!(r##"<g color="#123"><line fill="{fill}"/></g>"##), super::fill);
+        assert_eq!(filled("url(#glow)"), Ok(Paint::Other));
+        assert_eq!(filled("#f80"), Ok(Paint::Color([255, 136, 0])));
+        assert_eq!(filled("currentColor"), Ok(Paint::Color([0x11, 0x22, 0x33])));
+        assert!(filled("#ff").is_err());
     }
 }

@@ -1,9 +1,12 @@
 //! A small table, and what becomes of it.
 
+mod clones;
 mod elements;
 mod errors;
 mod fuzz;
 mod hash;
+mod sheets;
+mod words;
 
 use super::{Table, TableSources};
 

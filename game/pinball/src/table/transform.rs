@@ -15,8 +15,10 @@ pub(super) struct Transform {
 }
 
 impl Transform {
-    /// The drawing's own coordinates.
-    pub const IDENTITY: Transform = Transform { table_from_own: DAffine2::IDENTITY };
+    /// Coordinates of which one is this many millimetres.
+    pub fn scaling(mm_per_unit: f64) -> Transform {
+        Transform { table_from_own: DAffine2::from_scale(DVec2::splat(mm_per_unit)) }
+    }
 
     /// The place inside this one that a `transform` attribute says, or what is wrong with it.
     pub fn transformed(&self, attribute: &str) -> Result<Transform, String> {
@@ -81,7 +83,7 @@ mod tests {
 
     #[test]
     fn transforms_apply_from_the_right() {
-        let transform = Transform::IDENTITY.transformed("translate(100 0) rotate(90) scale(2)").unwrap();
+        let transform = Transform::scaling(1.0).transformed("translate(100 0) rotate(90) scale(2)").unwrap();
         assert!(transform.point(10.0, 0.0).distance(DVec2::new(100.0, 20.0)) < 1e-12);
         assert!((transform.scale().unwrap() - 2.0).abs() < 1e-12);
         assert!(!transform.mirrors());
@@ -89,16 +91,16 @@ mod tests {
 
     #[test]
     fn a_turn_may_have_its_own_middle() {
-        let transform = Transform::IDENTITY.transformed("rotate(180 50 60)").unwrap();
+        let transform = Transform::scaling(1.0).transformed("rotate(180 50 60)").unwrap();
         assert!(transform.point(40.0, 60.0).distance(DVec2::new(60.0, 60.0)) < 1e-12);
     }
 
     #[test]
     fn a_mirror_is_a_similarity_and_a_stretch_is_not() {
-        let mirror = Transform::IDENTITY.transformed("matrix(-1 0 0 1 514 0)").unwrap();
+        let mirror = Transform::scaling(1.0).transformed("matrix(-1 0 0 1 514 0)").unwrap();
         assert!(mirror.mirrors() && mirror.scale() == Ok(1.0));
         for stretch in ["scale(2 1)", "skewX(10)", "matrix(1 0 0.2 1 0 0)", "scale(0)"] {
-            assert!(Transform::IDENTITY.transformed(stretch).unwrap().scale().is_err(), "{stretch}");
+            assert!(Transform::scaling(1.0).transformed(stretch).unwrap().scale().is_err(), "{stretch}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What is printed where.
 
+mod agreement;
 mod normal_map;
 mod refusals;
 

@@ -38,6 +38,7 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
         rules: rules.into(),
         ambient: [0; 3],
         ambient_power: 0.0,
+        warnings: Vec::new(),
         hash: 7,
     }
 }

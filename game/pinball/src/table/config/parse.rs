@@ -5,20 +5,17 @@
 use super::{Config, FinishOverrides, Settings};
 use crate::table::Profile;
 use crate::table::element_class::{ElementClass, Parameter};
+use crate::table::ids::Ids;
 use crate::table::source::{Diagnostic, Source};
 use crate::table::style;
 use physics::Material;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
-pub(in crate::table) fn parse(
-    source: &Source,
-    drawn: Option<&BTreeMap<String, ElementClass>>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Config {
+pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics: &mut Vec<Diagnostic>) -> Config {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut broken = BTreeSet::new();
     for error in &errors {
@@ -39,7 +36,7 @@ struct Reader<'a> {
     source: &'a Source,
     diagnostics: &'a mut Vec<Diagnostic>,
     config: Config,
-    drawn: Option<&'a BTreeMap<String, ElementClass>>,
+    drawn: Option<&'a Ids>,
     /// Lines that are not TOML: what they seem to say is no further diagnostic.
     broken: BTreeSet<usize>,
 }
@@ -150,11 +147,12 @@ impl Reader<'_> {
 
     fn part(&mut self, at: usize, name: String, table: &DeTable) {
         let Some(drawn) = self.drawn else { return };
-        match drawn.get(&name) {
-            Some(&class) => {
+        match drawn.class(&name) {
+            Some(class) => {
                 let settings = self.settings(class, table);
                 self.config.parts.insert(name, settings);
             }
+            None if drawn.is_refused(&name) => {}
             None => self.diagnostic(at, format!("no thing in the drawing has the id `{name}`")),
         }
     }

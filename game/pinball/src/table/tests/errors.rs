@@ -19,7 +19,6 @@ fn one(read: Result<crate::Table, Vec<String>>, file: &str) -> String {
     diagnostic.strip_prefix(file).unwrap_or_else(|| panic!("not in {file} {diagnostic}")).to_string()
 }
 
-#[track_caller]
 #[test]
 fn a_finish_that_is_not_there_is_named() {
     let drawn = r#"<line class="wall" data-finish="glas" x1="10" y1="10" x2="90" y2="10"/>"#;
@@ -29,6 +28,7 @@ fn a_finish_that_is_not_there_is_named() {
     says(one(read(lamp, numbers), "table.svg:"), &["a lamp has no `data-finish`"]);
 }
 
+#[track_caller]
 fn says(diagnostic: String, parts: &[&str]) {
     for part in parts {
         assert!(diagnostic.contains(part), "`{diagnostic}` does not say `{part}`");
@@ -90,8 +90,9 @@ fn mistakes_in_words_have_their_line() {
     says(drawn(r#"<image href="a.png"/>"#), &["5: `image` cannot be printed"]);
     says(
         drawn(r#"<line class="flippr" data-side="left" x2="9"/>"#),
-        &["5: it has `data-side` but its class is no thing"],
+        &["5: the class `flippr` means nothing; did you mean `flipper`?"],
     );
+    says(drawn(r#"<line data-side="left" x2="9"/>"#), &["5: it has `data-side` but its class is no thing"]);
     says(drawn(r#"<line id="p" class="plunger" x1="9" y1="9" x2="9" y2="40"/>"#), &["5: there is already a plunger"]);
 }
 
@@ -216,6 +217,40 @@ fn drawings_without_end_are_refused() {
     says(drawn(curve), &["5: w: "]);
 }
 
+/// A half of a drawing was said to be wrong in line 1.
+#[test]
+fn a_drawing_that_was_cut_off_is_told_where_it_ends() {
+    for cut in ["<g>\n<g>\n", "<g>\n<path\n", "<g>\n<path d=\"M0", "<g>\n"] {
+        let whole = SVG.replace("{}\n", "{}").replace("{}", cut);
+        let half = &whole[..whole.find(cut).unwrap() + cut.len()];
+        let told = one(read_files(half, "", ""), "table.svg:");
+        let line = half.trim_end().lines().count();
+        assert!(told.starts_with(&format!("{line}: ")), "{line} of {cut:?}: {told}");
+    }
+    says(
+        one(read_files("<svg xmlns=\"http://www.w3.org/2000/svg\">\n<g>\n\n", "", ""), "table.svg:"),
+        &["2: the drawing ends here, in the middle of an element; it was not saved whole"],
+    );
+}
+
+/// A lamp in a bumper whose radius was forgotten was told too, though nothing was wrong with it.
+#[test]
+fn what_names_a_refused_thing_is_no_second_mistake() {
+    let lamp = r##"<circle id="l" class="lamp" data-inside="pop" fill="#fff" cx="50" cy="50" r="4"/>"##;
+    let with_lamp =
+        |drawn: &str| one(read(&format!("{drawn}\n{lamp}"), "[part.pop]\nfinish = \"x\"\n[finish.x]\n"), "table.svg:");
+    says(with_lamp(r#"<circle id="pop" class="bumper" cx="50" cy="50"/>"#), &["5: pop: "]);
+    says(with_lamp(r#"<circle id="pop" class="bumpers" cx="50" cy="50" r="20"/>"#), &["did you mean `bumper`?"]);
+    says(
+        with_lamp(r#"<circle id="pop" class="bumper post" cx="50" cy="50" r="20"/>"#),
+        &["it is both bumper and post"],
+    );
+    says(with_lamp(r#"<defs><circle id="pop" class="bumper" cx="50" cy="50" r="20"/></defs>"#), &["is not drawn"]);
+    let twice = r#"<circle id="pop" class="bumper" cx="50" cy="50" r="20"/><circle id="pop" class="post" cx="90" cy="50" r="0"/>"#;
+    let told = read(&format!("{twice}\n{lamp}"), "").unwrap_err();
+    assert!(told.len() == 2 && told.iter().all(|one| one.starts_with("table.svg:5: ")), "{told:?}");
+}
+
 #[test]
 fn all_mistakes_are_told_at_once_in_their_order() {
     let diagnostics = read(
@@ -242,5 +277,6 @@ fn lamps_of_no_form_and_of_no_sensible_size_have_their_line() {
     let hall = SVG.replace("0 0 500 1000", "0 0 5000 5000");
     let moon = r#"<circle id="w" class="lamp" cx="2500" cy="2500" r="2000"/>"#;
     let diagnostics = read_files(&hall.replace("{}", moon), "", "").unwrap_err();
-    assert_eq!(diagnostics, ["table.svg:5: w: the radius of a lamp must be at most 1000 mm, and it is 2000.0 mm"]);
+    assert_eq!(diagnostics[0], "table.svg:5: w: the radius of a lamp must be at most 1000 mm, and it is 2000.0 mm");
+    assert!(diagnostics[1].starts_with("warning: table.svg:1: the playfield is 5000 x 5000 mm"), "{diagnostics:?}");
 }

@@ -1,0 +1,153 @@
+//! Style sheets: the rules of a drawing's `<style>` elements.
+
+use super::declarations::{self, Declaration};
+use super::selector::{self, Selectors};
+use crate::table::page::SVG;
+use crate::table::source::{Diagnostic, Source};
+use cssparser::{AtRuleParser, CowRcStr, ParseError, Parser, ParserState, QualifiedRuleParser, StyleSheetParser};
+use roxmltree::{Document, Node};
+
+/// All sheets of a drawing together, bytes.
+const MAX_BYTES: usize = 256 << 10;
+/// Brackets that may lie inside each other.
+const MAX_DEPTH: usize = 24;
+
+/// A rule: which elements it means, and what it declares for them.
+pub(super) struct Rule {
+    pub selectors: Selectors,
+    pub declarations: Vec<Declaration>,
+}
+
+/// Whether an element is a sheet: a `<style>` of no other kind than CSS.
+pub(super) fn is_sheet(node: Node) -> bool {
+    let css = |kind: &str| kind.is_empty() || kind.eq_ignore_ascii_case("text/css");
+    node.has_tag_name((SVG, "style")) && node.attribute("type").is_none_or(css)
+}
+
+/// The sheets of a drawing.
+pub(super) fn elements<'a, 'i>(document: &'a Document<'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    document.descendants().filter(|node| is_sheet(*node))
+}
+
+/// The text of a `<style>` element.
+pub(super) fn text(node: Node) -> String {
+    node.children().filter_map(|child| child.text().filter(|_| child.is_text())).collect()
+}
+
+/// Adds the rules of a sheet, in their order, and a warning for each that cannot be read.
+pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnostics: &mut Vec<Diagnostic>) {
+    let text = text(node);
+    if !is_for_screens(node.attribute("media").unwrap_or("")) {
+        return;
+    }
+    let mut input = Parser::new(&text);
+    let start = node.first_child().map_or(node.range().start, |child| child.range().start);
+    let first = source.line(start);
+    for rule in StyleSheetParser::new(&mut input, &mut SheetParser) {
+        match rule {
+            Ok(read) => rules.extend(read),
+            Err((_, rule, place)) => {
+                let line = first + place.line as usize;
+                let begin: String = rule.trim().chars().take_while(|&c| c != '{' && c != '\n').take(40).collect();
+                let why = format!("the rule `{}` of this sheet is not read", begin.trim_end());
+                diagnostics.push(source.diagnostic_in_line(line, why).into_warning());
+            }
+        }
+    }
+}
+
+/// What of a drawing's sheets could take too long to read.
+///
+/// # Errors
+/// If they are too long, or nest too deep.
+pub(super) fn check(document: &Document) -> Result<(), (usize, String)> {
+    let mut bytes = 0;
+    for node in elements(document) {
+        let text = text(node);
+        bytes += text.len();
+        if bytes > MAX_BYTES {
+            return Err((node.range().start, format!("the sheets have more than {} kB", MAX_BYTES >> 10)));
+        }
+        if deepest(&text) > MAX_DEPTH {
+            let why = format!("more than {MAX_DEPTH} brackets lie inside each other in this sheet");
+            return Err((node.range().start, why));
+        }
+    }
+    Ok(())
+}
+
+fn deepest(text: &str) -> usize {
+    let (mut depth, mut deepest) = (0_usize, 0);
+    for byte in text.bytes() {
+        match byte {
+            b'(' | b'[' | b'{' => depth += 1,
+            b')' | b']' | b'}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        deepest = deepest.max(depth);
+    }
+    deepest
+}
+
+/// Whether a list of media holds a screen without conditions: a table is no page and has no window of a known size.
+fn is_for_screens(media: &str) -> bool {
+    let screen =
+        |query: &str| matches!(query.trim().to_ascii_lowercase().as_str(), "" | "all" | "screen" | "only screen");
+    media.split(',').any(screen)
+}
+
+struct SheetParser;
+
+impl<'i> QualifiedRuleParser<'i> for SheetParser {
+    type Prelude = Selectors;
+    type QualifiedRule = Vec<Rule>;
+    type Error = ();
+
+    fn parse_prelude(&mut self, input: &mut Parser<'i>) -> Result<Selectors, ParseError<()>> {
+        selector::read(input)
+    }
+
+    fn parse_block(
+        &mut self,
+        selectors: Selectors,
+        _start: &ParserState,
+        input: &mut Parser<'i>,
+    ) -> Result<Vec<Rule>, ParseError<()>> {
+        Ok(vec![Rule { selectors, declarations: declarations::of_block(input) }])
+    }
+}
+
+impl<'i> AtRuleParser<'i> for SheetParser {
+    /// Whether the rules in it hold.
+    type Prelude = bool;
+    type AtRule = Vec<Rule>;
+    type Error = ();
+
+    fn parse_prelude(&mut self, name: CowRcStr<'i>, input: &mut Parser<'i>) -> Result<bool, ParseError<()>> {
+        let start = input.position();
+        while input.next().is_ok() {}
+        match name.to_ascii_lowercase().as_str() {
+            "media" => Ok(is_for_screens(input.slice_from(start))),
+            // Of no use to a drawing whose fonts are built in and which does not move.
+            "font-face" | "keyframes" | "page" | "namespace" | "charset" => Ok(false),
+            _ => Err(ParseError::custom(())),
+        }
+    }
+
+    fn rule_without_block(&mut self, _holds: bool, _start: &ParserState) -> Result<Vec<Rule>, ()> {
+        Ok(Vec::new())
+    }
+
+    fn parse_block(
+        &mut self,
+        holds: bool,
+        _start: &ParserState,
+        input: &mut Parser<'i>,
+    ) -> Result<Vec<Rule>, ParseError<()>> {
+        if !holds {
+            while input.next().is_ok() {}
+            return Ok(Vec::new());
+        }
+        Ok(StyleSheetParser::new(input, self).flatten().flatten().collect())
+    }
+}

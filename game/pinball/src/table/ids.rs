@@ -1,0 +1,44 @@
+//! Ids of a drawing: what each of them is.
+
+use super::element_class::ElementClass;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The ids of a drawing's things.
+#[derive(Debug, Default)]
+pub(super) struct Ids {
+    /// The class of each, and the line that took it.
+    things: BTreeMap<String, (ElementClass, usize)>,
+    /// Those of things that were refused, and those that were given twice: a mistake in them has been told, and what else
+    /// names them is no further one.
+    refused: BTreeSet<String>,
+}
+
+impl Ids {
+    /// Gives an id to a thing.
+    ///
+    /// # Errors
+    /// If another has it: in which line.
+    pub fn take(&mut self, id: &str, class: ElementClass, line: usize) -> Result<(), usize> {
+        if let Some(&(_, first)) = self.things.get(id) {
+            self.refuse(id);
+            return Err(first);
+        }
+        self.things.insert(id.to_string(), (class, line));
+        Ok(())
+    }
+
+    /// The thing with this id, or what should have been it, was refused.
+    pub fn refuse(&mut self, id: &str) {
+        self.refused.insert(id.to_string());
+    }
+
+    /// The class of the thing with this id, even of one that could not be read.
+    pub fn class(&self, id: &str) -> Option<ElementClass> {
+        self.things.get(id).map(|(class, _)| *class)
+    }
+
+    /// Whether a mistake in what has this id has been told.
+    pub fn is_refused(&self, id: &str) -> bool {
+        self.refused.contains(id)
+    }
+}

@@ -1,0 +1,76 @@
+//! Edits of a text: ranges of its bytes, and what stands in their place afterwards.
+//!
+//! Everything else is left as it was, so art stays what its maker wrote.
+
+use roxmltree::Node;
+use std::ops::Range;
+
+/// Text to put in the place of a range of bytes.
+pub(super) type Edit = (Range<usize>, String);
+
+/// The text after `edits`, which do not overlap; of two at one place the earlier comes first. No line moves: the line
+/// breaks that an edit has fewer than what it replaces come after it.
+pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+    edits.sort_by_key(|(range, _)| range.start);
+    let mut result = String::with_capacity(text.len());
+    let mut from = 0;
+    for (range, new) in edits {
+        result.push_str(&text[from..range.start]);
+        result.push_str(&new);
+        let lines = |text: &str| text.matches('\n').count();
+        result.extend(std::iter::repeat_n('\n', lines(&text[range.clone()]).saturating_sub(lines(&new))));
+        from = range.end;
+    }
+    result.push_str(&text[from..]);
+    result
+}
+
+/// A text in one line, which moves no line of what it is put into.
+pub(super) fn in_one_line(text: &str) -> String {
+    text.replace(['\n', '\r'], " ")
+}
+
+/// A text as the value of an attribute in double quotes.
+pub(super) fn escaped(value: &str) -> String {
+    value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
+/// An element's name as the text writes it, with its prefix: `svg:use`.
+fn written_name<'a>(text: &'a str, node: Node) -> &'a str {
+    let tag = &text[node.range().start + 1..];
+    let end = tag.find(|c: char| c.is_ascii_whitespace() || matches!(c, '/' | '>')).unwrap_or(tag.len());
+    &tag[..end]
+}
+
+/// The prefix of an element's name with its colon: `svg:`, or nothing.
+pub(super) fn prefix<'a>(text: &'a str, node: Node) -> &'a str {
+    let name = written_name(text, node);
+    name.find(':').map_or("", |colon| &name[..=colon])
+}
+
+/// The byte at which another attribute can be put into an element's tag.
+pub(super) fn attributes_start(text: &str, node: Node) -> usize {
+    node.range().start + 1 + written_name(text, node).len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edit_moves_no_line() {
+        let text = "<a>\n<b\nc='d'/>\n</a>";
+        let document = roxmltree::Document::parse(text).unwrap();
+        let inner = document.root_element().first_element_child().unwrap();
+        let new = edited(text, vec![(inner.range(), in_one_line("<e>\n</e>"))]);
+        assert_eq!(new, "<a>\n<e> </e>\n\n</a>");
+    }
+
+    #[test]
+    fn names_are_found_with_their_prefix() {
+        let text = r#"<s:svg xmlns:s="x"><s:g/></s:svg>"#;
+        let document = roxmltree::Document::parse(text).unwrap();
+        let inner = document.root_element().first_element_child().unwrap();
+        assert_eq!((prefix(text, inner), attributes_start(text, inner)), ("s:", text.find("/>").unwrap()));
+    }
+}
