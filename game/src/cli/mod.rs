@@ -273,6 +273,15 @@ pub struct CheckArgs {
     /// A table's name, or the folder of one
     #[arg(value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
+    /// Only read the table; do not play it
+    #[arg(long)]
+    pub quick: bool,
+    /// Print all that was found as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Threads that play; by default one for each core
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
 }
 
 impl Cli {

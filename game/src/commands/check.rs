@@ -1,35 +1,71 @@
-//! `caustic check`: every mistake in a table, or a line that says it is good.
+//! `caustic check`: every mistake in a table, and what play shows of it; or a line that says it is good.
 
+mod report;
+mod trial;
+
+use super::parallel::pool;
 use super::print::print;
 use crate::art::{self, PrintCost};
 use crate::cli::CheckArgs;
+use crate::hud;
+use crate::rules::literal_messages;
 use crate::storage::tables;
-use crate::table::{FILES, LampKind};
+use crate::table::FILES;
 use crate::{Failure, Simulation, Table, tell};
+use report::{Report, counted};
 use std::sync::Arc;
 use tracer::View;
 
 /// The picture that the art is printed on to see whether it can be, pixels.
 const PICTURE: (usize, usize) = (540, 1080);
 
-/// Checks the drawing, the numbers, the art and the rules.
+/// Checks the drawing, the numbers, the art and the rules, and plays the table.
 ///
 /// # Errors
 /// Every mistake, one line each.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let table = tables::load(&args.table).map_err(counted)?;
-    let table = Arc::new(table);
-    let mut simulation = Simulation::new(table.clone(), 0)?;
-    let complaints = simulation.complaints();
-    let found = table.warnings.iter().cloned().chain(complaints.iter().map(Failure::new)).collect();
-    if !complaints.is_empty() {
-        return Err(counted(found));
+    let report = inspect(args)?;
+    let failed = report.errors() > 0;
+    if args.json {
+        print(&report.json())?;
+        return if failed { Err(Failure::new(report.counts())) } else { Ok(()) };
     }
-    let cost = print_once(&table)?;
-    if !found.is_empty() {
-        tell(&counted(found));
+    if failed {
+        return Err(counted(report.found));
     }
-    print(&summary(&args.table, &table, &cost))
+    if !report.found.is_empty() {
+        tell(&counted(report.found.clone()));
+    }
+    print(&report.summary())
+}
+
+/// Looks at everything, as far as what was found lets it.
+fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
+    let mut report = Report::new(&args.table);
+    let table = match tables::load(&args.table) {
+        Ok(table) => Arc::new(table),
+        Err(mistakes) => {
+            report.found = mistakes;
+            return Ok(report);
+        }
+    };
+    report.table = Some(table.clone());
+    report.found.extend(table.warnings.iter().cloned());
+    report.found.extend(hurried_messages(&table));
+    match Simulation::new(table.clone(), 0) {
+        Ok(mut simulation) => report.found.extend(simulation.complaints().into_iter().map(Failure::new)),
+        Err(failure) => report.found.push(failure),
+    }
+    match print_once(&table) {
+        Ok(cost) => report.print_mops = Some((cost.operations * 1e-6).ceil()),
+        Err(failure) => report.found.push(failure),
+    }
+    if report.errors() == 0 && !args.quick {
+        let trial = pool(args.threads)?.install(|| trial::play(&table))?;
+        report.found.extend(trial.findings);
+        report.play = Some((trial.places, trial.bot_score));
+    }
+    Ok(report)
 }
 
 /// Prints the art on a small picture; what it costs.
@@ -39,36 +75,20 @@ fn print_once(table: &Table) -> Result<PrintCost, Failure> {
     printed.map_err(|failure| failure.in_file(table.file(FILES[0])))
 }
 
-/// One sentence a line; below several stands how many there are.
-fn counted(mut found: Vec<Failure>) -> Failure {
-    let warnings = found.iter().filter(|failure| failure.is_warning()).count();
-    let several = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-    let counts = [(found.len() - warnings, "error"), (warnings, "warning")];
-    if found.len() > 1 {
-        let counts: Vec<String> = counts.iter().filter(|one| one.0 > 0).map(|one| several(one.0, one.1)).collect();
-        found.push(Failure::new(counts.join(", ")));
-    }
-    Failure::of_many(found)
-}
-
-fn summary(name: &str, table: &Table, cost: &PrintCost) -> String {
-    let bulbs = table.lamps.iter().filter(|lamp| matches!(lamp.kind, LampKind::Bulb { .. })).count();
-    format!(
-        "ok {name} title={:?} size_mm={}x{} parts={} lamps={bulbs} inserts={} solids={} warnings={} print_mops={:.0} \
-         hash={:016x}",
-        table.title,
-        hundredths(table.size_mm.x),
-        hundredths(table.size_mm.y),
-        table.layout.parts.len(),
-        table.lamps.len() - bulbs,
-        table.solids.len(),
-        table.warnings.len(),
-        (cost.operations * 1e-6).ceil(),
-        table.hash
-    )
-}
-
-/// A length to a hundredth of a millimetre.
-fn hundredths(mm: f64) -> f64 {
-    (mm * 100.0).round() / 100.0
+/// A warning for each message that the rules say in so many words and that has no time to walk past.
+fn hurried_messages(table: &Table) -> Vec<Failure> {
+    let messages = literal_messages(&table.rules).into_iter();
+    let warning = |message: crate::rules::LiteralMessage| {
+        let lines: Vec<&str> = message.lines.iter().map(String::as_str).collect();
+        let needed = hud::reading_ms(&lines).filter(|needed| message.ms > 0 && message.ms < *needed)?;
+        let widest = lines.iter().max_by_key(|line| line.chars().count())?;
+        Some(Failure::warning(format!(
+            "{}:{}: the message `{widest}` is wider than the display and hurries past in its {} ms: give it {needed} ms, or \
+             fewer letters",
+            table.file(FILES[2]),
+            message.line,
+            message.ms
+        )))
+    };
+    messages.filter_map(warning).collect()
 }

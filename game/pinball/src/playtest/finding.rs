@@ -76,15 +76,19 @@ impl Finding {
         )
     }
 
-    /// The same as a sentence for a person.
+    /// The same as a sentence for a person: a warning, or a failure.
     pub fn failure(&self, table: &Table) -> Failure {
-        let Some(part) = self.part.map(|part| usize::from(part.0)) else {
-            return Failure::new(format!("{}: {}", table.file(FILES[2]), self.sentence()));
-        };
+        let sentence = format!("{}: {}", self.place(table), self.sentence());
+        if self.is_warning() { Failure::warning(sentence) } else { Failure::new(sentence) }
+    }
+
+    /// File, line and name of the part; the rules' file where there is none.
+    fn place(&self, table: &Table) -> String {
+        let Some(part) = self.part.map(|part| usize::from(part.0)) else { return table.file(FILES[2]) };
         let name = table.layout.parts.get(part).map_or("", |part| &part.name);
         let file = table.file(FILES[0]);
-        let place = table.part_lines.get(part).map_or(file.clone(), |line| format!("{file}:{line}"));
-        Failure::new(format!("{place}: {name}: {}", self.sentence()))
+        let line = table.part_lines.get(part).map_or_else(String::new, |line| format!(":{line}"));
+        format!("{file}{line}: {name}")
     }
 
     /// What was found, and what to do.
