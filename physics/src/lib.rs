@@ -40,6 +40,7 @@ pub use layout::{Layout, Part};
 pub use machine::fingerprint::{Fingerprint, fingerprint};
 pub use machine::{Error, Hashes, Machine};
 pub use mechanisms::controls::Controls;
+pub use mechanisms::flap::AXLE_TO_EDGE_M;
 pub use mechanisms::kind::*;
 pub use mechanisms::pose::Pose;
 pub use part::PartId;

@@ -1,13 +1,13 @@
 //! Where a solid is in a pose, and how it looks there.
 
-use super::{mm, outlines};
+use super::{MM_PER_M, mm, outlines};
 use crate::table::{Finish, Solid};
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper, trig};
 use physics::{Kind, Layout, PartId, Pose};
 use tracer::Outline;
 
-/// From the axle of a gate or spinner to the edge of its plate, mm.
-const FLAP_MM: f64 = 11.0;
+/// From the axle of a gate or spinner to the edge of its plate, mm: where a ball hits it.
+const FLAP_MM: f64 = physics::AXLE_TO_EDGE_M * MM_PER_M;
 /// Half the thickness of a gate's or spinner's plate seen on edge, mm.
 const FLAP_EDGE_MM: f64 = 0.9;
 /// How far a slingshot's arm pushes its rubber out, mm.

@@ -101,7 +101,7 @@ fn a_thing_keeps_its_ids_in_every_picture() {
 }
 
 #[test]
-fn a_spinner_that_lies_flat_is_broader_than_one_that_hangs() {
+fn a_spinner_that_lies_flat_is_as_broad_as_the_plate_that_a_ball_hits() {
     let (table, mut moment) = set();
     let width = |moment: &Snapshot| {
         let printed = Printed::new(&table, &view(&table)).expect("its art can be printed");
@@ -120,7 +120,7 @@ fn a_spinner_that_lies_flat_is_broader_than_one_that_hangs() {
     *angle = std::f64::consts::FRAC_PI_2;
     let Kind::Spinner(spinner) = &table.layout.parts[usize::from(id.0)].kind else { panic!("not a spinner") };
     let axle_mm = spinner.segment.length() * 1000.0;
-    assert!((width(&moment) - hanging - axle_mm * 22.0).abs() < 1.0);
+    assert!((width(&moment) - hanging - axle_mm * 2000.0 * physics::AXLE_TO_EDGE_M).abs() < 1.0);
 }
 
 const COILS: &str = r#"<line id="kick" class="kickback" x1="40" y1="900" x2="40" y2="870" stroke-width="20"/>

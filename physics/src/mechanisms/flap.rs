@@ -2,8 +2,8 @@
 
 /// Height of the axles of gates and spinners, m: a ball passes below.
 pub(crate) const AXLE_M: f64 = 0.030;
-/// From an axle to the edge of its flap, m.
-pub(crate) const AXLE_TO_EDGE_M: f64 = 0.021;
+/// From the axle of a gate or a spinner to the edge of its flap, m.
+pub const AXLE_TO_EDGE_M: f64 = 0.021;
 /// How far from its axle's line a flap can still meet the ball, m: a little over 30 mm, where it stands out at 62 degrees
 /// and its edge touches the ball below its middle.
 pub(crate) const FLAP_REACH_M: f64 = 0.031;
