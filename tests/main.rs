@@ -8,6 +8,7 @@ mod golden;
 mod picture;
 mod plot;
 mod recording;
+mod rules;
 mod still;
 mod techniques;
 mod tidy;
