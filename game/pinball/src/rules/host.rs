@@ -149,14 +149,16 @@ impl HostFunction {
             Data::Text(text) => Some(&**text),
             _ => None,
         });
+        let name = texts.clone().next().unwrap_or_default();
         let searched = match self.searches {
-            Searched::Lamps if texts.clone().next().is_some_and(|name| name.ends_with('*')) => context.names.count(),
+            Searched::Lamps if name.ends_with('*') => context.names.count(),
             // A name is found among a thousand others with a dozen comparisons.
             Searched::Lamps | Nothing => 12,
             Timers => context.script.timers.count(),
             Progress => context.script.progress.len(),
         };
-        2 + texts.map(|text| text_steps(text.len())).sum::<u64>() * (1 + searched as u64)
+        let read: u64 = texts.map(|text| text_steps(text.len())).sum();
+        2 + read + text_steps(name.len()) * searched as u64 / 4
     }
 
     /// Calls it.

@@ -7,7 +7,7 @@ use physics::Fingerprint;
 use serde::{Deserialize, Serialize};
 
 /// Steps that every tick has.
-pub const TICK_STEPS: u64 = 4_000;
+pub const TICK_STEPS: u64 = 8_000;
 /// Steps that may be owed.
 pub const MAX_DEBT: u64 = 1_000_000;
 

@@ -8,7 +8,7 @@ use crate::{Buttons, Table};
 use physics::Fingerprint;
 use std::sync::Arc;
 
-const SPENT: &str = "this does not come to an end (the rules may take 5000000 steps in a second)";
+const SPENT: &str = "this does not come to an end (the rules may take 9000000 steps in a second)";
 
 /// What a script with this `on_launch` complains about, and the steps that its first call takes.
 fn launched(body: &str) -> (Vec<String>, u64) {
