@@ -15,7 +15,9 @@ for (const { module: room, name } of WebAssembly.Module.imports(module)) {
 const { memory, recording, play, digest } = new WebAssembly.Instance(module, imports).exports;
 for (const file of recordings) {
   const bytes = readFileSync(file);
-  new Uint8Array(memory.buffer, recording(bytes.length), bytes.length).set(bytes);
+  // Room may make the memory grow, which gives it another buffer.
+  const room = recording(bytes.length);
+  new Uint8Array(memory.buffer, room, bytes.length).set(bytes);
   if (play() < 0n) {
     throw new Error(`${file} does not play as it was recorded`);
   }

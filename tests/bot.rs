@@ -88,10 +88,10 @@ fn game_follows_game_until_the_time_is_used_up_exactly() {
 #[test]
 fn the_tour_tilts_the_machine_and_does_not_slam_it() {
     let mut simulation = Simulation::new(spectrum(), 1).unwrap();
-    let mut tour = CoveragePlayer::new(1);
+    let mut player = CoveragePlayer::new(1);
     let (mut tilted, mut slams) = (false, 0);
     for _ in 0..150_000 {
-        let buttons = tour.buttons(&simulation);
+        let buttons = player.buttons(&simulation);
         simulation.tick(buttons);
         slams += simulation.events().filter(|event| event.kind == physics::EventKind::Slam).count();
         tilted |= simulation.display().tilted;

@@ -50,9 +50,9 @@ fn golden_frame_of_a_ball_on_the_ramp() {
 fn golden_frame_of_the_generated_table() {
     let view = View::fit(150, 300, scenes::SIZE_MM);
     let props = quilted(scenes::props(&view));
-    let mut film = DisplayBuffer::default();
-    Renderer::new().draw(&scenes::table(view, &props), 1.0, &mut film);
-    compare(&[("generated-table".to_string(), film.frame().clone())]);
+    let mut display = DisplayBuffer::default();
+    Renderer::new().draw(&scenes::table(view, &props), 1.0, &mut display);
+    compare(&[("generated-table".to_string(), display.frame().clone())]);
 }
 
 #[test]

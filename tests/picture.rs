@@ -108,15 +108,15 @@ fn at_half_the_light_and_close_by_the_bytes_are_the_same_on_any_threads_and_afte
     let (dark, lit) = (Snapshot::default(), moment());
     let close = |threads: usize| {
         let mut composer = composer_on(threads);
-        composer.set_light(LightResolution::Half);
+        composer.set_light_resolution(LightResolution::Half);
         composer.set_zoom(1.5);
         composer
     };
     let expected = pixels(&mut close(1), &lit, 150, 300);
     let mut used = close(3);
-    used.set_light(LightResolution::Full);
+    used.set_light_resolution(LightResolution::Full);
     pixels(&mut used, &lit, 150, 300);
-    used.set_light(LightResolution::Half);
+    used.set_light_resolution(LightResolution::Half);
     pixels(&mut used, &dark, 90, 180);
     pixels(&mut used, &dark, 150, 300);
     assert!(pixels(&mut used, &lit, 150, 300) == expected, "the camera goes there at once, and nothing is left over");
@@ -144,7 +144,7 @@ fn what_comes_into_sight_is_as_if_it_had_always_been_there() {
 fn no_size_is_too_small_or_too_odd_for_a_zoom_or_for_half_the_light() {
     let moment = moment();
     let mut composer = composer_on(2);
-    composer.set_light(LightResolution::Half);
+    composer.set_light_resolution(LightResolution::Half);
     for (zoom, width, height) in
         [(4.0, 64, 64), (1.3, 65, 301), (3.9, 301, 65), (1.0, 1, 1), (4.0, 1, 1), (2.0, 3, 200)]
     {
@@ -153,7 +153,7 @@ fn no_size_is_too_small_or_too_odd_for_a_zoom_or_for_half_the_light() {
     }
 }
 
-/// Eyes get used to the light, and the film with them: the same lamps look darker after a bright while than after a dark
+/// Eyes get used to the light, and the exposure with them: the same lamps look darker after a bright while than after a dark
 /// one.
 #[test]
 fn the_film_follows_the_light_that_eyes_have_got_used_to() {

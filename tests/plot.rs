@@ -1,5 +1,7 @@
 //! Plots of the physics: what was measured holds, and a picture is made of it.
 
+#![expect(clippy::disallowed_methods, reason = "the test reads what it has written")]
+
 use game::Table;
 use game::commands::plot::{energy, flipper, restitution, shots};
 use std::collections::BTreeSet;

@@ -18,7 +18,7 @@ const MOST_TICKS: usize = 20_000;
 fn live() -> Machine {
     let table = game::storage::tables::load("spectrum").unwrap();
     let mut machine = Machine::new(Arc::new(table.layout.clone())).unwrap();
-    machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
+    machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
     machine
 }
 

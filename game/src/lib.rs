@@ -23,6 +23,7 @@ pub mod session;
 mod small_table;
 mod standard_error;
 pub mod storage;
+mod terminal;
 
 pub use pinball::{Buttons, Failure, Recording, Simulation, Snapshot, Table};
 pub use pinball::{bot, lamps, recording, rules, simulation, table};

@@ -1,9 +1,11 @@
 //! Failures, told to whoever reads standard error.
 
 use crate::Failure;
+use crate::terminal::escaped;
 use std::io::{self, Write};
 
-/// Tells a failure. When nobody reads standard error, there is nobody to tell.
+/// Tells a failure, a line for each sentence. When nobody reads standard error, there is nobody to tell.
 pub fn tell(failure: &Failure) {
-    let _ = writeln!(io::stderr(), "caustic: {failure}");
+    let lines: Vec<_> = failure.sentences().map(escaped).collect();
+    let _ = writeln!(io::stderr(), "caustic: {}", lines.join("\n"));
 }

@@ -1,4 +1,4 @@
-//! What the ball and the machine do.
+//! Pinball physics: what the ball and the machine do.
 //!
 //! A [`Layout`] says what stands on the playfield; a [`Machine`] plays it, a thousand ticks a second: [`Controls`] and
 //! [`Command`]s go in, [`Event`]s and [`Contact`]s come out, and a [`Pose`] says where everything is. The ball is moved

@@ -37,7 +37,7 @@ impl Play {
         let machine = FRESH.get_or_init(|| {
             let table = game::storage::tables::load("spectrum").expect("the table is sound");
             let mut machine = Machine::new(Arc::new(table.layout.clone())).expect("the table can be played");
-            machine.tick(NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
+            machine.tick(NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
             machine
         });
         Play { machine: machine.clone(), switches: Vec::new(), bob: 0 }

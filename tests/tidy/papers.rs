@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::members::members;
 use super::tree::{crates, files, module_path, production, read, root};
 
 /// The documents whose paths must exist.
@@ -57,6 +58,28 @@ fn every_path_in_the_documents_exists() {
         assert!(document != "ARCHITECTURE.md" || paths.len() > 10, "the map names {} paths only", paths.len());
     }
     assert!(lost.is_empty(), "these documents name what is not there: {lost:#?}");
+}
+
+/// The type and the member of a quoted path like `room::Type::name` or `Type::name(argument)`.
+fn quoted_member(quoted: &str) -> Option<(String, String)> {
+    let path = quoted.split(['(', ' ', '<']).next().unwrap_or("");
+    let mut names = path.rsplit("::");
+    let (name, owner) = (names.next()?, names.next()?);
+    let is_type = owner.starts_with(char::is_uppercase) && owner.chars().all(|c| c.is_alphanumeric());
+    is_type.then(|| (owner.to_string(), name.to_string()))
+}
+
+#[test]
+fn every_member_in_the_map_and_the_pages_is_defined() {
+    let sources = crates().into_iter().flat_map(|folder| production(&format!("{folder}/src")));
+    let defined: BTreeSet<_> = sources.flat_map(|source| members(&source.code)).collect();
+    let papers = documents().into_iter().filter(|path| path == "ARCHITECTURE.md" || path.starts_with("docs/"));
+    let texts: Vec<_> = papers.map(|path| (read(&path), path)).collect();
+    let named = texts.iter().flat_map(|(text, path)| quoted(text).into_iter().map(move |quoted| (path, quoted)));
+    let named: Vec<_> = named.filter_map(|(path, quoted)| Some((path, quoted_member(quoted)?))).collect();
+    assert!(named.len() > 20, "the documents name {} members only", named.len());
+    let lost: Vec<_> = named.into_iter().filter(|(_, member)| !defined.contains(member)).collect();
+    assert!(lost.is_empty(), "these documents name members that are not there: {lost:#?}");
 }
 
 /// The folders and files directly below a crate's `src`, or `src` itself where that holds files only.
@@ -146,6 +169,19 @@ fn every_clippy_file_repeats_the_bans_of_the_root() {
             let missing: Vec<_> = forbidden("clippy.toml", list).difference(&forbidden(file, list)).cloned().collect();
             assert!(missing.is_empty(), "{file}, {list}: the root forbids {missing:?} too");
         }
+    }
+}
+
+/// What decides a game may use none of these, anywhere.
+const UNDECIDED: [&str; 4] =
+    ["std::time::Instant::now", "std::thread::spawn", "std::fs::read_to_string", "std::env::var"];
+
+#[test]
+fn what_decides_a_game_has_bans_of_its_own() {
+    for folder in ["physics", "game/pinball"] {
+        let bans = forbidden(&format!("{folder}/clippy.toml"), "disallowed-methods");
+        let missing: Vec<_> = UNDECIDED.iter().filter(|path| !bans.contains(**path)).collect();
+        assert!(missing.is_empty(), "{folder}/clippy.toml does not forbid {missing:?}");
     }
 }
 

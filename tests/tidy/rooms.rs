@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::code::{Word, is_word, words};
-use super::tree::{Source, crates, module_path, production};
+use super::tree::{Source, crates, module_path, production, read};
 
 /// The room of what `lib.rs` itself defines: above all others.
 const FRONT: &str = "lib.rs";
@@ -255,6 +255,7 @@ const ORDER: [(&str, &[&str]); 4] = [
         &[
             "fonts",
             "screen",
+            "terminal",
             "standard_error",
             "input",
             "art",
@@ -295,6 +296,23 @@ fn no_room_imports_back_up() {
         let is_upwards = |import: &&Import| import.to == FRONT || place(&import.from) <= place(&import.to);
         let upwards: Vec<_> = house.imports.iter().filter(is_upwards).collect();
         assert!(upwards.is_empty(), "{folder} imports upwards:{}", told(upwards));
+    }
+}
+
+/// The rooms of a crate as the tables of the map list them.
+fn listed_rooms(map: &str, folder: &str) -> Vec<String> {
+    let source = format!("{folder}/src/");
+    let cells = map.lines().filter_map(|line| line.strip_prefix("| `")?.split(" | ").next());
+    let paths = cells.flat_map(|cell| cell.split('`')).filter_map(|path| path.strip_prefix(source.as_str()));
+    let rooms = paths.map(|path| path.trim_end_matches('/').trim_end_matches(".rs").to_string());
+    rooms.filter(|room| !room.is_empty()).collect()
+}
+
+#[test]
+fn the_map_lists_the_rooms_in_their_order() {
+    let map = read("ARCHITECTURE.md");
+    for (folder, order) in ORDER {
+        assert_eq!(listed_rooms(&map, folder), order, "the table of {folder} in ARCHITECTURE.md");
     }
 }
 

@@ -1,5 +1,7 @@
 //! The tree as the tests read it: its crates, their files, and their text without comments, strings and test code.
 
+#![expect(clippy::disallowed_methods, reason = "the sources are the repository's own")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

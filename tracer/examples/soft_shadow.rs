@@ -13,7 +13,7 @@ pub fn picture() -> Frame {
     let mut scene = Scene::new(View::fit(900, 600, DVec2::new(600.0, 400.0)), &floor);
     scene.lamps.push(Lamp::disc(ItemId(0), DVec2::new(90.0, 60.0), 0.0, [1.0, 0.25, 0.15]));
     scene.lamps.push(Lamp::disc(ItemId(1), DVec2::new(300.0, 50.0), 18.0, [0.2, 0.9, 0.35]));
-    scene.lamps.push(Lamp::segment(ItemId(2), DVec2::new(510.0, 60.0), DVec2::new(45.0, 0.0), [0.25, 0.4, 1.3]));
+    scene.lamps.push(Lamp::of_tube(ItemId(2), DVec2::new(510.0, 60.0), DVec2::new(45.0, 0.0), [0.25, 0.4, 1.3]));
     for number in 0..7u16 {
         let from = DVec2::new(60.0 + 80.0 * f64::from(number), 170.0);
         let bar = Shape::capsule(from, from + DVec2::new(0.0, 22.0), 4.0);

@@ -1,4 +1,4 @@
-//! What light does on a flat table.
+//! Ray-traced light: what light does on a flat table.
 //!
 //! A [`Scene`] is lamps, what casts shadows ([`Occluder`]), what has a visible top ([`Top`], [`Ball`]), the floor's art
 //! and a [`View`]. An [`Integrator`] turns it into linear [`Radiance`]: [`render`] does so once, a [`Renderer`] from frame to

@@ -1,5 +1,5 @@
-//! The warm renderer, which remembers what it has drawn, so that the next picture costs only what has changed; and one
-//! picture from nothing.
+//! The warm renderer, which caches what it has drawn, so that the next frame costs only what has changed; and one picture
+//! from nothing.
 
 use crate::film::tone_map;
 use crate::realtime::exact_renderer::ExactRenderer;
@@ -43,7 +43,7 @@ impl Renderer {
         renderer
     }
 
-    /// From now on, renders by this integrator. What is remembered of pictures by others is kept.
+    /// From now on, renders by this integrator. What is cached of frames by others is kept.
     pub fn set_integrator(&mut self, integrator: Integrator) {
         self.integrator = integrator;
     }
@@ -84,7 +84,7 @@ impl Renderer {
         }
     }
 
-    /// Renders `scene` exactly, with nothing remembered and nothing rounded to be kept: the slow twin of
+    /// Renders `scene` exactly, with nothing cached and nothing quantized: the slow twin of
     /// [`Renderer::render`].
     pub fn render_uncached(&mut self, scene: &Scene, radiance: &mut Radiance) {
         self.exact.render_uncached(scene, radiance);
@@ -92,7 +92,7 @@ impl Renderer {
 
     /// Makes every tile anew in the next frame, with the same bits.
     ///
-    /// No frame needs it: what changes is known by ids and revisions. It is there to measure what a picture from nothing
+    /// No frame needs it: what changes is known by ids and revisions. It is there to measure what a frame from nothing
     /// costs.
     pub fn invalidate(&mut self) {
         self.exact.invalidate();

@@ -42,7 +42,7 @@ fn asks_for_nothing_once_warm(integrator: Integrator) {
     pool.install(|| {
         let mut scene = Scene { half_floor: Some(&half), ..scenes::table(view, &props) };
         scenes::lift(&mut scene, &[12.0]);
-        let mut film = DisplayBuffer::default();
+        let mut display = DisplayBuffer::default();
         let mut round = || {
             let before = ASKED.load(Ordering::Relaxed);
             for frame in 0..24 {
@@ -51,7 +51,7 @@ fn asks_for_nothing_once_warm(integrator: Integrator) {
                 for (at, lamp) in scene.lamps.iter_mut().enumerate() {
                     lamp.color[0] = 0.2 + ((at + frame) % 5) as f32 * 0.1;
                 }
-                renderer.draw(&scene, 1.0, &mut film);
+                renderer.draw(&scene, 1.0, &mut display);
             }
             ASKED.load(Ordering::Relaxed) - before
         };

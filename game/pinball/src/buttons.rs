@@ -1,4 +1,4 @@
-//! What the player holds down in one tick.
+//! Buttons: what the player holds down in one tick.
 
 use serde::{Deserialize, Serialize};
 

@@ -36,7 +36,7 @@ impl Timeline {
                 self.previous = Arc::new(source.simulation().snapshot());
             }
             if !source.step() {
-                self.stand(source.simulation());
+                self.reset_to(source.simulation());
                 return tick;
             }
             after_tick(source.simulation());
@@ -47,8 +47,8 @@ impl Timeline {
         ticks
     }
 
-    /// Stands where the game is: after a jump, or at a source's end, there is nothing to interpolate.
-    pub fn stand(&mut self, simulation: &Simulation) {
+    /// Both snapshots become where the game is: after a jump, or at a source's end, there is nothing to interpolate.
+    pub fn reset_to(&mut self, simulation: &Simulation) {
         *self = Timeline::new(simulation);
     }
 

@@ -3,14 +3,21 @@
 //!
 //! Only the fonts of `assets/fonts` are used and no file is read, so the same drawing gives the same pixels everywhere.
 
+mod cost;
+mod guard;
 mod mask;
 mod normal_map;
+mod numbers;
 mod print;
+mod read;
+mod references;
 #[cfg(test)]
 mod tests;
+mod typefaces;
+mod written_out;
 
 pub use mask::masks;
-pub use print::check;
+pub use read::{PrintCost, check};
 
 use crate::Failure;
 use crate::table::{NormalMapInputs, Table};

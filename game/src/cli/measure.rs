@@ -41,7 +41,7 @@ pub enum Bench {
     Rules,
     /// How exact the light is, against shadow rays.
     Quality,
-    /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls costs.
+    /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.
     Physics,
     /// All of them but quality and physics.
     All,

@@ -1,6 +1,7 @@
 //! The command line's words.
 
 mod measure;
+mod usage_error;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
@@ -59,7 +60,7 @@ pub struct PlayArgs {
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Size of the window in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse)]
     pub size: Option<Size>,
     /// Fill the screen
     #[arg(long)]
@@ -85,7 +86,7 @@ pub struct ReplayArgs {
     /// The recording
     pub file: PathBuf,
     /// Size of the window in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse)]
     pub size: Option<Size>,
     /// Fill the screen
     #[arg(long)]
@@ -117,6 +118,9 @@ pub struct VerifyArgs {
     /// Also hash every tick and print one number for each recording, and one for all of them by their seeds
     #[arg(long)]
     pub digest: bool,
+    /// Cut one damaged recording to its sound part, in this new file, and verify that
+    #[arg(long, value_name = "OUT")]
+    pub salvage: Option<PathBuf>,
 }
 
 /// `caustic dump`
@@ -127,8 +131,12 @@ pub struct DumpArgs {
     /// A folder for numbered PNG files, or - for y4m on standard output
     #[arg(long, value_name = "DIR|-")]
     pub out: PathBuf,
+    /// Write over frames that are in the folder already
+    #[arg(long)]
+    pub overwrite: bool,
     /// Size of the frames in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse,
+        default_value = "540x1080")]
     pub size: Size,
     /// Frames in a second of play
     #[arg(long, default_value_t = 60, value_name = "N", allow_negative_numbers = true,
@@ -165,7 +173,8 @@ pub struct FrameArgs {
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub at: Option<f64>,
     /// Size of the frame in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "540x1080")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse,
+        default_value = "540x1080")]
     pub size: Size,
     /// Resolution at which light is found: half is for small machines
     #[arg(long, value_enum, default_value_t = LightChoice::Full)]
@@ -179,12 +188,12 @@ pub struct FrameArgs {
     /// How light is gathered: exact, or monte-carlo (the slow reference)
     #[arg(long, value_enum, default_value_t = Integrator::Exact)]
     pub integrator: Integrator,
-    /// Random samples a lamp and pixel, for the reference
-    #[arg(long, default_value_t = 64, value_name = "N", allow_negative_numbers = true,
+    /// Random samples a lamp and pixel, with --integrator monte-carlo; by default 64
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = clap::value_parser!(u32).range(1..=65536))]
-    pub samples: u32,
+    pub samples: Option<u32>,
     /// The PNG file to write
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", value_parser = png_file)]
     pub out: PathBuf,
 }
 
@@ -236,6 +245,9 @@ pub struct SimulateArgs {
     /// A folder for recordings of all the games
     #[arg(long, value_name = "DIR")]
     pub save_all: Option<PathBuf>,
+    /// Write over recordings that are in these folders already
+    #[arg(long)]
+    pub overwrite: bool,
     /// Who plays
     #[arg(long, value_enum, default_value_t = Player::Bot)]
     pub player: Player,
@@ -267,11 +279,11 @@ impl Cli {
     /// What the command line of this process asks for. Ends the process with a sentence and exit code 2 if it is wrong,
     /// and with the answer if it only asks for help.
     pub fn read() -> Cli {
-        let cli = Cli::parse();
-        if let Err(wrong) = cli.check() {
-            Cli::command().error(ErrorKind::ValueValidation, wrong).exit();
-        }
-        cli
+        let checked = |cli: Cli| match cli.check() {
+            Ok(()) => Ok(cli),
+            Err(wrong) => Err(Cli::command().error(ErrorKind::ValueValidation, wrong)),
+        };
+        Cli::try_parse().and_then(checked).unwrap_or_else(|error| usage_error::exit(&error))
     }
 
     /// What two words together may not say.
@@ -279,6 +291,12 @@ impl Cli {
         match &self.command {
             Some(Command::Dump(DumpArgs { from: Some(from), to: Some(to), .. })) if from > to => {
                 Err(format!("--from {from} is after --to {to}; nothing is between them"))
+            }
+            Some(Command::Frame(FrameArgs { integrator: Integrator::Exact, samples: Some(_), .. })) => {
+                Err("--samples is for --integrator monte-carlo; exact light takes no samples".to_string())
+            }
+            Some(Command::Verify(VerifyArgs { files, salvage: Some(_), .. })) if files.len() != 1 => {
+                Err("--salvage cuts one recording; name just one".to_string())
             }
             Some(Command::Dump(DumpArgs { size, zoom, .. }) | Command::Frame(FrameArgs { size, zoom, .. })) => {
                 check_zoomed(*size, *zoom)
@@ -307,6 +325,17 @@ fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
         return Ok(());
     }
     Err(format!("--zoom {zoom} of {width}x{height} pixels is more than can be drawn; give less of one of them"))
+}
+
+/// A picture's file: PNG is the one format that is written.
+fn png_file(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    match path.extension() {
+        Some(end) if !end.eq_ignore_ascii_case("png") => {
+            Err("pictures are written as PNG: name a .png file".to_string())
+        }
+        _ => Ok(path),
+    }
 }
 
 fn threads(text: &str) -> Result<usize, String> {

@@ -2,12 +2,12 @@
 
 use super::parallel;
 use super::print::unwritable;
-use crate::Failure;
 use crate::cli::DumpArgs;
 use crate::frame_composer::{FrameComposer, Interpolation};
 use crate::hud::UiState;
 use crate::screen::Size;
 use crate::storage::{recordings, save_png};
+use crate::{Failure, tell};
 use indicatif::ProgressBar;
 use physics::TICKS_PER_SECOND;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -21,13 +21,15 @@ use tracer::Frame;
 /// # Errors
 /// If the recording cannot be played again or a frame cannot be written.
 pub fn run(args: &DumpArgs) -> Result<(), Failure> {
-    let mut replay = recordings::open(&args.file)?;
+    let mut shown = recordings::open_to_show(&args.file)?;
+    let ui_state = UiState { notice: shown.missing_art.take(), ..UiState::default() };
+    let replay = &mut shown.replay;
     let ticks = frame_ticks(args, replay.recording().ticks())?;
     let mut out = Out::open(args)?;
     let mut composer = FrameComposer::new(replay.simulation().table().clone(), parallel::pool(args.threads)?)?;
-    composer.set_light(args.light.resolution().unwrap_or_default());
+    composer.set_light_resolution(args.light.resolution().unwrap_or_default());
     composer.set_zoom(args.zoom);
-    let size = out.size(args);
+    let (size, frames) = (out.size(args), ticks.len());
     let bar = parallel::progress_bar(ticks.len() as u64, "frames");
     // One frame is written while the next is drawn, and one waits at most.
     thread::scope(|threads| {
@@ -36,7 +38,7 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
         for tick in ticks {
             replay.seek(tick);
             let snapshot = replay.simulation().snapshot();
-            let frame = composer.draw(Interpolation::at(&snapshot), size, &UiState::default())?;
+            let frame = composer.draw(Interpolation::at(&snapshot), size, &ui_state)?;
             if drawn.send(frame.clone()).is_err() {
                 break;
             }
@@ -45,6 +47,7 @@ pub fn run(args: &DumpArgs) -> Result<(), Failure> {
         writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })?;
     bar.finish_and_clear();
+    out.tell_older(frames);
     match replay.difference() {
         Some(difference) => Err(Failure::new(format!(
             "{} {difference}: these frames are not what was recorded; caustic verify says more",
@@ -93,11 +96,23 @@ impl Out {
             }
             let mut film = BufWriter::new(io::stdout());
             let Size { width, height } = even(args.size);
+            if args.size != even(args.size) {
+                let Size { width: w, height: h } = args.size;
+                tell(&Failure::new(format!("the sides of a y4m film are even: {w}x{h} becomes {width}x{height}")));
+            }
             let header = format!("YUV4MPEG2 W{width} H{height} F{}:1 Ip A1:1 C420jpeg\n", args.fps);
             film.write_all(header.as_bytes()).map_err(|error| unwritable(&error))?;
             return Ok(Out::Film(film));
         }
         parallel::make_folder(&args.out)?;
+        let before = frames_in(&args.out).len();
+        if before > 0 && !args.overwrite {
+            let folder = args.out.display();
+            return Err(Failure::new(format!(
+                "there are frames in {folder} already, {before} of them: name another folder, or write over them with \
+                 --overwrite"
+            )));
+        }
         Ok(Out::Folder(args.out.clone()))
     }
 
@@ -106,6 +121,18 @@ impl Out {
         match self {
             Out::Folder(_) => args.size,
             Out::Film(_) => even(args.size),
+        }
+    }
+
+    /// Tells that frames of an older and longer film are still there, after the `written` ones.
+    fn tell_older(&self, written: usize) {
+        let Out::Folder(folder) = self else { return };
+        let older = frames_in(folder).into_iter().filter(|number| *number >= written).count();
+        if older > 0 {
+            let folder = folder.display();
+            tell(&Failure::new(format!(
+                "{older} older frames are still in {folder}, after the {written} of this film"
+            )));
         }
     }
 
@@ -119,6 +146,17 @@ impl Out {
             },
         }
     }
+}
+
+/// The numbers of the frames in `folder`.
+fn frames_in(folder: &Path) -> Vec<usize> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let number = |name: &str| {
+        let digits = name.strip_suffix(".png")?;
+        let is_frame = digits.len() >= 6 && digits.bytes().all(|byte| byte.is_ascii_digit());
+        digits.parse().ok().filter(|_| is_frame)
+    };
+    entries.filter_map(|entry| number(entry.file_name().to_str()?)).collect()
 }
 
 fn even(size: Size) -> Size {

@@ -1,4 +1,4 @@
-//! What each word of the command line does.
+//! Commands: what each word of the command line does.
 
 pub mod bench;
 pub mod check;

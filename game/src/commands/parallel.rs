@@ -1,5 +1,5 @@
-//! What commands that work through many games or frames share: threads, a progress bar, a folder for the results
-//! and the line that compares them.
+//! Parallel runs: what commands that work through many games or frames share: threads, a progress bar, a folder for the
+//! results and the line that compares them.
 
 use crate::Failure;
 use crate::simulation::Digest;

@@ -3,7 +3,7 @@
 use super::parallel;
 use crate::Failure;
 use crate::cli::PlayArgs;
-use crate::game_app::{self, Look, Play};
+use crate::game_app::{self, DisplayOptions, GameOptions};
 use crate::storage::tables;
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -15,9 +15,14 @@ use std::time::SystemTime;
 pub fn run(args: PlayArgs) -> Result<(), Failure> {
     let table = Arc::new(tables::load(&args.table).map_err(Failure::of_many)?);
     let seed = args.seed.unwrap_or_else(seed_of_now);
-    let play = Play { table, seed, record: args.record, bot: args.bot };
-    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light.resolution(), zoom: args.zoom };
-    game_app::play(&play, look, parallel::pool(args.threads)?)
+    let game = GameOptions { table, seed, record: args.record, bot: args.bot };
+    let options = DisplayOptions {
+        size: args.size,
+        fullscreen: args.fullscreen,
+        light: args.light.resolution(),
+        zoom: args.zoom,
+    };
+    game_app::play(&game, options, parallel::pool(args.threads)?)
 }
 
 #[expect(clippy::disallowed_methods, reason = "each game that names no seed is another one")]

@@ -2,15 +2,25 @@
 
 use crate::Failure;
 use crate::storage::because;
+use crate::terminal::escaped;
 use std::io::{self, ErrorKind, Write};
 
-/// Prints a text and ends its line.
+/// Prints a line.
+///
+/// # Errors
+/// As [`print_lines`].
+pub fn print(line: &str) -> Result<(), Failure> {
+    print_lines([line])
+}
+
+/// Prints some lines; what cannot be part of a line is escaped.
 ///
 /// # Errors
 /// If standard output cannot be written, but not because nobody reads on.
-pub fn print(text: &str) -> Result<(), Failure> {
+pub fn print_lines(lines: impl IntoIterator<Item = impl AsRef<str>>) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    let written = writeln!(out, "{}", text.trim_end()).and_then(|()| out.flush());
+    let text: String = lines.into_iter().map(|line| format!("{}\n", escaped(line.as_ref()))).collect();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
     written.or_else(forgive).map_err(|error| unwritable(&error))
 }
 

@@ -3,7 +3,7 @@
 use super::parallel;
 use crate::Failure;
 use crate::cli::ReplayArgs;
-use crate::game_app::{self, Look};
+use crate::game_app::{self, DisplayOptions};
 use crate::storage::recordings;
 
 /// Shows a recording until the window is closed.
@@ -11,7 +11,12 @@ use crate::storage::recordings;
 /// # Errors
 /// If the recording cannot be played again, or there is no display.
 pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
-    let replay = recordings::open(&args.file)?;
-    let look = Look { size: args.size, fullscreen: args.fullscreen, light: args.light.resolution(), zoom: args.zoom };
-    game_app::watch(replay, look, parallel::pool(args.threads)?)
+    let recording = recordings::open_to_show(&args.file)?;
+    let options = DisplayOptions {
+        size: args.size,
+        fullscreen: args.fullscreen,
+        light: args.light.resolution(),
+        zoom: args.zoom,
+    };
+    game_app::watch(recording, options, parallel::pool(args.threads)?)
 }

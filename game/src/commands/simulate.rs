@@ -1,18 +1,18 @@
 //! `caustic simulate`: many games without a screen, and a summary of what happened in them.
 
 use super::parallel::{self, digest_line, pool, progress_bar};
-use super::print::print;
+use super::print::{print, print_lines};
 use crate::bot::anomaly::AnomalyKind;
 use crate::bot::self_play::{self, SelfPlayOptions, SelfPlayRun};
 use crate::bot::{Bot, CoveragePlayer, GameResult, RandomPlayer};
 use crate::cli::{Player, SimulateArgs};
 use crate::storage::{file_failure, new_file, tables};
-use crate::{Failure, Table};
+use crate::{Failure, Table, recording};
 use physics::{Kind, TICKS_PER_SECOND};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 use std::io::Write as _;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -25,6 +25,9 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let table = Arc::new(tables::load(&args.table).map_err(Failure::of_many)?);
     for dir in args.save_all.iter().chain(&args.save_failures) {
         parallel::make_folder(dir)?;
+        if !args.overwrite {
+            refuse_older(dir, args)?;
+        }
     }
     let bar = progress_bar(u64::from(args.games), "games");
     let longest = (args.minutes * 60.0 * f64::from(TICKS_PER_SECOND)).round() as u64;
@@ -41,7 +44,7 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
         seeds.par_iter().map(one).collect::<Result<Vec<Game>, Failure>>()
     })?;
     bar.finish_and_clear();
-    print(&summary(&table, &games))?;
+    print_lines(summary(&table, &games))?;
     if args.digest {
         let digest = |game: &Game| game.run.digest.map(|digest| (game.run.seed, digest));
         print(&digest_line(&games.iter().filter_map(digest).collect::<Vec<_>>()))?;
@@ -52,6 +55,19 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
         1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
         many => Err(Failure::new(format!("{many} things went wrong; --save-failures DIR keeps their games"))),
     }
+}
+
+/// Refuses to write over a recording that lies in `dir`, before any game is played.
+fn refuse_older(dir: &Path, args: &SimulateArgs) -> Result<(), Failure> {
+    let older = |seed: u64| Some(recording_path(dir, seed)).filter(|path| path.exists());
+    let seeds = (0..u64::from(args.games)).map(|number| args.seed.wrapping_add(number));
+    let Some(path) = seeds.into_iter().find_map(older) else { return Ok(()) };
+    let path = path.display();
+    Err(Failure::new(format!("{path} is there already: name another folder, or write over it with --overwrite")))
+}
+
+fn recording_path(dir: &Path, seed: u64) -> PathBuf {
+    dir.join(format!("game-{seed}.caustic"))
 }
 
 /// What the rules complained about, each sentence once.
@@ -83,7 +99,7 @@ impl Game {
         let sound = run.anomalies.is_empty() && run.complaints.is_empty();
         let failures = args.save_failures.as_ref().filter(|_| !sound);
         for dir in args.save_all.iter().chain(failures) {
-            let path = dir.join(format!("game-{}.caustic", run.seed));
+            let path = recording_path(dir, run.seed);
             new_file::write(&path, |file| file.write_all(&recording))
                 .map_err(|error| file_failure("write the recording", &path, &error))?;
         }
@@ -91,18 +107,14 @@ impl Game {
     }
 }
 
-/// Everything that the games have shown, as text.
-fn summary(table: &Table, games: &[Game]) -> String {
-    let mut text = String::new();
-    summarise_games(&mut text, games);
+/// Everything that the games have shown, as lines.
+fn summary(table: &Table, games: &[Game]) -> Vec<String> {
     let runs: Vec<&SelfPlayRun> = games.iter().map(|game| &game.run).collect();
-    summarise_switches(&mut text, table, &runs);
-    summarise_anomalies(&mut text, &runs);
-    complaints(games).iter().for_each(|complaint| _ = writeln!(text, "rules      {complaint}"));
-    text
+    let rules = complaints(games).into_iter().map(|complaint| format!("rules      {complaint}")).collect();
+    [games_lines(table, games), switch_lines(table, &runs), anomaly_lines(&runs), rules].concat()
 }
 
-fn summarise_games(text: &mut String, all: &[Game]) {
+fn games_lines(table: &Table, all: &[Game]) -> Vec<String> {
     let runs: Vec<&SelfPlayRun> = all.iter().map(|game| &game.run).collect();
     let core_time: Duration = all.iter().map(|game| game.core_time).sum();
     let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
@@ -110,13 +122,14 @@ fn summarise_games(text: &mut String, all: &[Game]) {
     let scores = Sorted::new(played.iter().map(|game| game.score as f64));
     let balls = Sorted::new(runs.iter().flat_map(|run| &run.balls).map(|ticks| seconds(*ticks)));
     let games = Sorted::new(played.iter().map(|game| seconds(game.ticks)));
-    let bytes: usize = all.iter().map(|game| game.bytes).sum();
+    let table_bytes = recording::table_bytes(table);
+    let bytes: usize = all.iter().map(|game| game.bytes.saturating_sub(table_bytes)).sum();
     let over = played.iter().filter(|game| game.over).count();
     let total = seconds(runs.iter().map(|run| run.ticks).sum());
     let minutes = (total / 60.0).max(1e-9);
     let speed = total / core_time.as_secs_f64().max(1e-9);
     let machines = if played.len() > runs.len() { format!(", machines {}", runs.len()) } else { String::new() };
-    let lines = [
+    vec![
         format!("games      {} ({over} came to their end){machines}", played.len()),
         format!("score      median {:.0}, mean {:.0}, best {:.0}", scores.at(0.5), scores.mean(), scores.at(1.0)),
         format!(
@@ -130,44 +143,44 @@ fn summarise_games(text: &mut String, all: &[Game]) {
             games.at(0.5),
             games.at(1.0)
         ),
-        format!("recording  {:.0} bytes a minute", bytes as f64 / minutes),
+        format!("recording  {:.0} bytes a minute, and {table_bytes} bytes of the table", bytes as f64 / minutes),
         format!("speed      {speed:.0} times real time on one core"),
-    ];
-    lines.iter().for_each(|line| _ = writeln!(text, "{line}"));
+    ]
 }
 
-fn summarise_switches(text: &mut String, table: &Table, runs: &[&SelfPlayRun]) {
+fn switch_lines(table: &Table, runs: &[&SelfPlayRun]) -> Vec<String> {
     let parts = table.layout.parts.iter().enumerate();
     let switches = parts.filter(|(_, part)| !matches!(part.kind, Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_)));
     let hits = |index: usize| runs.iter().map(|run| run.hits[index]).sum::<u64>();
     let mut never = Vec::new();
-    let _ = writeln!(text, "hits");
+    let mut lines = vec!["hits".to_string()];
     for (index, part) in switches {
         match hits(index) {
             0 => never.push(part.name.as_str()),
-            count => _ = writeln!(text, "  {count:>8}  {}", part.name),
+            count => lines.push(format!("  {count:>8}  {}", part.name)),
         }
     }
-    let _ = writeln!(text, "never hit  {}", if never.is_empty() { "none".to_string() } else { never.join(", ") });
+    lines.push(format!("never hit  {}", if never.is_empty() { "none".to_string() } else { never.join(", ") }));
+    lines
 }
 
-fn summarise_anomalies(text: &mut String, runs: &[&SelfPlayRun]) {
+fn anomaly_lines(runs: &[&SelfPlayRun]) -> Vec<String> {
     let all = || runs.iter().flat_map(|run| run.anomalies.iter().map(move |anomaly| (run.seed, anomaly)));
     let count = |kind| all().filter(|(_, anomaly)| anomaly.kind == kind).count();
-    let _ = writeln!(
-        text,
+    let mut lines = vec![format!(
         "anomalies  stuck {}, escaped {}, overlap {}, NaN {}",
         count(AnomalyKind::Stuck),
         count(AnomalyKind::Escaped),
         count(AnomalyKind::Overlap),
         count(AnomalyKind::NotANumber)
-    );
+    )];
     for (seed, anomaly) in all() {
         let (x, y) = (anomaly.center_mm.x, anomaly.center_mm.y);
         let second = anomaly.tick as f64 / f64::from(TICKS_PER_SECOND);
         let kind = anomaly.kind;
-        let _ = writeln!(text, "  game {seed} at {second:.2} s: {kind} at {x:.1}, {y:.1} mm, {}", anomaly.detail);
+        lines.push(format!("  game {seed} at {second:.2} s: {kind} at {x:.1}, {y:.1} mm, {}", anomaly.detail));
     }
+    lines
 }
 
 /// Numbers in order, for their quantiles.

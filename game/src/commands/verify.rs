@@ -2,11 +2,11 @@
 
 use super::parallel::{digest_line, pool, progress_bar};
 use super::print::print;
-use crate::Failure;
 use crate::cli::VerifyArgs;
 use crate::recording;
 use crate::simulation::Digest;
 use crate::storage::recordings;
+use crate::{Failure, tell};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -14,11 +14,20 @@ use std::path::Path;
 /// Ticks between two steps of the progress bar.
 const PROGRESS_TICKS: u64 = 1000;
 
-/// Verifies every file, and prints one line for each that is good, in their order.
+/// Verifies every file, and prints one line for each that is good, in their order. With `--salvage` the file is damaged,
+/// and what is sound of it is written and verified in its place.
 ///
 /// # Errors
 /// If any of them fails: a sentence for each.
 pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
+    let (Some(out), [file]) = (&args.salvage, args.files.as_slice()) else { return verify_all(args) };
+    let damage = recordings::salvage(file, out)?;
+    let told = format!("{damage}; the sound part is in {}", out.display());
+    tell(&Failure::new(told).in_file(file.display()));
+    verify_all(&VerifyArgs { files: vec![out.clone()], ..args.clone() })
+}
+
+fn verify_all(args: &VerifyArgs) -> Result<(), Failure> {
     let bar = progress_bar(0, "ticks");
     let results: Vec<Result<Verified, Failure>> =
         pool(args.threads)?.install(|| args.files.par_iter().map(|file| verify(file, args, &bar)).collect());
@@ -61,10 +70,7 @@ fn verify(path: &Path, args: &VerifyArgs, bar: &ProgressBar) -> Result<Verified,
     let mut replay = recordings::open(path)?;
     let mut digest = args.digest.then(Digest::default);
     bar.inc_length(replay.recording().ticks());
-    while replay.step() {
-        if let Some(difference) = replay.difference() {
-            return Err(Failure::new(difference.to_string()).in_file(path.display()));
-        }
+    while replay.difference().is_none() && replay.step() {
         let tick = replay.tick();
         if args.restore_every.is_some_and(|every| tick.is_multiple_of(every)) {
             replay.save_and_restore().map_err(|failure| failure.in_file(path.display()))?;
@@ -75,6 +81,9 @@ fn verify(path: &Path, args: &VerifyArgs, bar: &ProgressBar) -> Result<Verified,
         if tick.is_multiple_of(PROGRESS_TICKS) {
             bar.inc(PROGRESS_TICKS);
         }
+    }
+    if let Some(difference) = replay.difference() {
+        return Err(Failure::new(difference.to_string()).in_file(path.display()));
     }
     let (ticks, hash) = (replay.tick(), replay.simulation().hash());
     let score = recording::best_score(replay.simulation());

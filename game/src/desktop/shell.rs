@@ -87,7 +87,7 @@ impl<'a, A: App> Shell<'a, A> {
     fn hand_on(&mut self, events: &ActiveEventLoop, event: Event<A::FrameReport>) {
         self.update();
         self.app.event(event, &mut self.commands);
-        self.obey(events);
+        self.execute(events);
     }
 
     /// A window that never had the keyboard (some systems say so as it opens) has nothing to lose.
@@ -99,7 +99,7 @@ impl<'a, A: App> Shell<'a, A> {
     }
 
     /// Does what the application has asked for.
-    fn obey(&mut self, events: &ActiveEventLoop) {
+    fn execute(&mut self, events: &ActiveEventLoop) {
         let asked = self.commands.take();
         let Some(Opened { window, frames }) = &mut self.opened else { return };
         if asked.redraw {
@@ -187,7 +187,7 @@ impl<A: App> ApplicationHandler<Wake> for Shell<'_, A> {
     fn about_to_wait(&mut self, events: &ActiveEventLoop) {
         self.update();
         self.collect();
-        self.obey(events);
+        self.execute(events);
         self.order();
         let rest = if self.app.is_animating() { ANIMATING } else { RESTING };
         let until = self.opened.as_ref().map_or_else(|| now() + rest, |opened| opened.frames.wake_at(rest));

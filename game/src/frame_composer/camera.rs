@@ -26,10 +26,10 @@ const HELD: f64 = 0.02;
 
 /// Where the camera is.
 #[derive(Clone, Debug, Default)]
-pub struct Camera(Option<Flight>);
+pub struct Camera(Option<CameraState>);
 
 #[derive(Clone, Debug)]
-struct Flight {
+struct CameraState {
     tick: u64,
     aim_mm: DVec2,
     middle_mm: DVec2,
@@ -43,26 +43,26 @@ impl Camera {
         let within = |point: DVec2| point.clamp(size_mm * 0.5 - room, size_mm * 0.5 + room);
         let Aim { now_mm, soon_mm } = aim(&snapshot.pose.balls, size_mm);
         let aim_mm = within(soon_mm);
-        let still = Flight { tick: snapshot.tick, aim_mm, middle_mm: aim_mm, speed_mm_s: DVec2::ZERO };
-        let flight = self.0.get_or_insert(still.clone());
-        match snapshot.tick.checked_sub(flight.tick).filter(|ticks| *ticks <= LONGEST_GAP) {
-            Some(ticks) => flight.fly(ticks, aim_mm),
-            None => *flight = still,
+        let still = CameraState { tick: snapshot.tick, aim_mm, middle_mm: aim_mm, speed_mm_s: DVec2::ZERO };
+        let state = self.0.get_or_insert(still.clone());
+        match snapshot.tick.checked_sub(state.tick).filter(|ticks| *ticks <= LONGEST_GAP) {
+            Some(ticks) => state.advance(ticks, aim_mm),
+            None => *state = still,
         }
         // However fast it is, what it follows stays in sight.
-        flight.middle_mm = flight.middle_mm.clamp(now_mm - shown_mm * MARGIN, now_mm + shown_mm * MARGIN);
-        within(flight.middle_mm)
+        state.middle_mm = state.middle_mm.clamp(now_mm - shown_mm * MARGIN, now_mm + shown_mm * MARGIN);
+        within(state.middle_mm)
     }
 
-    /// From now on, it is at rest wherever it looks first.
-    pub fn rest(&mut self) {
+    /// Forgets where it was: it will be at rest wherever it looks next.
+    pub fn reset(&mut self) {
         self.0 = None;
     }
 }
 
-impl Flight {
+impl CameraState {
     /// Some ticks later, when it aims somewhere else.
-    fn fly(&mut self, ticks: u64, aim_mm: DVec2) {
+    fn advance(&mut self, ticks: u64, aim_mm: DVec2) {
         let from = self.aim_mm;
         for tick in 1..=ticks {
             let aim = from.lerp(aim_mm, tick as f64 / ticks as f64);

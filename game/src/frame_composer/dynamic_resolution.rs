@@ -17,7 +17,7 @@ const SLOW_MS: f64 = 800.0;
 const PATIENCE_MS: [f64; 2] = [5_000.0, 300_000.0];
 /// The full resolution was no mistake if it has been held this long, ms.
 const HELD_MS: f64 = 30_000.0;
-/// Frames after a change that say nothing: art is printed for them.
+/// Frames after a change that say nothing: art is rasterized for them.
 const UNSETTLED: u32 = 5;
 /// No frame counts for more than this many times its time: one that waited for the system is no reason.
 const MOST_NEED: f64 = 3.0;

@@ -1,20 +1,19 @@
-//! How much of the table's light the film takes: less where the table has been bright for a while, more in the dark.
+//! Exposure: the factor from the table's light to the light that is tone-mapped: less where the table has been bright for a while, more in the dark.
 //!
 //! A function of what the snapshot says of the light that eyes have got used to ([`crate::lamps::ExposureAdaptation`]), so that a
 //! frame is the same whoever draws it.
 
-/// What the film takes of usual light, stops: a quarter less than all keeps the lamps' colours, and leaves the night
-/// dark.
+/// The exposure of usual light, stops: a quarter below 1 keeps the lamps' colours, and leaves the night dark.
 const USUAL_STOPS: f32 = -0.25;
 /// How much of a change of light is taken back: half of it, so that a lamp that goes out still makes the table darker.
 const PART: f32 = 0.5;
 /// The farthest from that, stops.
 const MOST_STOPS: f32 = 0.7;
-/// Steps in a stop: a thirty-second of a stop is about an 8-bit level, and a table that hardly changes is not developed
+/// Steps in a stop: a thirty-second of a stop is about an 8-bit level, and a table that hardly changes is not tone-mapped
 /// again.
 const STEPS: f32 = 32.0;
 
-/// The factor from the table's light to the film's, where eyes are used to `light` times what is usual.
+/// The factor from the table's light to the light that is tone-mapped, where eyes are used to `light` times what is usual.
 pub fn exposure(light: f32) -> f32 {
     let stops = (-PART * libm::log2f(light.max(1e-6))).clamp(-MOST_STOPS, MOST_STOPS);
     libm::exp2f(USUAL_STOPS + (stops * STEPS).round() / STEPS)

@@ -6,12 +6,14 @@
 mod camera;
 mod dynamic_resolution;
 mod exposure;
+mod interpolation;
 mod size_dependent_assets;
 
 pub use dynamic_resolution::DynamicResolution;
+pub use interpolation::Interpolation;
 
 use crate::hud::{FrameTimes, Hud, UiState};
-use crate::scene_builder::{self, SceneBuilder};
+use crate::scene_builder::SceneBuilder;
 use crate::screen::{Canvas, Rect, Size};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
@@ -31,24 +33,6 @@ pub enum LightResolution {
     Full,
     /// At half of it.
     Half,
-}
-
-/// Two snapshots and a point between them: play goes in ticks, frames are shown in between.
-#[derive(Clone, Copy)]
-pub struct Interpolation<'a> {
-    /// The snapshot of the earlier tick.
-    pub previous: &'a Snapshot,
-    /// The snapshot of the later tick.
-    pub current: &'a Snapshot,
-    /// How far from the earlier to the later snapshot, 0 to 1.
-    pub alpha: f64,
-}
-
-impl<'a> Interpolation<'a> {
-    /// A snapshot itself.
-    pub fn at(snapshot: &'a Snapshot) -> Interpolation<'a> {
-        Interpolation { previous: snapshot, current: snapshot, alpha: 1.0 }
-    }
 }
 
 /// The renderers, the HUD, and everything else that is kept from one frame to the next.
@@ -112,7 +96,7 @@ impl FrameComposer {
     }
 
     /// From now on, finds the lamps' light at this resolution.
-    pub fn set_light(&mut self, light: LightResolution) {
+    pub fn set_light_resolution(&mut self, light: LightResolution) {
         self.light = light;
     }
 
@@ -120,7 +104,7 @@ impl FrameComposer {
     pub fn set_zoom(&mut self, zoom: f64) {
         if self.zoom != zoom {
             self.zoom = zoom;
-            self.camera.rest();
+            self.camera.reset();
         }
     }
 
@@ -132,10 +116,10 @@ impl FrameComposer {
     /// The frame between two snapshots, of this size (a pixel or more each way).
     ///
     /// # Errors
-    /// If the table's art cannot be printed at this size.
+    /// If the table's art cannot be rasterized at this size.
     pub fn draw(&mut self, interpolation: Interpolation, size: Size, ui_state: &UiState) -> Result<&Frame, Failure> {
         let start = now();
-        let snapshot = scene_builder::blend(interpolation.previous, interpolation.current, interpolation.alpha);
+        let snapshot = interpolation.snapshot();
         self.fit(size.width.max(1), size.height.max(1))?;
         self.aim(&snapshot);
         self.render(&snapshot, start);
@@ -153,7 +137,7 @@ impl FrameComposer {
             self.assets = Some(assets);
         }
         match (&mut self.assets, self.light) {
-            (Some(assets), LightResolution::Half) => assets.print_half(&self.table),
+            (Some(assets), LightResolution::Half) => assets.rasterize_half(&self.table),
             _ => Ok(()),
         }
     }
@@ -186,7 +170,7 @@ impl FrameComposer {
             let time_ms = match step {
                 None => &mut times.scene_ms,
                 Some(RenderStage::Prepared) => &mut times.prepare_ms,
-                Some(RenderStage::Lit) => &mut times.shadows_ms,
+                Some(RenderStage::Shaded) => &mut times.shadows_ms,
                 Some(RenderStage::BallsRendered) => &mut times.balls_ms,
                 Some(RenderStage::Bloomed) => &mut times.bloom_ms,
                 Some(RenderStage::ToneMapped) => &mut times.tone_map_ms,
@@ -195,7 +179,7 @@ impl FrameComposer {
             last = now;
         };
         let half_floor = assets.half_floor.as_deref();
-        let scene = self.scene_builder.scene(&self.table, snapshot, assets.view, &assets.printed);
+        let scene = self.scene_builder.scene(&self.table, snapshot, assets.view, &assets.art);
         let scene = Scene { half_floor, ..scene };
         clock(None);
         self.renderer.set_integrator(integrator);

@@ -1,6 +1,6 @@
-//! The assets that depend on the frame's size and zoom: placement, printed art, and the playfield's display buffer.
+//! The assets that depend on the frame's size and zoom: placement, rasterized art, and the playfield's display buffer.
 
-use crate::scene_builder::{Printed, print_floor};
+use crate::scene_builder::{RasterizedArt, rasterize_floor};
 use crate::screen::{Placement, Rect, ScreenFromTable, Size};
 use crate::{Failure, Table};
 use geometry::DVec2;
@@ -12,7 +12,7 @@ pub struct SizeDependentAssets {
     pub zoom: f64,
     /// All of the playfield, of which the window may show a part.
     pub view: View,
-    pub printed: Printed,
+    pub art: RasterizedArt,
     /// The floor's art at half the resolution, once it has been asked for.
     pub half_floor: Option<Box<Floor>>,
     /// The playfield's pixels.
@@ -25,17 +25,17 @@ impl SizeDependentAssets {
     /// Prints `table` for a frame of this size, `zoom` times as large as fits into it.
     ///
     /// # Errors
-    /// If the table's art cannot be printed at this size.
+    /// If the table's art cannot be rasterized at this size.
     pub fn new(table: &Table, width: usize, height: usize, zoom: f64) -> Result<SizeDependentAssets, Failure> {
         let placement = Placement::new(width, height, table.size_mm);
         let canvas = canvas(&placement.table, zoom);
         let view = View::fit(canvas.width, canvas.height, table.size_mm);
-        let printed = Printed::new(table, &view)?;
+        let art = RasterizedArt::new(table, &view)?;
         Ok(SizeDependentAssets {
             placement,
             zoom,
             view,
-            printed,
+            art,
             half_floor: None,
             display_buffer: DisplayBuffer::default(),
             shift: (0, 0),
@@ -50,10 +50,10 @@ impl SizeDependentAssets {
     /// Prints the art at half the resolution, unless that has been done.
     ///
     /// # Errors
-    /// If it cannot be printed at this size.
-    pub fn print_half(&mut self, table: &Table) -> Result<(), Failure> {
+    /// If it cannot be rasterized at this size.
+    pub fn rasterize_half(&mut self, table: &Table) -> Result<(), Failure> {
         if self.half_floor.is_none() {
-            self.half_floor = Some(Box::new(print_floor(table, &self.view.halved())?));
+            self.half_floor = Some(Box::new(rasterize_floor(table, &self.view.halved())?));
         }
         Ok(())
     }

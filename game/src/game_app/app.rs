@@ -1,6 +1,6 @@
 //! The game's application: a session, and what the window has to know beside it.
 
-use super::Look;
+use super::DisplayOptions;
 use super::painter::FrameInput;
 use super::table_reload::TableReload;
 use crate::desktop::{App, Commands, Event, FrameTiming};
@@ -69,7 +69,7 @@ struct TableUpdates {
 
 impl GameApp {
     /// An application that shows `session`, whose table was read from `table_dir`.
-    pub fn new(session: Session, look: Look, table_dir: &Path) -> GameApp {
+    pub fn new(session: Session, options: DisplayOptions, table_dir: &Path) -> GameApp {
         let reload = match &session {
             Session::Live(game) if !game.is_bound_to_table() => Some(TableReload::new(table_dir)),
             _ => None,
@@ -78,7 +78,7 @@ impl GameApp {
             session,
             modal: Modal::None,
             held: HeldKeys::default(),
-            view: ViewSettings { zoom: look.zoom, debug_overlay: false, light: look.light },
+            view: ViewSettings { zoom: options.zoom, debug_overlay: false, light: options.light },
             clock: SessionClock::default(),
             notice: None,
             cost: FrameCost::default(),

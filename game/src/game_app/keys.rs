@@ -1,4 +1,4 @@
-//! What the game's application does when a key goes down.
+//! Keys: what the game's application does when a key goes down.
 
 use super::app::GameApp;
 use crate::Buttons;

@@ -10,9 +10,9 @@ mod tests;
 
 use crate::desktop::{Display, WindowOptions};
 use crate::frame_composer::{FrameComposer, LightResolution};
-use crate::recording::Replay;
 use crate::screen::Size;
 use crate::session::{LiveGame, ReplaySession, Session};
+use crate::storage::recordings::ShownRecording;
 use crate::{Failure, Table};
 use app::GameApp;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 /// What the game's window is opened with.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct DisplayOptions {
     /// Its size in pixels; by default most of the monitor's height.
     pub size: Option<Size>,
     /// Whether it fills the screen.
@@ -33,7 +33,7 @@ pub struct Look {
 
 /// Who plays what, and what is written down of it.
 #[derive(Clone, Debug)]
-pub struct Play {
+pub struct GameOptions {
     /// The table.
     pub table: Arc<Table>,
     /// Seed of the game's random numbers.
@@ -48,29 +48,29 @@ pub struct Play {
 ///
 /// # Errors
 /// If there is no display, or the game cannot be started.
-pub fn play(play: &Play, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
+pub fn play(game: &GameOptions, options: DisplayOptions, pool: rayon::ThreadPool) -> Result<(), Failure> {
     let display = Display::open()?;
-    let composer = FrameComposer::new(play.table.clone(), pool)?;
-    let game = LiveGame::new(play.table.clone(), play.seed, play.record.as_deref(), play.bot)?;
-    run(display, Session::Live(Box::new(game)), composer, look)
+    let composer = FrameComposer::new(game.table.clone(), pool)?;
+    let live = LiveGame::new(game.table.clone(), game.seed, game.record.as_deref(), game.bot)?;
+    run(display, Session::Live(Box::new(live)), composer, options)
 }
 
 /// Opens a window and shows a recording in it until it is closed.
 ///
 /// # Errors
 /// If there is no display.
-pub fn watch(replay: Replay, look: Look, pool: rayon::ThreadPool) -> Result<(), Failure> {
+pub fn watch(recording: ShownRecording, options: DisplayOptions, pool: rayon::ThreadPool) -> Result<(), Failure> {
     let display = Display::open()?;
-    let session = ReplaySession::new(replay);
+    let session = ReplaySession::new(recording);
     let composer = FrameComposer::new(session.table().clone(), pool)?;
-    run(display, Session::Replay(Box::new(session)), composer, look)
+    run(display, Session::Replay(Box::new(session)), composer, options)
 }
 
-fn run(display: Display, session: Session, composer: FrameComposer, look: Look) -> Result<(), Failure> {
+fn run(display: Display, session: Session, composer: FrameComposer, options: DisplayOptions) -> Result<(), Failure> {
     let title = session.title(&composer.table().title);
-    let options = WindowOptions { title, size: look.size, fullscreen: look.fullscreen };
-    let mut app = GameApp::new(session, look, composer.table().origin.as_ref());
-    let shown = display.run(&mut app, options, painter::painter(composer));
+    let window = WindowOptions { title, size: options.size, fullscreen: options.fullscreen };
+    let mut app = GameApp::new(session, options, composer.table().origin.as_ref());
+    let shown = display.run(&mut app, window, painter::painter(composer));
     let recorded = app.finish();
     shown.and(recorded)
 }

@@ -35,7 +35,7 @@ pub fn painter(
         if let Some(table) = input.table {
             composer.set_table(table);
         }
-        composer.set_light(input.light);
+        composer.set_light_resolution(input.light);
         composer.set_zoom(input.zoom);
         let interpolation = Interpolation { previous: &input.previous, current: &input.current, alpha: input.alpha };
         copy(composer.draw(interpolation, input.size, &input.ui_state)?, frame);

@@ -1,6 +1,6 @@
 //! The game's application without a window: synthetic events in, frame inputs out.
 
-use super::Look;
+use super::DisplayOptions;
 use super::app::GameApp;
 use super::painter::FrameInput;
 use crate::desktop::{App, Commands, Event};
@@ -21,9 +21,9 @@ struct Headless {
 
 impl Headless {
     fn new(session: Session) -> Headless {
-        let look = Look { size: None, fullscreen: false, light: None, zoom: 1.0 };
+        let options = DisplayOptions { size: None, fullscreen: false, light: None, zoom: 1.0 };
         let mut headless = Headless {
-            app: GameApp::new(session, look, Path::new("no folder")),
+            app: GameApp::new(session, options, Path::new("no folder")),
             now: Duration::ZERO,
             commands: Commands::default(),
         };
@@ -39,7 +39,7 @@ impl Headless {
 
     fn replay() -> Headless {
         let demo = assets::demos().expect("the demos").remove(0);
-        let replay = ReplaySession::new(recordings::open(&demo).expect("a demo can be played again"));
+        let replay = ReplaySession::new(recordings::open_to_show(&demo).expect("a demo can be played again"));
         Headless::new(Session::Replay(Box::new(replay)))
     }
 

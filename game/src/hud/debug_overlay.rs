@@ -103,12 +103,12 @@ impl DebugOverlay {
     ) {
         let (style, table) = (view.style(), view.placement.table);
         let rows = [
-            ("stage", times.scene_ms),
+            ("scene", times.scene_ms),
             ("prepare", times.prepare_ms),
             ("shadows", times.shadows_ms),
             ("balls", times.balls_ms),
-            ("glare", times.bloom_ms),
-            ("develop", times.tone_map_ms),
+            ("bloom", times.bloom_ms),
+            ("tone map", times.tone_map_ms),
             ("hud", times.hud_ms),
             ("present", times.present_ms),
             ("between", times.between_ms),

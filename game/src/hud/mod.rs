@@ -149,7 +149,10 @@ impl Hud {
             dialog::draw(&mut canvas, text, &mut self.dialog_pane, placement.table, dialog);
         }
         if let Some(sentence) = &ui_state.notice {
-            notice::draw(&mut canvas, text, &mut self.notice_pane, placement.table, sentence);
+            let bottom =
+                ui_state.replay.as_ref().map_or(placement.table.bottom(), |_| replay_bar::pane(placement.table).y);
+            let free = Rect { height: bottom - placement.table.y, ..placement.table };
+            notice::draw(&mut canvas, text, &mut self.notice_pane, free, sentence);
         }
     }
 }

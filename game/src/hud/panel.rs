@@ -1,4 +1,4 @@
-//! What is written around the dot-matrix display: players, ball, what has been collected, and the keys.
+//! The panel: what is written around the dot-matrix display: players, ball, what has been collected, and the keys.
 
 use super::dmd::grouped;
 use super::key_help;

@@ -18,6 +18,23 @@ pub struct ReplayProgress {
     pub paused: bool,
 }
 
+/// Where the bar lies at the foot of the table.
+pub fn pane(table: Rect) -> Rect {
+    let size = size(table);
+    let height = (size * 2.8) as i32;
+    Rect::new(table.x, bar_y(table) - (size * 2.0) as i32, table.width, height)
+}
+
+/// The size of its letters, pixels.
+fn size(table: Rect) -> f32 {
+    (table.width as f32 / 36.0).clamp(6.0, 18.0)
+}
+
+/// The row of its line.
+fn bar_y(table: Rect) -> i32 {
+    table.bottom() - (size(table) * 0.8) as i32
+}
+
 /// Draws the slim bar of a replay at the foot of the table; `cached` keeps it while its length stays the same.
 pub fn draw(
     canvas: &mut Canvas,
@@ -26,10 +43,8 @@ pub fn draw(
     table: Rect,
     progress: &ReplayProgress,
 ) {
-    let size = (table.width as f32 / 36.0).clamp(6.0, 18.0);
-    let y = table.bottom() - (size * 0.8) as i32;
+    let (size, y, pane) = (size(table), bar_y(table), pane(table));
     let bar = Rect::new(table.x + size as i32, y, table.width - 2 * size as i32, 2);
-    let pane = Rect::new(table.x, y - (size * 2.0) as i32, table.width, (size * 2.8) as i32);
     let part = if progress.length_s > 0.0 { (progress.at_s / progress.length_s).clamp(0.0, 1.0) } else { 1.0 };
     let done = (f64::from(bar.width) * part) as i32;
     cached.lay(canvas, pane, done, |layer| {

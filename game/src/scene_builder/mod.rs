@@ -2,29 +2,26 @@
 //!
 //! The scene builder turns a [`Snapshot`] into a [`tracer::Scene`]. What never moves is worked out once for a table;
 //! what does (flippers, diverters, drop targets, gates, spinners, kickers, rods, balls) is put in its place for each
-//! picture, always under the same ids (`ids.rs`), so that a renderer can tell what has changed. It refuses to know what
+//! frame, always under the same ids (`ids.rs`), so that a renderer can tell what has changed. It refuses to know what
 //! a pixel, a window, a rule or a clock is.
 
-mod blend;
+mod convert;
 mod ids;
-mod light;
-mod motion;
 mod rod;
+mod solid_motion;
 #[cfg(test)]
 mod tests;
-
-pub use blend::blend;
 
 use crate::Failure;
 use crate::art;
 use crate::simulation::{LampLight, Snapshot};
-use crate::table::{Finish, Lamp, LampKind, Solid, Table};
+use crate::table::{Lamp, LampKind, Solid, Table};
 use geometry::{DVec2, Shape};
 use ids::FirstIds;
-use motion::Motion;
 use physics::{Kind, Leg};
+use solid_motion::SolidMotion;
 use tracer::{
-    Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
+    Finish, Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
 };
 
 /// Metres to millimetres.
@@ -49,31 +46,31 @@ const FROSTED_SCATTER: f32 = 0.3;
 /// How much of its gloss is left, for the same reason.
 const FROSTED_GLOSS: f32 = 0.3;
 
-/// What is printed on a table, at one view's resolution.
-pub struct Printed {
+/// The rasterized art of a table, at one view's resolution.
+pub struct RasterizedArt {
     /// The floor and the plastics.
     pub floor: Floor,
     /// Where each lamp of the table that is an insert shines, in the lamps' order; empty masks for bulbs.
     pub masks: Vec<Mask>,
 }
 
-impl Printed {
-    /// Prints what `view` shows of `table`.
+impl RasterizedArt {
+    /// Rasterizes what `view` shows of `table`.
     ///
     /// # Errors
-    /// If the table's art cannot be printed at this size.
-    pub fn new(table: &Table, view: &View) -> Result<Printed, Failure> {
+    /// If the table's art cannot be rasterized at this size.
+    pub fn new(table: &Table, view: &View) -> Result<RasterizedArt, Failure> {
         let mut masks = art::masks(table, view);
         masks.iter_mut().for_each(|mask| mask.revision = Revision::fresh());
-        Ok(Printed { floor: print_floor(table, view)?, masks })
+        Ok(RasterizedArt { floor: rasterize_floor(table, view)?, masks })
     }
 }
 
-/// Prints the floor and the plastics as `view` shows them.
+/// Rasterizes the floor and the plastics as `view` shows them.
 ///
 /// # Errors
-/// If the table's art cannot be printed at this size.
-pub fn print_floor(table: &Table, view: &View) -> Result<Floor, Failure> {
+/// If the table's art cannot be rasterized at this size.
+pub fn rasterize_floor(table: &Table, view: &View) -> Result<Floor, Failure> {
     Ok(Floor { revision: Revision::fresh(), ..art::floor(table, view)? })
 }
 
@@ -94,9 +91,11 @@ struct Actor {
     group: Group,
     /// What it is made of.
     material: Material,
+    /// How it looks as it is drawn.
+    finish: Finish,
     /// The first ids of its occluders and of its tops.
     ids: FirstIds,
-    motion: Motion,
+    motion: SolidMotion,
     /// The bulb inside it, an index into the table's lamps, if it is the cap above one.
     bulb: Option<usize>,
     /// A bulb is inside it or under it.
@@ -117,35 +116,35 @@ impl SceneBuilder {
             free_group = free_group.saturating_add(1);
             actor.group = Group(free_group);
         }
-        SceneBuilder { actors, overhangs: overhangs(table), rods, free_group, ambient: table.ambient }
+        SceneBuilder { actors, overhangs: overhangs(table), rods, free_group, ambient: convert::ambient(table) }
     }
 
-    /// What `moment` looks like from `view`. `printed` must be of the same table and view.
-    pub fn scene<'a>(&self, table: &Table, moment: &Snapshot, view: View, printed: &'a Printed) -> Scene<'a> {
+    /// What `snapshot` looks like from `view`. `art` must be of the same table and view.
+    pub fn scene<'a>(&self, table: &Table, snapshot: &Snapshot, view: View, art: &'a RasterizedArt) -> Scene<'a> {
         let mut scene = Scene {
             view,
-            lamps: lamps(&table.lamps, &moment.lamps),
+            lamps: lamps(&table.lamps, &snapshot.lamps),
             occluders: Vec::with_capacity(2 * self.actors.len()),
             overhangs: self.overhangs.clone(),
             tops: Vec::with_capacity(2 * self.actors.len()),
-            balls: Vec::with_capacity(moment.pose.balls.len() + moment.pose.captives.len()),
-            glows: glows(&table.lamps, &moment.lamps, &printed.masks),
-            floor: &printed.floor,
+            balls: Vec::with_capacity(snapshot.pose.balls.len() + snapshot.pose.captives.len()),
+            glows: glows(&table.lamps, &snapshot.lamps, &art.masks),
+            floor: &art.floor,
             half_floor: None,
             ambient: self.ambient,
         };
-        self.rods.iter().for_each(|rod| rod.place(&moment.pose, &mut scene));
+        self.rods.iter().for_each(|rod| rod.place(&snapshot.pose, &mut scene));
         for actor in &self.actors {
-            let glow = actor.bulb.map_or([0.0; 3], |bulb| glow_of(&table.lamps[bulb], moment.lamps.get(bulb)));
-            actor.place(moment, glow, &mut scene);
+            let glow = actor.bulb.map_or([0.0; 3], |bulb| glow_of(&table.lamps[bulb], snapshot.lamps.get(bulb)));
+            actor.place(snapshot, glow, &mut scene);
         }
-        self.place_balls(moment, &mut scene);
+        self.place_balls(snapshot, &mut scene);
         scene
     }
 
-    fn place_balls(&self, moment: &Snapshot, scene: &mut Scene) {
-        let captives = moment.pose.captives.iter().map(|(part, pose)| (ids::captive(*part), pose));
-        let balls = moment.pose.balls.iter().map(|pose| (ids::ball(pose.id), pose));
+    fn place_balls(&self, snapshot: &Snapshot, scene: &mut Scene) {
+        let captives = snapshot.pose.captives.iter().map(|(part, pose)| (ids::captive(*part), pose));
+        let balls = snapshot.pose.balls.iter().map(|pose| (ids::ball(pose.id), pose));
         for (index, (id, pose)) in captives.chain(balls).enumerate() {
             let group = Group(self.free_group.saturating_add(1 + index as u16));
             let center_mm = pose.center * MM_PER_M;
@@ -165,21 +164,22 @@ impl Actor {
     /// `None` for what is not drawn from its solid.
     fn new(table: &Table, index: usize, ids: &mut FirstIds) -> Option<Actor> {
         let solid = table.solids[index].clone();
-        let motion = Motion::of(&table.layout, &solid)?;
+        let motion = SolidMotion::of(&table.layout, &solid)?;
         let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);
-        let (group, material) = (Group(solid.group), material(&solid));
+        let finish = convert::finish(&solid.finish);
+        let (group, material) = (Group(solid.group), material(&solid, &finish));
         let (occluders, tops) = motion.most_pieces(&solid);
         let ids = ids.take(occluders, tops);
         let (bulb, frosted) = (within.filter(|_| highest), within.is_some());
-        Some(Actor { solid, group, material, ids, motion, bulb, frosted })
+        Some(Actor { solid, group, material, finish, ids, motion, bulb, frosted })
     }
 
-    fn place(&self, moment: &Snapshot, glow: Rgb, scene: &mut Scene) {
+    fn place(&self, snapshot: &Snapshot, glow: Rgb, scene: &mut Scene) {
         let (group, material, ids) = (self.group, self.material, self.ids);
-        let placed = self.motion.place(&self.solid, &moment.pose);
+        let placed = self.motion.place(&self.solid, self.finish, &snapshot.pose);
         if self.solid.shadow {
             let occluder =
                 |&(number, shape): &(u32, Shape)| Occluder { id: ids.occluder(number), shape, group, material };
@@ -191,7 +191,6 @@ impl Actor {
             finish.albedo = finish.albedo.map(|channel| channel * FROSTED_SCATTER);
             finish.gloss *= FROSTED_GLOSS;
         }
-        let finish = light::finish(finish);
         let top = |(number, outline)| Top { id: ids.top(number), outline, group, finish };
         scene.tops.extend(placed.outlines.into_iter().map(top));
     }
@@ -224,8 +223,7 @@ fn nearness(height_mm: f64) -> f64 {
 
 /// What a solid is made of. Light passes a translucent one on its way over the table, in its colour, as deep as the glass is
 /// thick, so squared; a plastic lies flat above the light.
-fn material(solid: &Solid) -> Material {
-    let &Finish { albedo, translucency, .. } = &solid.finish;
+fn material(solid: &Solid, &Finish { albedo, translucency, .. }: &Finish) -> Material {
     if !solid.shadow || translucency <= 0.0 || solid.plastic_mm.is_some() {
         return Material::Opaque;
     }
@@ -244,7 +242,7 @@ fn lamps(lamps: &[Lamp], lights: &[LampLight]) -> Vec<tracer::Lamp> {
     let bulb = |(id, (lamp, lit)): (u32, (&Lamp, &LampLight))| match lamp.kind {
         LampKind::Insert { .. } => None,
         LampKind::Bulb { center_mm, emitter, height_mm, reach_mm, inside } => {
-            let (color, emitter) = (radiance(lamp, lit), light::emitter(emitter));
+            let (color, emitter) = (radiance(lamp, lit), convert::emitter(emitter));
             let (id, inside) = (ItemId(id), inside.map(Group));
             Some(tracer::Lamp { id, center_mm, emitter, height_mm, reach_mm, color, inside })
         }
@@ -261,9 +259,9 @@ fn glows<'a>(lamps: &[Lamp], lights: &[LampLight], masks: &'a [Mask]) -> Vec<Glo
 }
 
 /// A lamp's light: its colour, linear, times its power and its level.
-fn radiance(lamp: &Lamp, light: &LampLight) -> Rgb {
-    let strength = lamp.power as f32 * f32::from(light.level) / 1000.0;
-    tracer::srgb::decode_rgb8(light.color).map(|channel| channel * strength)
+fn radiance(lamp: &Lamp, lit: &LampLight) -> Rgb {
+    let strength = lamp.power as f32 * f32::from(lit.level) / 1000.0;
+    convert::linear(lit.color, strength)
 }
 
 /// What comes out through the cap above a bulb.

@@ -2,7 +2,7 @@
 //! whose coils are below the playfield.
 
 use super::ids::FirstIds;
-use super::motion::value;
+use super::solid_motion::value;
 use super::{MM_PER_M, mm};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Layout, PartId, Pose};
@@ -63,7 +63,7 @@ impl Rod {
     fn out(&self, pose: &Pose) -> f64 {
         match self.kickback {
             None => -pose.plunger.clamp(0.0, 1.0),
-            Some(part) => value(&pose.kickers, part).unwrap_or_default().clamp(0.0, 1.0),
+            Some(part) => value(&pose.extensions, part).unwrap_or_default().clamp(0.0, 1.0),
         }
     }
 

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 
 /// How long a contact is shown, ticks.
 const SHOWN_TICKS: u64 = 400;
-/// The most contacts that are kept: a ball that rolls along a wall contact_trail it in every tick.
+/// The most contacts that are kept: a ball that rolls along a wall adds a contact in every tick.
 const MOST_CONTACTS: usize = 256;
 
 /// The last contacts, the oldest first.

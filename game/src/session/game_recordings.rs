@@ -1,6 +1,6 @@
 //! The recordings of a game in play: one in the player's own folder, and one in a file that was asked for.
 
-use crate::storage::library;
+use crate::storage::library::{self, LibraryRecording};
 use crate::storage::recordings::RecordingFile;
 use crate::{Buttons, Failure, Simulation, tell};
 use std::path::Path;
@@ -10,7 +10,7 @@ use std::time::SystemTime;
 #[derive(Default)]
 pub struct GameRecordings {
     /// In the player's own folder.
-    library: Option<RecordingFile>,
+    library: Option<LibraryRecording>,
     /// In the file that was asked for.
     asked: Option<RecordingFile>,
     /// Why that one was given up: told when the game is ended.
@@ -39,25 +39,31 @@ impl GameRecordings {
         self.asked.is_some()
     }
 
-    /// Records a tick; gives a recording up when that fails, and says why.
-    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, complaints: &mut Vec<String>) {
-        if let Some(failure) = record_in(&mut self.library, simulation, buttons) {
+    /// Records a tick, which somebody `played` or nobody did; gives a recording up when that fails, and says why.
+    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, played: bool, complaints: &mut Vec<String>) {
+        if let Some(recording) = &mut self.library
+            && let Err(failure) = recording.record(simulation, buttons, played)
+        {
+            self.library = None;
             tell(&failure);
             complaints.push(failure.to_string());
         }
-        if let Some(failure) = record_in(&mut self.asked, simulation, buttons) {
+        if let Some(recording) = &mut self.asked
+            && let Err(failure) = recording.record(simulation, buttons)
+        {
+            self.asked = None;
             complaints.push(failure.to_string());
             self.broken_off = Some(failure);
         }
     }
 
-    /// Writes the end of the recordings; a game that never ran leaves none.
+    /// Writes the end of the recordings; a game that nobody played leaves none in the player's own folder.
     ///
     /// # Errors
     /// If the recording that was asked for is not whole.
     pub fn finish(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         if let Some(recording) = self.library.take()
-            && let Err(failure) = library::finish(recording, simulation)
+            && let Err(failure) = recording.finish(simulation)
         {
             tell(&failure);
         }
@@ -69,16 +75,12 @@ impl GameRecordings {
     }
 }
 
-fn record_in(recording: &mut Option<RecordingFile>, simulation: &Simulation, buttons: Buttons) -> Option<Failure> {
-    let failure = recording.as_mut()?.record(simulation, buttons).err()?;
-    *recording = None;
-    Some(failure)
-}
-
-#[expect(clippy::disallowed_methods, reason = "a recording is named after the moment that it was made")]
-fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<String>) -> Option<RecordingFile> {
+#[expect(clippy::disallowed_methods, reason = "a recording is named after the moment that it was begun")]
+fn begin_in_library(simulation: &Simulation, seed: u64, complaints: &mut Vec<String>) -> Option<LibraryRecording> {
     let unix_s = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    let recording = library::record(simulation, seed, unix_s);
+    let folder =
+        library::folder().ok_or_else(|| Failure::new("the game is not recorded: this system names no data folder"));
+    let recording = folder.and_then(|folder| LibraryRecording::new(&folder, simulation, seed, unix_s));
     recording
         .inspect_err(|failure| {
             tell(failure);

@@ -10,21 +10,21 @@ use pinball::timeline::{TickSource, Timeline};
 use std::path::Path;
 use std::sync::Arc;
 
-/// The start button is pressed for a newcomer after this many ticks, and held for as many.
-const OPENING_TICKS: u64 = 300;
+/// Auto start: the start button is pressed after this many ticks, and held for as many.
+const AUTO_START_TICKS: u64 = 300;
 
 /// A game in play.
 pub struct LiveGame {
     seed: u64,
-    machine: LiveMachine,
+    play: RecordedPlay,
     /// The last ball, while it is watched instead of the game.
     rerun: Option<Rerun>,
     timeline: Timeline,
     contact_trail: ContactTrail,
 }
 
-/// A machine that somebody plays.
-struct LiveMachine {
+/// A game that somebody plays, each tick of it recorded.
+struct RecordedPlay {
     simulation: Simulation,
     /// Plays instead of the player.
     bot: Option<Bot>,
@@ -42,8 +42,8 @@ impl LiveGame {
     /// If the rules do not run, or the recording that was asked for cannot be written.
     pub fn new(table: Arc<Table>, seed: u64, record: Option<&Path>, bot: bool) -> Result<LiveGame, Failure> {
         let mut game = LiveGame::unrecorded(table, seed, bot)?;
-        let LiveMachine { simulation, complaints, .. } = &mut game.machine;
-        game.machine.recordings = GameRecordings::begin(simulation, seed, record, complaints)?;
+        let RecordedPlay { simulation, complaints, .. } = &mut game.play;
+        game.play.recordings = GameRecordings::begin(simulation, seed, record, complaints)?;
         Ok(game)
     }
 
@@ -58,7 +58,7 @@ impl LiveGame {
             rerun: None,
             timeline: Timeline::new(&simulation),
             contact_trail: ContactTrail::default(),
-            machine: LiveMachine {
+            play: RecordedPlay {
                 bot: bot.then(|| Bot::new(seed)),
                 held: Buttons::NONE,
                 last_ball: LastBall::new(&simulation),
@@ -71,15 +71,15 @@ impl LiveGame {
 
     /// Plays some ticks with these buttons down.
     pub fn play(&mut self, ticks: u64, buttons: Buttons) {
-        let LiveGame { machine, rerun, timeline, contact_trail, .. } = self;
+        let LiveGame { play, rerun, timeline, contact_trail, .. } = self;
         let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.tick_events());
         if let Some(rerun) = rerun {
             timeline.play(rerun, ticks, after_tick);
             return;
         }
-        machine.held = buttons;
-        if timeline.play(machine, ticks, after_tick) > 0 {
-            machine.look(timeline.current());
+        play.held = buttons;
+        if timeline.play(play, ticks, after_tick) > 0 {
+            play.look(timeline.current());
         }
     }
 
@@ -95,7 +95,7 @@ impl LiveGame {
 
     /// Who is at the machine, if not the player.
     pub fn badge(&self) -> Option<Badge> {
-        match (&self.rerun, &self.machine.bot) {
+        match (&self.rerun, &self.play.bot) {
             (Some(_), _) => Some(Badge::Replay),
             (None, Some(_)) => Some(Badge::Bot),
             (None, None) => None,
@@ -109,12 +109,12 @@ impl LiveGame {
 
     /// What went wrong since the last call.
     pub fn complaints(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.machine.complaints)
+        std::mem::take(&mut self.play.complaints)
     }
 
     /// Shows the last ball again; `false` if there has been none.
     pub fn watch_last_ball(&mut self) -> bool {
-        self.rerun = self.machine.last_ball.rerun();
+        self.rerun = self.play.last_ball.rerun();
         self.rerun.is_some()
     }
 
@@ -131,12 +131,12 @@ impl LiveGame {
     /// Back from the last ball to the game.
     pub fn return_to_game(&mut self) {
         self.rerun = None;
-        self.timeline.stand(&self.machine.simulation);
+        self.timeline.reset_to(&self.play.simulation);
     }
 
     /// Whether the player asked for a recording: its table must stay as it is.
     pub fn is_bound_to_table(&self) -> bool {
-        self.machine.recordings.is_asked_for()
+        self.play.recordings.is_asked_for()
     }
 
     /// Goes on with another version of the table: with the same game if only the picture changed, else from the start.
@@ -144,12 +144,12 @@ impl LiveGame {
     /// # Errors
     /// If its rules do not run; the game then goes on as it was.
     pub fn set_table(&mut self, table: Arc<Table>) -> Result<(), Failure> {
-        let simulation = &mut self.machine.simulation;
+        let simulation = &mut self.play.simulation;
         if table.hash == simulation.table().hash {
             *simulation = Simulation::restore(table, &simulation.save())?;
             return Ok(());
         }
-        let game = LiveGame::new(table, self.seed, None, self.machine.bot.is_some())?;
+        let game = LiveGame::new(table, self.seed, None, self.play.bot.is_some())?;
         // A game that must be recorded keeps its table; what is lost here is told and no more.
         self.finish().unwrap_or_else(|failure| tell(&failure));
         *self = game;
@@ -161,14 +161,14 @@ impl LiveGame {
     /// # Errors
     /// If the recording that was asked for is not whole.
     pub fn finish(&mut self) -> Result<(), Failure> {
-        self.machine.recordings.finish(&self.machine.simulation)
+        self.play.recordings.finish(&self.play.simulation)
     }
 }
 
-impl LiveMachine {
-    /// A newcomer has a ball at once: the start button is pressed as the machine warms up, like any other button.
-    fn opening(&self) -> Buttons {
-        let pressed = (OPENING_TICKS..2 * OPENING_TICKS).contains(&self.simulation.ticks());
+impl RecordedPlay {
+    /// What the player holds down, and the start button as the machine warms up: the first game starts by itself.
+    fn auto_start(&self) -> Buttons {
+        let pressed = (AUTO_START_TICKS..2 * AUTO_START_TICKS).contains(&self.simulation.ticks());
         if pressed { self.held.with(Buttons::START, true) } else { self.held }
     }
 
@@ -182,7 +182,7 @@ impl LiveMachine {
     }
 }
 
-impl TickSource for LiveMachine {
+impl TickSource for RecordedPlay {
     fn simulation(&self) -> &Simulation {
         &self.simulation
     }
@@ -190,11 +190,13 @@ impl TickSource for LiveMachine {
     fn step(&mut self) -> bool {
         let buttons = match &mut self.bot {
             Some(bot) => bot.buttons(&self.simulation),
-            None => self.opening(),
+            None => self.auto_start(),
         };
         self.simulation.tick(buttons);
         self.last_ball.push(buttons);
-        self.recordings.record(&self.simulation, buttons, &mut self.complaints);
+        // The opening presses start by itself: a window that is only looked at is not played.
+        let played = self.bot.is_some() || self.held != Buttons::NONE;
+        self.recordings.record(&self.simulation, buttons, played, &mut self.complaints);
         true
     }
 }

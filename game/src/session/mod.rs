@@ -56,10 +56,11 @@ impl Session {
 
     /// What the application adds to the snapshots; `times` is what the last frames cost, if the debug overlay is on.
     pub fn ui_state(&self, modal: Modal, notice: Option<String>, times: Option<FrameTimes>) -> UiState {
-        let (badge, replay) = match self {
-            Session::Live(game) => (game.badge(), None),
-            Session::Replay(replay) => (Some(Badge::Replay), Some(replay.progress())),
+        let (badge, replay, standing) = match self {
+            Session::Live(game) => (game.badge(), None, None),
+            Session::Replay(replay) => (Some(Badge::Replay), Some(replay.progress()), replay.notice()),
         };
+        let notice = notice.or(standing);
         let dialog = modal.dialog(replay.is_some());
         let debug = times.map(|times| DebugInfo { times, contact_trail: self.contact_trail() });
         UiState { badge, notice, dialog, replay, debug }

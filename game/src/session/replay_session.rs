@@ -3,7 +3,7 @@
 use super::contact_trail::ContactTrail;
 use super::tick_clock::PlaybackSpeed;
 use crate::hud::{ReplayProgress, TrailContact};
-use crate::recording::Replay;
+use crate::storage::recordings::ShownRecording;
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use pinball::timeline::Timeline;
@@ -14,7 +14,7 @@ pub const SEEK_TICKS: u64 = 5 * TICKS_PER_SECOND as u64;
 
 /// A recording that is being watched.
 pub struct ReplaySession {
-    replay: Replay,
+    recording: ShownRecording,
     timeline: Timeline,
     contact_trail: ContactTrail,
     complaint: Option<String>,
@@ -27,10 +27,10 @@ pub struct ReplaySession {
 
 impl ReplaySession {
     /// Watches a recording from its beginning.
-    pub fn new(replay: Replay) -> ReplaySession {
+    pub fn new(recording: ShownRecording) -> ReplaySession {
         ReplaySession {
-            timeline: Timeline::new(replay.simulation()),
-            replay,
+            timeline: Timeline::new(recording.replay.simulation()),
+            recording,
             contact_trail: ContactTrail::default(),
             complaint: None,
             told: false,
@@ -41,31 +41,31 @@ impl ReplaySession {
 
     /// The table that was played.
     pub fn table(&self) -> &Arc<Table> {
-        self.replay.simulation().table()
+        self.recording.replay.simulation().table()
     }
 
     /// Plays some ticks; stands still at the end.
     pub fn play(&mut self, ticks: u64) {
         let contact_trail = &mut self.contact_trail;
         let after_tick = |game: &Simulation| contact_trail.add(game.ticks(), game.tick_events());
-        let played = self.timeline.play(&mut self.replay, ticks, after_tick);
+        let played = self.timeline.play(&mut self.recording.replay, ticks, after_tick);
         self.paused |= played < ticks;
         self.look_for_difference();
     }
 
     /// Goes some ticks back or on.
     pub fn seek(&mut self, forward: bool) {
-        let now = self.replay.tick();
+        let now = self.recording.replay.tick();
         let target = if forward { now + SEEK_TICKS } else { now.saturating_sub(SEEK_TICKS) };
-        self.replay.seek(target);
+        self.recording.replay.seek(target);
         self.contact_trail.clear();
         self.show();
     }
 
     /// Stands still, or goes on; from the end, goes back to the beginning.
     pub fn toggle_pause(&mut self) {
-        if self.replay.tick() >= self.replay.recording().ticks() {
-            self.replay.seek(0);
+        if self.recording.replay.tick() >= self.recording.replay.recording().ticks() {
+            self.recording.replay.seek(0);
             self.contact_trail.clear();
             self.show();
         }
@@ -73,12 +73,12 @@ impl ReplaySession {
     }
 
     fn show(&mut self) {
-        self.timeline.stand(self.replay.simulation());
+        self.timeline.reset_to(self.recording.replay.simulation());
         self.look_for_difference();
     }
 
     fn look_for_difference(&mut self) {
-        if let Some(difference) = self.replay.difference().filter(|_| !self.told) {
+        if let Some(difference) = self.recording.replay.difference().filter(|_| !self.told) {
             let sentence = format!("This replay is not what was recorded: it {difference}.");
             crate::tell(&Failure::new(&sentence));
             self.complaint = Some(sentence);
@@ -96,6 +96,11 @@ impl ReplaySession {
         self.contact_trail.shown(self.timeline.current().tick)
     }
 
+    /// What its pictures have to say all the time.
+    pub fn notice(&self) -> Option<String> {
+        self.recording.missing_art.clone()
+    }
+
     /// What went wrong since the last call.
     pub fn complaint(&mut self) -> Option<String> {
         self.complaint.take()
@@ -105,8 +110,8 @@ impl ReplaySession {
     pub fn progress(&self) -> ReplayProgress {
         let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
         ReplayProgress {
-            at_s: seconds(self.replay.tick()),
-            length_s: seconds(self.replay.recording().ticks()),
+            at_s: seconds(self.recording.replay.tick()),
+            length_s: seconds(self.recording.replay.recording().ticks()),
             speed: self.speed.label(),
             paused: self.paused,
         }

@@ -1,4 +1,4 @@
-//! What goes wrong with files, in plain words.
+//! File failures: what goes wrong with files, in plain words.
 
 use crate::Failure;
 use std::io::{self, ErrorKind};
@@ -6,13 +6,7 @@ use std::path::Path;
 
 /// `doing` (as in "write the picture") cannot be done with the file or folder `path`, and what to do about it.
 pub fn file_failure(doing: &str, path: &Path, error: &io::Error) -> Failure {
-    let reason = match missing_folder(path) {
-        Some(folder) if error.kind() == ErrorKind::NotFound => {
-            format!("there is no folder {}; make it first", folder.display())
-        }
-        _ => because(error),
-    };
-    Failure::new(format!("cannot {doing} {}: {reason}", path.display()))
+    Failure::new(format!("cannot {doing} {}: {}", path.display(), because(error)))
 }
 
 /// What the system says, in plain words and with what to do.
@@ -31,10 +25,4 @@ pub fn because(error: &io::Error) -> String {
         }
     };
     plain.to_string()
-}
-
-/// The folder that `path` should be in, if there is no such folder.
-fn missing_folder(path: &Path) -> Option<&Path> {
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty())?;
-    (!parent.exists()).then_some(parent)
 }

@@ -1,76 +1,98 @@
-//! The player's own folder: the last games that were played, recorded without being asked.
+//! The player's own folder: the games that were played, recorded without being asked.
 
 use super::file_failure::file_failure;
-use super::recordings::RecordingFile;
-use crate::{Failure, Simulation};
+use super::late_file::LateFile;
+use super::recordings::unwritable;
+use super::retention::{self, KEPT_BYTES};
+use crate::recording::Recorder;
+use crate::{Buttons, Failure, Simulation, tell};
 use std::fs::{self, File};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// How many recordings are kept.
-pub const KEPT: usize = 10;
+pub use super::retention::recordings;
 
 /// The folder of the games that were played: `recordings` in the data folder that the platform gives to a program.
 pub fn folder() -> Option<PathBuf> {
     directories::ProjectDirs::from("", "", "Caustic").map(|dirs| dirs.data_dir().join("recordings"))
 }
 
-/// Begins to record a simulation that was just started with `seed`, at `unix_s` seconds since 1970, in the player's
-/// folder, and removes all but the last [`KEPT`] recordings there.
-///
-/// # Errors
-/// If the folder or the file cannot be made: a sentence to warn with; the game itself can go on.
-pub fn record(simulation: &Simulation, seed: u64, unix_s: u64) -> Result<RecordingFile, Failure> {
-    let folder = folder().ok_or_else(|| Failure::new("the game is not recorded: this system names no data folder"))?;
-    record_in(&folder, simulation, seed, unix_s)
+/// The recording of a game in the player's folder. There is no file until somebody plays, so that a window which nobody
+/// plays leaves nothing and takes no game's place, however it ends.
+pub struct LibraryRecording {
+    recorder: Recorder<LateFile>,
+    folder: PathBuf,
+    /// When it began and on which table, as its name says it.
+    label: String,
+    /// The file, once there is one.
+    path: Option<PathBuf>,
 }
 
-/// As [`record`], in another folder.
-///
-/// # Errors
-/// As [`record`].
-pub fn record_in(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64) -> Result<RecordingFile, Failure> {
-    let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
-    fs::create_dir_all(folder).map_err(|error| unrecorded(file_failure("make the folder", folder, &error)))?;
-    let moment = moment(unix_s);
-    let table = &simulation.table().name;
-    for number in 1..=u32::MAX {
-        let name = if number == 1 { format!("{moment} {table}") } else { format!("{moment} {table} {number}") };
-        let path = folder.join(name + ".caustic");
-        match File::create_new(&path) {
-            Ok(file) => {
-                let recorder = RecordingFile::begin(file, &path, simulation, seed).map_err(unrecorded)?;
-                // Only now is there a new one in the old one's place.
-                remove_oldest(folder);
-                return Ok(recorder);
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(unrecorded(file_failure("make", &path, &error))),
-        }
+impl LibraryRecording {
+    /// Begins to record, in `folder`, a simulation that was just started with `seed`, at `unix_s` seconds since 1970.
+    ///
+    /// # Errors
+    /// If the table is too large to be recorded: a sentence to warn with; the game itself can go on.
+    pub fn new(folder: &Path, simulation: &Simulation, seed: u64, unix_s: u64) -> Result<LibraryRecording, Failure> {
+        let label = format!("{} {}", moment(unix_s), simulation.table().name);
+        let recorder = Recorder::new(LateFile::new(), simulation, seed)
+            .map_err(|error| Failure::new(format!("the game is not recorded: {error}")))?;
+        Ok(LibraryRecording { recorder, folder: folder.to_path_buf(), label, path: None })
     }
-    Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
-}
 
-/// Ends a recording in the player's folder; removes it if nobody ever pressed start, so that it takes no game's place.
-///
-/// # Errors
-/// If the file cannot be written or removed.
-pub fn finish(recorder: RecordingFile, simulation: &Simulation) -> Result<(), Failure> {
-    if recorder.started() { recorder.finish(simulation) } else { recorder.discard() }
-}
+    /// Records the tick that `simulation` has just played with `buttons`. With the first tick that somebody `played`
+    /// there is a file, and the oldest recordings that there is no room for any more are removed, which is told.
+    ///
+    /// # Errors
+    /// If the file cannot be made or written; give up recording then, not the game.
+    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, played: bool) -> Result<(), Failure> {
+        if played && self.path.is_none() {
+            self.make_file()?;
+            for removed in retention::prune(&self.folder, KEPT_BYTES) {
+                let why =
+                    "removed, because the recordings in its folder took more than 50 MB; one that is renamed stays";
+                tell(&Failure::new(why).in_file(removed.display()));
+            }
+        }
+        self.recorder.record(simulation, buttons).map_err(|error| self.unwritable(&error))
+    }
 
-/// The recordings in `folder`, the oldest first: their names begin with their moment.
-pub fn recordings(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut found: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|end| end == "caustic")).collect();
-    found.sort();
-    found
-}
+    /// Writes the end of the recording, if there is one.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn finish(self, simulation: &Simulation) -> Result<(), Failure> {
+        let Some(path) = self.path else { return Ok(()) };
+        self.recorder.finish(simulation).map(|_| ()).map_err(|error| unwritable(&path, &error))
+    }
 
-fn remove_oldest(folder: &Path) {
-    let found = recordings(folder);
-    for path in &found[..found.len().saturating_sub(KEPT)] {
-        // A file that cannot be removed now is removed the next time.
-        let _ = fs::remove_file(path);
+    fn make_file(&mut self) -> Result<(), Failure> {
+        let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
+        let folder = &self.folder;
+        fs::create_dir_all(folder).map_err(|error| unrecorded(file_failure("make the folder", folder, &error)))?;
+        let first = retention::next_number(folder);
+        for number in first.. {
+            let path = folder.join(format!("{number:06} {}.caustic", self.label));
+            match File::create_new(&path) {
+                Ok(file) => {
+                    retention::hold_written(&file);
+                    let kept = self.recorder.get_mut().keep_in(file).map_err(|error| unwritable(&path, &error));
+                    match kept {
+                        Ok(()) => self.path = Some(path),
+                        // Half a beginning is no recording; if it cannot be removed either, the first error is told.
+                        Err(_) => drop(fs::remove_file(&path)),
+                    }
+                    return kept;
+                }
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(unrecorded(file_failure("make", &path, &error))),
+            }
+        }
+        Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
+    }
+
+    fn unwritable(&self, error: &io::Error) -> Failure {
+        unwritable(self.path.as_deref().unwrap_or(&self.folder), error)
     }
 }
 
@@ -93,7 +115,63 @@ fn moment(unix_s: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::moment;
+    use super::*;
+    use crate::Table;
+    use crate::small_table;
+    use crate::storage::tests::Scratch;
+    use std::sync::Arc;
+
+    fn simulation() -> Simulation {
+        let table: Table = small_table::table("");
+        Simulation::new(Arc::new(table), 7).unwrap()
+    }
+
+    fn play(recording: &mut LibraryRecording, simulation: &mut Simulation, ticks: u64, played: bool) {
+        for _ in 0..ticks {
+            simulation.tick(Buttons::NONE);
+            recording.record(simulation, Buttons::NONE, played).unwrap();
+        }
+    }
+
+    /// Ten windows that nobody played and that ended by a signal had removed ten real games.
+    #[test]
+    fn a_window_that_nobody_plays_leaves_no_file_and_removes_none_however_it_ends() {
+        let folder = Scratch::new("unplayed");
+        let old = folder.path().join("2026-11-20 10.00.00 spectrum.caustic");
+        File::create(&old).unwrap().set_len(2 * KEPT_BYTES).unwrap();
+        let new = || LibraryRecording::new(folder.path(), &simulation(), 7, 0).unwrap();
+        let (mut left, mut killed) = (new(), new());
+        let mut simulation = simulation();
+        play(&mut left, &mut simulation, 2500, false);
+        left.finish(&simulation).unwrap();
+        play(&mut killed, &mut simulation, 2500, false);
+        drop(killed);
+        assert_eq!(recordings(folder.path()), std::slice::from_ref(&old));
+        let mut played = new();
+        play(&mut played, &mut simulation, 1, true);
+        let kept = recordings(folder.path());
+        assert_eq!(
+            kept,
+            [folder.path().join("000001 1970-01-01 00.00.00 small.caustic")],
+            "and the old one was too large"
+        );
+    }
+
+    #[test]
+    fn what_was_waited_before_the_first_key_is_in_the_recording_and_a_killed_one_is_whole() {
+        let folder = Scratch::new("waited");
+        let mut recording = LibraryRecording::new(folder.path(), &simulation(), 7, 0).unwrap();
+        let mut simulation = simulation();
+        play(&mut recording, &mut simulation, 1234, false);
+        play(&mut recording, &mut simulation, 1, true);
+        play(&mut recording, &mut simulation, 1000, false);
+        let path = recordings(folder.path()).remove(0);
+        let killed = crate::storage::recordings::read(&path).unwrap();
+        assert_eq!((killed.ticks(), killed.end), (2000, None));
+        recording.finish(&simulation).unwrap();
+        let finished = crate::storage::recordings::read(&path).unwrap();
+        assert_eq!((finished.ticks(), finished.end.unwrap().hash), (2235, simulation.hash()));
+    }
 
     #[test]
     fn moments_are_the_calendars() {

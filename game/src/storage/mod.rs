@@ -5,10 +5,14 @@
 
 pub mod assets;
 mod file_failure;
+mod late_file;
 pub mod library;
+mod limited_read;
 pub mod new_file;
 mod png_file;
 pub mod recordings;
+mod retention;
+mod table_search;
 pub mod tables;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! A file that appears whole or not at all.
 //!
 //! It is written beside its place under another name and moved there when it is complete: whatever goes wrong on the
-//! way, what was there before is still there.
+//! way, what was there before is still there. Folders that are missing on the way to it are made.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -25,6 +25,7 @@ pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result
         Ok(found) if !found.is_file() => return fill(File::options().write(true).open(&place)?, write),
         _ => {}
     }
+    make_parents(&place)?;
     let (draft, file) = draft(&place)?;
     let written = fill(file, write).and_then(|()| fs::rename(&draft, &place));
     if written.is_err() {
@@ -32,6 +33,14 @@ pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result
         let _ = fs::remove_file(&draft);
     }
     written
+}
+
+/// Makes the folders in which `path` is to be, where they are missing.
+///
+/// # Errors
+/// If they cannot be made.
+pub fn make_parents(path: &Path) -> io::Result<()> {
+    path.parent().map_or(Ok(()), fs::create_dir_all)
 }
 
 fn fill(file: File, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {

@@ -1,11 +1,13 @@
 //! Recordings as files: read, matched with their table, and written while a game is played.
 
 use super::file_failure::file_failure;
-use super::tables;
-use crate::recording::{Header, Recorder, Recording, Replay};
-use crate::{Buttons, Failure, Simulation, Table};
+use super::limited_read::{self, RECORDING_LIMIT_BYTES};
+use super::retention::{hold_shown, hold_written};
+use super::{new_file, table_search};
+use crate::recording::{Damage, Recorder, Recording, Replay};
+use crate::{Buttons, Failure, Simulation, Table, tell};
 use std::fs::{self, File};
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,52 +16,103 @@ use std::sync::Arc;
 /// # Errors
 /// If the file cannot be read or is not an undamaged recording: one sentence that names the file and the damage.
 pub fn read(path: &Path) -> Result<Recording, Failure> {
-    let bytes = fs::read(path).map_err(|error| file_failure("read the recording", path, &error))?;
-    Recording::parse(&bytes).map_err(|damage| Failure::new(damage.to_string()).in_file(path.display()))
+    Recording::parse(&read_bytes(path)?).map_err(|damage| Failure::new(damage.to_string()).in_file(path.display()))
 }
 
-/// The simulation as it was when the recording began.
+fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    limited_read::read(path, RECORDING_LIMIT_BYTES).map_err(|error| file_failure("read the recording", path, &error))
+}
+
+/// A damaged recording in the file `path`, cut to its sound part and put into the new file `out`.
 ///
 /// # Errors
-/// If the recording is of another simulation version or another table, or the table is not found.
-pub fn start(recording: &Recording) -> Result<Simulation, Failure> {
-    recording.start(find_table(&recording.header)?)
+/// If it is not damaged, if nothing of it is sound, or if a file cannot be read or written.
+pub fn salvage(path: &Path, out: &Path) -> Result<Damage, Failure> {
+    let bytes = read_bytes(path)?;
+    let in_file = |what: String| Failure::new(what).in_file(path.display());
+    let Err(damage) = Recording::parse(&bytes) else {
+        return Err(in_file("it is not damaged, so there is nothing to salvage".to_string()));
+    };
+    // What a later program wrote is whole.
+    if matches!(damage, Damage::FormatVersion(_) | Damage::UnknownChunk(_)) {
+        return Err(in_file(damage.to_string()));
+    }
+    let sound = Recording::salvage(&bytes).ok_or_else(|| in_file(format!("{damage}; no part of the game is sound")))?;
+    Recording::parse(&sound).map_err(|damage| in_file(damage.to_string()))?;
+    let doing = "write the salvaged recording";
+    if out.exists() {
+        return Err(file_failure(doing, out, &ErrorKind::AlreadyExists.into()));
+    }
+    new_file::write(out, |file| file.write_all(&sound)).map_err(|error| file_failure(doing, out, &error))?;
+    Ok(damage)
 }
 
-/// A replay that stands at the recording's beginning.
+/// The simulation as it was when the recording began, on a table without art.
+///
+/// # Errors
+/// If the recording is of another simulation version, or carries no table and the table is not found.
+pub fn start(recording: &Recording) -> Result<Simulation, Failure> {
+    recording.start(game_table(recording, None)?)
+}
+
+/// A replay that stands at the recording's beginning, on a table without art.
 ///
 /// # Errors
 /// As [`start`].
 pub fn replay(recording: Recording) -> Result<Replay, Failure> {
-    let table = find_table(&recording.header)?;
+    let table = game_table(&recording, None)?;
     Replay::new(recording, table)
 }
 
-/// A replay of the recording in the file `path`, at its beginning.
+/// A replay of the recording in the file `path`, at its beginning, on a table without art.
 ///
 /// # Errors
 /// As [`read`] and [`replay`]: one sentence that names the file.
 pub fn open(path: &Path) -> Result<Replay, Failure> {
-    replay(read(path)?).map_err(|failure| failure.in_file(path.display()))
+    let recording = read(path)?;
+    let table = game_table(&recording, Some(path)).map_err(|failure| failure.in_file(path.display()))?;
+    Replay::new(recording, table).map_err(|failure| failure.in_file(path.display()))
 }
 
-/// The table that was played on, if it is still what it was.
-fn find_table(header: &Header) -> Result<Arc<Table>, Failure> {
-    header.check_version()?;
-    let mut refusal = Failure::new("it does not say which table it was played on");
-    for place in [&header.table, &header.folder].into_iter().filter(|place| !place.is_empty()) {
-        match tables::load(place) {
-            Ok(table) => match header.check_table(&table) {
-                Ok(()) => return Ok(Arc::new(table)),
-                Err(failure) => refusal = failure,
-            },
-            Err(failures) => {
-                let first = failures.first().map(ToString::to_string).unwrap_or_default();
-                refusal = Failure::new(format!("the table {place} that it was played on cannot be read: {first}"));
-            }
-        }
-    }
-    Err(refusal)
+/// A recording that is shown.
+pub struct ShownRecording {
+    /// The replay, at its beginning.
+    pub replay: Replay,
+    /// What the picture says when the table's art is not found.
+    pub missing_art: Option<String>,
+    /// Keeps the recording from being removed while it is shown.
+    _held: Option<File>,
+}
+
+/// The recording in the file `path` with its table's art; where that is not found, without it, which is told.
+///
+/// # Errors
+/// As [`open`].
+pub fn open_to_show(path: &Path) -> Result<ShownRecording, Failure> {
+    let recording = read(path)?;
+    let held = hold_shown(path);
+    let in_file = |failure: Failure| failure.in_file(path.display());
+    recording.header.check_version().map_err(in_file)?;
+    let (table, missing) = match table_search::find(&recording.header, Some(path)) {
+        Ok(table) => (table, None),
+        Err(why) => match recording.embedded_table().map_err(in_file)? {
+            Some(table) => (table, Some(why)),
+            None => return Err(in_file(why)),
+        },
+    };
+    let missing_art = missing.map(|why| {
+        tell(&in_file(Failure::new(format!("{why}: its game is shown without its art"))));
+        format!("The art of {} was not found: this is its game without it.", table.title)
+    });
+    let replay = Replay::new(recording, Arc::new(table)).map_err(in_file)?;
+    Ok(ShownRecording { replay, missing_art, _held: held })
+}
+
+/// The table that a recording carries; in format 1 the one that it names.
+fn game_table(recording: &Recording, path: Option<&Path>) -> Result<Arc<Table>, Failure> {
+    recording.header.check_version()?;
+    let table = recording.embedded_table()?.map_or_else(|| table_search::find(&recording.header, path), Ok)?;
+    Ok(Arc::new(table))
 }
 
 /// A recording file that is written while a game is played: call [`RecordingFile::record`] after every tick.
@@ -78,12 +131,9 @@ impl RecordingFile {
         if path.is_dir() {
             return Err(file_failure(doing, path, &ErrorKind::IsADirectory.into()));
         }
-        let file = File::create_new(path).map_err(|error| file_failure(doing, path, &error))?;
-        RecordingFile::begin(file, path, simulation, seed)
-    }
-
-    /// Begins in a file that was just made, which is removed if nothing can be written.
-    pub(super) fn begin(file: File, path: &Path, simulation: &Simulation, seed: u64) -> Result<RecordingFile, Failure> {
+        let file = new_file::make_parents(path).and_then(|()| File::create_new(path));
+        let file = file.map_err(|error| file_failure(doing, path, &error))?;
+        hold_written(&file);
         match Recorder::new(file, simulation, seed) {
             Ok(recorder) => Ok(RecordingFile { recorder, path: path.to_path_buf() }),
             Err(error) => {
@@ -102,11 +152,6 @@ impl RecordingFile {
     /// Ticks recorded so far.
     pub fn ticks(&self) -> u64 {
         self.recorder.ticks()
-    }
-
-    /// Whether anybody has pressed start since the recording began.
-    pub fn started(&self) -> bool {
-        self.recorder.started()
     }
 
     /// Records the tick that `simulation` has just played with `buttons`.
@@ -137,6 +182,7 @@ impl RecordingFile {
     }
 }
 
-fn unwritable(path: &Path, error: &io::Error) -> Failure {
+/// What to say when a recording that was begun cannot be written on.
+pub(super) fn unwritable(path: &Path, error: &io::Error) -> Failure {
     file_failure("go on with the recording", path, error)
 }

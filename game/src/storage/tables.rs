@@ -2,11 +2,11 @@
 
 use super::assets::{find, roots};
 use super::file_failure::because;
+use super::limited_read;
 use crate::art;
 use crate::table::{FILES, LIMITS_BYTES, TableSources};
 use crate::{Failure, Table};
-use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Reads and checks the table called `name`, or the one in the folder `name`.
@@ -43,41 +43,41 @@ fn folder_name(dir: &Path) -> String {
     whole.file_name().map_or_else(|| "table".to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The folder that a recording names, so that its reader finds the table; empty for a table that is found by its name.
+/// The folder that a recording names, so that its reader finds the table's art; empty for a built-in table.
 fn recorded_folder(dir: &Path, name: &str) -> String {
-    let absolute = dir.canonicalize();
-    if table_dir(name).is_ok_and(|found| found.canonicalize().ok() == absolute.as_ref().ok().cloned()) {
+    let absolute = dir.canonicalize().ok();
+    if absolute.is_some() && built_in(name).and_then(|built_in| built_in.canonicalize().ok()) == absolute {
         return String::new();
     }
     absolute.as_deref().unwrap_or(dir).to_string_lossy().into_owned()
 }
 
-/// The bytes of a file, one more than `limit` at most; or why it cannot be read.
-fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
-    let file = File::open(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => "there is no such file, and a table needs it".to_string(),
-        _ => format!("it cannot be opened: {}", because(&error)),
-    })?;
-    let mut bytes = Vec::new();
-    match file.take(limit + 1).read_to_end(&mut bytes) {
-        Ok(_) => Ok(bytes),
-        Err(error) => Err(format!("it cannot be read: {}", because(&error))),
-    }
+/// The folder of the built-in table called `name`.
+pub(super) fn built_in(name: &str) -> Option<PathBuf> {
+    let is_plain = Path::new(name).components().count() == 1 && Path::new(name).file_name().is_some();
+    let drawing = is_plain.then(|| find(Path::new("tables").join(name).join(FILES[0]))).flatten()?;
+    drawing.parent().map(Path::to_path_buf)
 }
 
-/// The folder of the table called `name`, or the folder `name` itself if it holds a drawing.
+/// The bytes of a file, or why it cannot be read.
+fn read(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, String> {
+    limited_read::read(path, limit_bytes).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => "there is no such file, and a table needs it".to_string(),
+        _ => format!("it cannot be read: {}", because(&error)),
+    })
+}
+
+/// The folder of the table called `name`, or the folder `name` itself if anything in it is called as a drawing.
 ///
 /// # Errors
 /// If there is no such table: which ones there are.
 fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     let folder = Path::new(name);
-    if folder.join("table.svg").is_file() {
+    if folder.join("table.svg").exists() {
         return Ok(folder.to_path_buf());
     }
-    let is_plain = folder.components().count() == 1 && folder.file_name().is_some();
-    let known = is_plain.then(|| find(Path::new("tables").join(name).join("table.svg"))).flatten();
-    if let Some(dir) = known.as_deref().and_then(Path::parent) {
-        return Ok(dir.to_path_buf());
+    if let Some(dir) = built_in(name) {
+        return Ok(dir);
     }
     if folder.is_dir() {
         return Err(Failure::new(format!("the folder {name} has no table.svg, so it is no table")));
@@ -85,13 +85,14 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     let names = names();
     let there_are = match names.as_slice() {
         [] => "no assets/tables folder was found; start the game where its assets are".to_string(),
+        [name] => format!("there is only {name}; or give the folder of one"),
         names => format!("there are {}; or give the folder of one", names.join(", ")),
     };
     Err(Failure::new(format!("there is no table called {name}: {there_are}")))
 }
 
-/// The names of the tables there are, in order.
-fn names() -> Vec<String> {
+/// The names of the built-in tables, in order.
+pub(super) fn names() -> Vec<String> {
     let folders = roots().into_iter().filter_map(|root| std::fs::read_dir(root.join("assets/tables")).ok());
     let tables = folders.flatten().flatten().filter(|entry| entry.path().join("table.svg").is_file());
     let mut names: Vec<String> = tables.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();

@@ -1,10 +1,33 @@
 //! A table's folder, read and watched.
 
-use super::{TableWatch, tables};
+use super::{TableWatch, limited_read, tables};
 use crate::small_table::SVG;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-struct Folder(std::path::PathBuf);
+/// An empty folder of a test's own, which goes with it.
+pub(super) struct Scratch(PathBuf);
+
+impl Scratch {
+    pub fn new(name: &str) -> Scratch {
+        let dir = std::env::temp_dir().join(format!("caustic-storage-{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&dir);
+        std::fs::create_dir_all(&dir).unwrap();
+        Scratch(dir)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Folder {
@@ -45,6 +68,26 @@ fn a_folder_is_a_table_and_its_missing_files_are_named() {
     std::fs::write(folder.0.join("table.toml"), "#".repeat(2 << 20)).unwrap();
     let mistakes = tables::load_dir(&folder.0).unwrap_err();
     assert!(mistakes.iter().any(|mistake| mistake.to_string().contains("larger than 1024 kB")), "{mistakes:?}");
+}
+
+/// A recording that was a link to `/dev/zero` filled the memory, and the metadata of such a file say that it is empty.
+#[test]
+fn no_more_of_a_file_is_read_than_the_limit() {
+    let folder = Folder::new("limit");
+    let path = folder.0.join("rules.rhai");
+    std::fs::write(&path, "1234").unwrap();
+    assert_eq!(limited_read::read(&path, 4).unwrap(), b"1234");
+    let told = limited_read::read(&path, 3).unwrap_err();
+    assert_eq!(told.kind(), std::io::ErrorKind::FileTooLarge);
+    // The kernel's own files are plain files whose metadata say 0 bytes, whatever is in them.
+    #[cfg(target_os = "linux")]
+    {
+        let own = Path::new("/proc/self/maps");
+        assert_eq!(std::fs::metadata(own).unwrap().len(), 0);
+        let told = limited_read::read(own, 100).unwrap_err();
+        assert_eq!(told.kind(), std::io::ErrorKind::FileTooLarge);
+        assert!(limited_read::read(own, 1 << 30).unwrap().len() > 100);
+    }
 }
 
 #[test]

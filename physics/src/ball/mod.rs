@@ -2,8 +2,8 @@
 //!
 //! Refuses to know what the ball may hit.
 
+pub(crate) mod ball_step;
 pub(crate) mod floor;
-pub(crate) mod motion;
 pub(crate) mod pose;
 pub(crate) mod step_acceleration;
 
@@ -16,11 +16,11 @@ use serde::{Deserialize, Serialize};
 pub(crate) const SPHERE_INERTIA: f64 = 0.4;
 /// A ball whose lowest point is higher than this passes above all that stands on the playfield, m.
 const OBSTACLE_HEIGHT_M: f64 = 0.02;
-/// A machine hums with its coils and motors: what has lain still for so many ticks is shaken loose. It does not cling by
-/// friction, so that no arch of balls holds for ever...
-const HUM_TICKS: u32 = 1000;
+/// Dither: a machine hums with its coils and motors, which ends static friction. What has lain still for so many ticks is
+/// shaken loose: no contact of it has friction, so that no arch of balls holds for ever...
+const DITHER_AFTER_TICKS: u32 = 1000;
 /// ... nor for so many ticks after it has begun to move, or it would stop again half a millimetre on.
-const LOOSE_TICKS: u32 = 200;
+const DITHER_TICKS: u32 = 200;
 /// A ball slower than this counts as still: a twentieth of a millimetre in a hundredth of a second, m/s.
 const STILL_SPEED_M_S: f64 = 5e-3;
 
@@ -57,8 +57,8 @@ pub(crate) struct Ball {
     pub vertical_speed: f64,
     /// Ticks since it last moved.
     pub still_ticks: u32,
-    /// Ticks for which it still does not cling to anything: it has been shaken loose.
-    pub loose_ticks: u32,
+    /// Ticks for which its contacts still have no friction: dither has shaken it loose.
+    pub dither_ticks: u32,
 }
 
 impl Ball {
@@ -74,7 +74,7 @@ impl Ball {
             height: 0.0,
             vertical_speed: 0.0,
             still_ticks: 0,
-            loose_ticks: 0,
+            dither_ticks: 0,
         }
     }
 
@@ -146,6 +146,7 @@ impl Ball {
         // Nobody waits for a captive ball.
         let still = self.velocity.length() < STILL_SPEED_M_S && self.captive().is_none();
         self.still_ticks = if still { self.still_ticks.saturating_add(1) } else { 0 };
-        self.loose_ticks = if self.still_ticks >= HUM_TICKS { LOOSE_TICKS } else { self.loose_ticks.saturating_sub(1) };
+        self.dither_ticks =
+            if self.still_ticks >= DITHER_AFTER_TICKS { DITHER_TICKS } else { self.dither_ticks.saturating_sub(1) };
     }
 }

@@ -115,7 +115,7 @@ impl Ball {
     pub fn apply_rolling_resistance(&mut self, floor: &Floor, duration: f64) {
         let speed = self.velocity.length();
         let mut resistance = ROLLING_RESISTANCE * floor.normal_load;
-        if self.loose_ticks > 0 {
+        if self.dither_ticks > 0 {
             resistance *= (speed / DITHER_M_S).min(1.0);
         }
         if floor.drag > 0.0 {

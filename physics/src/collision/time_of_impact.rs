@@ -22,7 +22,7 @@ const TOUCHING_PARTS: f64 = 8.0;
 /// Two balls are tested roughly first: within this margin of each other and of the path, m...
 const NEAR_MARGIN_M: f64 = 0.01;
 /// ... so from this distance of their centres on they cannot meet.
-const FAR_APART_M: f64 = 2.0 * BALL_RADIUS_M + NEAR_MARGIN_M;
+pub(crate) const FAR_APART_M: f64 = 2.0 * BALL_RADIUS_M + NEAR_MARGIN_M;
 
 /// The straight path of a ball's centre.
 #[derive(Clone, Copy, Debug)]

@@ -59,6 +59,12 @@ impl Machine {
         deepest
     }
 
+    /// How often the impulse of a contact was found in the last tick: what touches each other, round after round. It is
+    /// what a tick costs where many balls lie on each other, and the same on every machine.
+    pub fn contact_solves(&self) -> u64 {
+        self.buffers.contact_solves
+    }
+
     /// How many balls are not on the playfield, or nowhere at all (not a number).
     pub fn escaped(&self) -> usize {
         let size = self.model.size;

@@ -108,7 +108,8 @@ impl Machine {
     pub fn tick(&mut self, controls: Controls, commands: &[Command]) {
         self.events.clear();
         self.contacts.clear();
-        commands.iter().for_each(|command| command.obey(&self.model, &mut self.state, &mut self.events));
+        self.buffers.contact_solves = 0;
+        commands.iter().for_each(|command| command.execute(&self.model, &mut self.state, &mut self.events));
         plunger::feed(&self.model, &mut self.state, &mut self.events);
         drop_target::tick(&self.model, &mut self.state, &mut self.rigid, &mut self.events);
         let shaken = self.push_cabinet(&controls);
@@ -120,7 +121,7 @@ impl Machine {
         self.move_rigid_mechanisms();
         elevation::tick(&self.model, &mut self.state, &self.starts, &mut self.events);
         triggers::tick(&self.model, &mut self.state, &self.starts, &mut self.events);
-        mechanisms::report(&self.model, &mut self.state, &mut self.events);
+        mechanisms::emit_switch_events(&self.model, &mut self.state, &mut self.events);
         self.state.balls.iter_mut().for_each(Ball::end_tick);
     }
 
@@ -186,12 +187,12 @@ impl Machine {
         event::stream(&self.events, &self.contacts)
     }
 
-    /// Of everything that can change what happens next.
+    /// Hashes of the full state: of everything that can change what happens next.
     pub fn hashes(&self) -> Hashes {
         save::hashes(&self.state, &self.rigid)
     }
 
-    /// Everything that can change what happens next.
+    /// The full state as bytes: everything that can change what happens next.
     pub fn save(&self) -> Vec<u8> {
         save::write(self.fingerprint, &self.state, &self.rigid)
     }

@@ -1,4 +1,4 @@
-//! Cabinet: it rings on its legs when it is pushed; the tilt bob hangs in it, and the slam switch sits on its door.
+//! Cabinet: it rings on its legs when it is nudged; the tilt bob hangs in it, and the slam switch sits on its door.
 //!
 //! A push is half a sine wave of 25 ms. It is often said to have a peak of about 0.5 g and to move the cabinet by 3 to
 //! 5 mm, but both at once cannot be: a push of peak `a` gives the speed `a * 25 ms * 2 / pi`, and the cabinet goes as far
@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 const NUDGE_TICKS: u16 = 25;
 /// Peak acceleration of a calm push, sideways and forwards or backwards, m/s^2: the cabinet moves by 3.2 mm.
 const NUDGE_M_S2: DVec2 = DVec2::new(13.5, 8.0);
-/// A player who pushes again before he stands firm pushes with more of his weight: by so much harder...
-const HASTE_GAIN: f64 = 1.2;
+/// Build-up of nudges: a player who pushes again before he stands firm pushes with more of his weight, by so much harder...
+const NUDGE_BUILDUP_GAIN: f64 = 1.2;
 /// ... fading with this time constant.
-const HASTE_S: f64 = 0.4;
+const NUDGE_BUILDUP_S: f64 = 0.4;
 /// Natural frequency of the cabinet on its legs, sideways and forwards, rad/s: 9.3 and 5.8 Hz.
 const RING_RAD_S: DVec2 = DVec2::new(9.3 * std::f64::consts::TAU, 5.8 * std::f64::consts::TAU);
 /// Damping ratio of the same.
@@ -30,9 +30,9 @@ const BOB_RAD2_S2: f64 = GRAVITY_M_S2 / BOB_LENGTH_M;
 const BOB_DAMPING_PER_S: f64 = 2.0;
 /// How far the bob swings before it touches its ring, m.
 const BOB_RING_M: f64 = 0.0043;
-/// A touch so soon after the last one is the same one.
-const BOB_DEAF_TICKS: u16 = 300;
-/// The slam switch is a weight on a leaf spring that creeps back with this time constant, so that jolts add up...
+/// Debounce: a touch so soon after the last touch is the same touch.
+const BOB_DEBOUNCE_TICKS: u16 = 300;
+/// The slam switch is a weight on a leaf spring that creeps back with this time constant: a leaky integrator of pushes...
 const SLAM_S: f64 = 0.4;
 /// ... until it closes: at so many times what one calm push does to it. Three pushes, however hasty, come to 5.9 at
 /// most; five at even distances within 600 ms come to 6.7 at least. It opens again at half of that.
@@ -52,14 +52,14 @@ pub(crate) struct Cabinet {
     pushes: [u16; 4],
     /// How hard each of them is, over a calm one.
     force: [f64; 4],
-    /// How many pushes the player has not yet recovered from.
-    haste: f64,
+    /// How many pushes the player has not yet recovered from, fading.
+    nudge_buildup: f64,
     /// The buttons in the last tick.
     pressed: [bool; 4],
-    /// Ticks until a touch of the bob counts again.
-    deaf: u16,
+    /// Debounce: ticks until a touch of the bob counts again.
+    bob_debounce: u16,
     /// How far the slam switch is bent, in calm pushes.
-    jolt: f64,
+    slam_integrator: f64,
     /// The slam switch is closed.
     slammed: bool,
 }
@@ -84,10 +84,10 @@ impl Default for Cabinet {
             bob_velocity: DVec2::ZERO,
             pushes: [0; 4],
             force: [0.0; 4],
-            haste: 0.0,
+            nudge_buildup: 0.0,
             pressed: [false; 4],
-            deaf: 0,
-            jolt: 0.0,
+            bob_debounce: 0,
+            slam_integrator: 0.0,
             slammed: false,
         }
     }
@@ -100,11 +100,11 @@ impl Cabinet {
         for (index, &now) in pressed.iter().enumerate() {
             if now && !self.pressed[index] {
                 self.pushes[index] = NUDGE_TICKS;
-                self.force[index] = 1.0 + HASTE_GAIN * self.haste;
-                self.haste += 1.0;
+                self.force[index] = 1.0 + NUDGE_BUILDUP_GAIN * self.nudge_buildup;
+                self.nudge_buildup += 1.0;
             }
         }
-        self.haste *= 1.0 - TICK_S / HASTE_S;
+        self.nudge_buildup *= 1.0 - TICK_S / NUDGE_BUILDUP_S;
         self.pressed = pressed;
         let push = self.push();
         let stiffness = RING_RAD_S * RING_RAD_S;
@@ -132,11 +132,11 @@ impl Cabinet {
         let pull = -acceleration - self.bob * BOB_RAD2_S2 - self.bob_velocity * BOB_DAMPING_PER_S;
         self.bob_velocity += pull * TICK_S;
         self.bob += self.bob_velocity * TICK_S;
-        self.deaf = self.deaf.saturating_sub(1);
+        self.bob_debounce = self.bob_debounce.saturating_sub(1);
         let touches = self.bob.length() > BOB_RING_M;
-        let counted = touches && self.deaf == 0;
+        let counted = touches && self.bob_debounce == 0;
         if counted {
-            self.deaf = BOB_DEAF_TICKS;
+            self.bob_debounce = BOB_DEBOUNCE_TICKS;
         }
         counted
     }
@@ -144,10 +144,10 @@ impl Cabinet {
     /// The slam switch answers to what the hands do, alike in all directions, and not to how the cabinet rings. True
     /// when it closes.
     fn bend_slam(&mut self, push: DVec2) -> bool {
-        self.jolt *= 1.0 - TICK_S / SLAM_S;
-        self.jolt += (push / NUDGE_M_S2).length() * TICK_S / CALM_NUDGE_S;
+        self.slam_integrator *= 1.0 - TICK_S / SLAM_S;
+        self.slam_integrator += (push / NUDGE_M_S2).length() * TICK_S / CALM_NUDGE_S;
         let before = self.slammed;
-        self.slammed = self.jolt > if before { 0.5 * SLAM_NUDGES } else { SLAM_NUDGES };
+        self.slammed = self.slam_integrator > if before { 0.5 * SLAM_NUDGES } else { SLAM_NUDGES };
         self.slammed && !before
     }
 }

@@ -6,8 +6,8 @@
 //! goes on, and may come down on another ball.
 
 use crate::ball::Ball;
+use crate::ball::ball_step::BallStep;
 use crate::ball::floor::Floor;
-use crate::ball::motion::Motion;
 use crate::mechanisms::model::{Model, State};
 use crate::mechanisms::ramp_path::Entrance;
 use crate::part::event::Event;
@@ -25,14 +25,14 @@ const ENTRANCE_RANGE_M: f64 = 3.0 * BALL_RADIUS_M;
 
 /// What a step of `duration` does to a ball above the playfield: a ramp's slope is gravity's, half-way through the step
 /// (the midpoint rule); a ball in the air has no floor.
-pub(crate) fn apply(model: &Model, ball: &Ball, duration: f64, motion: &mut Motion) {
+pub(crate) fn apply(model: &Model, ball: &Ball, duration: f64, ball_step: &mut BallStep) {
     match ball.ramp {
         Some(ramp) => {
             let half_way = ball.center + ball.velocity * (0.5 * duration);
             let sample = model.mechanisms.ramps[usize::from(ramp)].sample(half_way);
-            motion.external -= sample.direction * (model.floor.normal_load * sample.slope);
+            ball_step.external -= sample.direction * (model.floor.normal_load * sample.slope);
         }
-        None if ball.height > 0.0 => motion.floor = Floor { normal_load: 0.0, ..motion.floor },
+        None if ball.height > 0.0 => ball_step.floor = Floor { normal_load: 0.0, ..ball_step.floor },
         None => {}
     }
 }

@@ -84,8 +84,8 @@ impl Flipper {
 /// For each flipper whether its coil is on.
 pub(crate) fn coils(models: &MechanismModels, states: &MechanismStates, controls: &Controls) -> Vec<bool> {
     let is_on = |(model, &diverted): (&FlipperModel, &bool)| match model.flipper.control {
-        FlipperControl::Left => states.flippers_live && controls.left,
-        FlipperControl::Right => states.flippers_live && controls.right,
+        FlipperControl::Left => states.flippers_enabled && controls.left,
+        FlipperControl::Right => states.flippers_enabled && controls.right,
         FlipperControl::Rules => diverted,
     };
     models.flippers.iter().zip(&states.diverted).map(is_on).collect()

@@ -14,17 +14,12 @@
 //! Refuses to know what a ball is: balls turn it through [`FlipperState::push`].
 
 use crate::mechanisms::flipper::{Flipper, FlipperControl};
+use crate::mechanisms::flipper_coil::{CoilGoal, CoilStep};
 use crate::part::PartId;
 use crate::{BALL_RADIUS_M, TICK_S};
 use geometry::{Circle, DVec2, Taper, trig};
 use serde::{Deserialize, Serialize};
 
-/// Time constant of the coil's rise: inductance over resistance, and the eddy currents of the iron.
-const COIL_RISE_S: f64 = 0.0085;
-/// Time constant of the fall from the full coil to the hold winding alone.
-const COIL_HOLD_S: f64 = 0.020;
-/// Time constant of the coil's decay through its diode.
-const COIL_FALL_S: f64 = 0.003;
 /// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the force takes its
 /// time to fall to that, so the plunger is pressed hard while it comes home.
 const END_OF_STROKE_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -77,45 +72,6 @@ pub(crate) struct FlipperModel {
     /// all else that a flipper does.
     coil_steps: [CoilStep; 3],
 }
-
-/// How the coil's torque decays in a step of this duration.
-#[derive(Clone, Copy, Debug)]
-struct CoilStep {
-    /// Of the step, s.
-    duration: f64,
-    /// Of a substep, s.
-    substep: f64,
-    substeps: u32,
-    /// Part of the torque's distance from its goal that is left after the step, in the order of [`CoilGoal`]...
-    decay: [f64; 3],
-    /// ... and after half a substep.
-    half_decay: [f64; 3],
-}
-
-impl CoilStep {
-    fn new(duration: f64) -> CoilStep {
-        let count = (duration / MAX_SUBSTEP_S).ceil().max(2.0);
-        let decay = |time: f64| [COIL_FALL_S, COIL_RISE_S, COIL_HOLD_S].map(|constant| libm::exp(-time / constant));
-        CoilStep {
-            duration,
-            substep: duration / count,
-            substeps: count as u32,
-            decay: decay(duration),
-            half_decay: decay(0.5 * duration / count),
-        }
-    }
-}
-
-/// Where the coil's torque goes: to nothing, to its most, or to what the hold winding alone gives.
-#[derive(Clone, Copy, Debug)]
-enum CoilGoal {
-    Nothing,
-    Most,
-    Hold,
-}
-
-/// A substep is no longer than this, and a step of the balls has two at least.
-const MAX_SUBSTEP_S: f64 = TICK_S / 64.0;
 
 /// Flipper state.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -248,7 +204,7 @@ impl FlipperModel {
         let (goal, torque) = self.coil_goal(state, pressed);
         // A torque that is where it goes stays there.
         if state.coil != torque {
-            state.coil = torque + (state.coil - torque) * coil_step.decay[goal as usize];
+            state.coil = torque + (state.coil - torque) * coil_step.decay(goal);
         }
         state.plunger_home &= self.is_plunger_held_home(state);
         state.seated &= self.is_pressed_on_stop(state);
@@ -280,7 +236,7 @@ impl FlipperModel {
             return;
         }
         (free.plunger_home, free.seated) = (state.plunger_home, false);
-        let half = coil_step.half_decay[goal as usize];
+        let half = coil_step.half_decay(goal);
         for _ in 0..coil_step.substeps {
             free.coil = torque + (free.coil - torque) * half;
             self.advance_freely(&mut free, coil_step.substep);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 /// Ticks since it fired after which a kicker is ready again.
 const READY_TICKS: u16 = 60;
-/// A kicker's arm or ring comes this far out of its rubber, m.
+/// A coil that fires with no ball in its switch throws off what is no farther from its surface, m.
 const KICK_REACH_M: f64 = 3e-3;
 /// Ticks after which a kicker's arm or ring is all the way out, and ticks that it then takes to go back.
 const OUT_TICKS: f64 = 8.0;
@@ -129,7 +129,7 @@ pub(crate) fn tick(kicker_ticks: &mut [u16]) {
 }
 
 /// Fires every kicker, whatever its switch says: what lies at it is thrown off.
-pub(crate) fn search(model: &Model, state: &mut State) {
+pub(crate) fn fire_all(model: &Model, state: &mut State) {
     for obstacle in &model.collision.obstacles {
         let ObstacleRole::Kicker(index) = obstacle.role else { continue };
         state.mechanisms.kicker_ticks[index] = 0;

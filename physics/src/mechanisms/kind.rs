@@ -131,9 +131,9 @@ pub enum Command {
     Raise(PartId),
     /// Flippers obey their buttons, or hang down.
     SetFlippers(bool),
-    /// Bumpers, slingshots, kickbacks and magnets work, or are dead.
-    SetKickers(bool),
-    /// Shoot this kickback's rod out, unless kickers are dead or it is on its way out already.
+    /// Bumpers, slingshots, kickbacks and magnets work, or not.
+    SetCoils(bool),
+    /// Shoot this kickback's rod out, unless coils are switched off or it is on its way out already.
     Kick(PartId),
     /// Switch this magnet on or off.
     Magnet(PartId, bool),
@@ -146,8 +146,8 @@ pub enum Command {
 }
 
 impl Command {
-    /// Obeys.
-    pub(crate) fn obey(&self, model: &Model, state: &mut State, events: &mut Vec<Event>) {
+    /// Executes the command.
+    pub(crate) fn execute(&self, model: &Model, state: &mut State, events: &mut Vec<Event>) {
         let (models, own) = (&model.mechanisms, &mut state.mechanisms);
         match *self {
             Command::AddBall => own.queue = own.queue.saturating_add(1),
@@ -161,27 +161,27 @@ impl Command {
                     own.drop_targets[target].raise();
                 }
             }
-            Command::SetFlippers(live) => own.flippers_live = live,
-            Command::SetKickers(live) => own.kickers_live = live,
+            Command::SetFlippers(live) => own.flippers_enabled = live,
+            Command::SetCoils(live) => own.coils_enabled = live,
             Command::Kick(part) => {
-                if own.kickers_live {
+                if own.coils_enabled {
                     rod::fire(&models.rods, &mut own.rods, |rod| rod.part == part);
                 }
             }
             Command::Magnet(part, on) => magnet::switch(model, own, part, on),
             Command::Divert(part, on) => flipper::divert(models, own, part, on),
-            Command::BallSearch => search(model, state, events),
+            Command::BallSearch => ball_search(model, state, events),
         }
     }
 }
 
 /// Fires every coil once, whatever its switch says.
-fn search(model: &Model, state: &mut State, events: &mut Vec<Event>) {
-    kicker::search(model, state);
+fn ball_search(model: &Model, state: &mut State, events: &mut Vec<Event>) {
+    kicker::fire_all(model, state);
     for saucer in 0..model.mechanisms.saucers.len() {
         saucer::eject(model, state, saucer, events);
     }
     state.mechanisms.drop_targets.iter_mut().for_each(|target| target.raise());
     rod::fire(&model.mechanisms.rods, &mut state.mechanisms.rods, |_| true);
-    magnet::search(&mut state.mechanisms);
+    magnet::switch_all_off(&mut state.mechanisms);
 }

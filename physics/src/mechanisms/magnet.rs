@@ -11,7 +11,7 @@
 //! depend on speed, like that of rolling. A slow ball comes to rest by it, near the middle; a fast one is bent and goes on.
 
 use crate::ball::Ball;
-use crate::ball::motion::Motion;
+use crate::ball::ball_step::BallStep;
 use crate::mechanisms::MechanismStates;
 use crate::mechanisms::model::Model;
 use crate::part::event::{Event, EventKind};
@@ -83,14 +83,14 @@ fn pull(magnet: &Magnet, center: DVec2) -> (DVec2, f64) {
 ///
 /// The pull is that half-way through the step. Over a step this is the symplectic midpoint rule, so a ball that swings
 /// through the middle gains nothing from the size of the step.
-pub(crate) fn apply(model: &Model, states: &MechanismStates, ball: &Ball, duration: f64, motion: &mut Motion) {
+pub(crate) fn apply(model: &Model, states: &MechanismStates, ball: &Ball, duration: f64, ball_step: &mut BallStep) {
     let half_way = ball.center + ball.velocity * (0.5 * duration);
     for (coil, Numbered { numbers: magnet, .. }) in states.magnets.iter().zip(&model.mechanisms.magnets) {
-        if coil.on && states.kickers_live && !ball.is_up() {
+        if coil.on && states.coils_enabled && !ball.is_up() {
             let (along, down) = pull(magnet, half_way);
-            motion.external += along;
-            motion.floor.normal_load += down;
-            motion.floor.drag += HYSTERESIS * down;
+            ball_step.external += along;
+            ball_step.floor.normal_load += down;
+            ball_step.floor.drag += HYSTERESIS * down;
         }
     }
 }
@@ -106,8 +106,8 @@ fn lies(magnet: &Magnet, ball: &Ball, middle: f64) -> bool {
 }
 
 /// Closes the switches of magnets that have come to hold a ball, and opens those of magnets that it has left.
-pub(crate) fn report(model: &Model, balls: &[Ball], states: &mut MechanismStates, events: &mut Vec<Event>) {
-    let live = states.kickers_live;
+pub(crate) fn emit_switch_events(model: &Model, balls: &[Ball], states: &mut MechanismStates, events: &mut Vec<Event>) {
+    let live = states.coils_enabled;
     for (coil, Numbered { part, numbers: magnet }) in states.magnets.iter_mut().zip(&model.mechanisms.magnets) {
         let rests = |ball: &Ball| lies(magnet, ball, HOLDING_RADIUS) && ball.velocity.length() < HOLDING_M_S;
         let holds = match coil.holds {
@@ -130,14 +130,14 @@ pub(crate) fn switch(model: &Model, states: &mut MechanismStates, part: PartId, 
 }
 
 /// Switches every magnet off.
-pub(crate) fn search(states: &mut MechanismStates) {
+pub(crate) fn switch_all_off(states: &mut MechanismStates) {
     states.magnets.iter_mut().for_each(|coil| coil.on = false);
 }
 
 /// Whether each magnet pulls.
 pub(crate) fn pose(model: &Model, states: &MechanismStates) -> Vec<(PartId, bool)> {
     let magnets = model.mechanisms.magnets.iter().zip(&states.magnets);
-    magnets.map(|(own, coil)| (own.part, coil.on && states.kickers_live)).collect()
+    magnets.map(|(own, coil)| (own.part, coil.on && states.coils_enabled)).collect()
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub(crate) mod elevation;
 pub(crate) mod flap;
 pub(crate) mod flap_contact;
 pub(crate) mod flipper;
+pub(crate) mod flipper_coil;
 pub(crate) mod flipper_model;
 pub(crate) mod gate;
 pub(crate) mod jointed_body;
@@ -36,7 +37,7 @@ pub(crate) mod triggers;
 pub(crate) mod wall;
 
 use crate::ball::Ball;
-use crate::ball::motion::Motion;
+use crate::ball::ball_step::BallStep;
 use crate::mechanisms::cabinet::Cabinet;
 use crate::mechanisms::captive_ball::CaptiveBall;
 use crate::mechanisms::drop_target::{DropTargetModel, DropTargetState};
@@ -74,14 +75,17 @@ pub(crate) struct MechanismModels {
     pub ramps: Vec<RampPath>,
 }
 
-/// The state of each mechanism that is no rigid body. Saved and hashed in this order.
+/// The state of the mechanisms but for the rigid bodies, of the queue of new balls, and of what is switched on. Saved and
+/// hashed in this order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct MechanismStates {
     pub next_ball: u32,
     /// Balls that wait for a free plunger lane.
     pub queue: u32,
-    pub flippers_live: bool,
-    pub kickers_live: bool,
+    /// Flippers obey their buttons.
+    pub flippers_enabled: bool,
+    /// Bumpers, slingshots, kickbacks and magnets work.
+    pub coils_enabled: bool,
     pub flippers: Vec<FlipperState>,
     /// For each flipper whether the rules want it turned: only diverters obey.
     pub diverted: Vec<bool>,
@@ -96,13 +100,13 @@ pub(crate) struct MechanismStates {
 }
 
 impl MechanismStates {
-    /// Everything at rest, flippers and kickers dead.
+    /// Everything at rest, flippers and coils switched off.
     pub fn new(models: &MechanismModels) -> MechanismStates {
         MechanismStates {
             next_ball: 0,
             queue: 0,
-            flippers_live: false,
-            kickers_live: false,
+            flippers_enabled: false,
+            coils_enabled: false,
             flippers: models.flippers.iter().map(FlipperModel::at_rest).collect(),
             diverted: vec![false; models.flippers.len()],
             kicker_ticks: kicker::ready(&models.kickers),
@@ -126,20 +130,20 @@ impl MechanismStates {
     }
 }
 
-/// What acts on a ball from afar in a step of `duration`, besides gravity: it goes into the ball's motion.
-pub(crate) fn apply_forces(model: &Model, state: &State, ball: &Ball, duration: f64, motion: &mut Motion) {
+/// What acts on a ball from afar in a step of `duration`, besides gravity: it goes into the ball's step.
+pub(crate) fn apply_forces(model: &Model, state: &State, ball: &Ball, duration: f64, ball_step: &mut BallStep) {
     if let Some(acceleration) = saucer::acceleration(&model.mechanisms.saucers, ball) {
-        motion.external += acceleration;
+        ball_step.external += acceleration;
     }
-    elevation::apply(model, ball, duration, motion);
-    magnet::apply(model, &state.mechanisms, ball, duration, motion);
+    elevation::apply(model, ball, duration, ball_step);
+    magnet::apply(model, &state.mechanisms, ball, duration, ball_step);
 }
 
 /// After a tick: the switches of mechanisms that look where balls are.
-pub(crate) fn report(model: &Model, state: &mut State, events: &mut Vec<Event>) {
+pub(crate) fn emit_switch_events(model: &Model, state: &mut State, events: &mut Vec<Event>) {
     let State { balls, mechanisms } = state;
-    rod::report(&model.mechanisms.rods, balls, &mut mechanisms.rods, events);
-    magnet::report(model, balls, mechanisms, events);
+    rod::emit_switch_events(&model.mechanisms.rods, balls, &mut mechanisms.rods, events);
+    magnet::emit_switch_events(model, balls, mechanisms, events);
 }
 
 /// Whether a mechanism means to hold this ball where it is: a saucer, the plunger lane, a raised flipper, a magnet.

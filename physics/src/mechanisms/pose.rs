@@ -28,7 +28,7 @@ pub struct Pose {
     /// The angle of each gate's flap from closed, rad, 0 or more.
     pub gates_rad: Vec<(PartId, f64)>,
     /// How far each bumper's ring is pulled down and each slingshot's arm and kickback's rod is out, 0 to 1.
-    pub kickers: Vec<(PartId, f64)>,
+    pub extensions: Vec<(PartId, f64)>,
     /// Whether each magnet pulls.
     pub magnets: Vec<(PartId, bool)>,
     /// How far the plunger is pulled, 0 to 1.
@@ -60,7 +60,7 @@ impl Pose {
             drop_targets: targets.map(|(index, target)| (target.part, rigid.height(index))).collect(),
             spinners_rad: spinners.map(|(index, own)| angle(own.part, Flap::Spinner(index))).collect(),
             gates_rad: gates.map(|(index, own)| angle(own.part, Flap::Gate(index))).collect(),
-            kickers: kickers(model, state),
+            extensions: extensions(model, state),
             magnets: magnet::pose(model, states),
             plunger: plunger(model, state),
             cabinet_m: states.cabinet.offset,
@@ -80,7 +80,7 @@ impl Pose {
 }
 
 /// How far the kickers' arms, then the kickbacks' rods are out.
-fn kickers(model: &Model, state: &State) -> Vec<(PartId, f64)> {
+fn extensions(model: &Model, state: &State) -> Vec<(PartId, f64)> {
     let (models, states) = (&model.mechanisms, &state.mechanisms);
     let kickers = models.kickers.iter().zip(&states.kicker_ticks);
     let kickers = kickers.map(|(kicker, &ticks)| (kicker.part, kicker::extension(ticks)));

@@ -166,7 +166,7 @@ impl RodState {
 }
 
 /// Says which plungers have shot, and which kickbacks a ball has come to or left.
-pub(crate) fn report(models: &[RodModel], balls: &[Ball], rods: &mut [RodState], events: &mut Vec<Event>) {
+pub(crate) fn emit_switch_events(models: &[RodModel], balls: &[Ball], rods: &mut [RodState], events: &mut Vec<Event>) {
     for (model, rod) in models.iter().zip(rods) {
         let kind = if model.is_plunger() { model.launches(rod, balls) } else { model.switch(rod, balls) };
         events.extend(kind.map(|kind| Event { part: Some(model.part), kind }));

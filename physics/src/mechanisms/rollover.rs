@@ -29,7 +29,7 @@ impl Rollover {
 
 /// Closes the switches of rollovers that balls have come to, and opens those that they have left. `covered` has the
 /// rollover below each ball that is on one; `counts` has how many balls were on each.
-pub(crate) fn report(parts: &[PartId], covered: &[usize], counts: &mut [u16], events: &mut Vec<Event>) {
+pub(crate) fn emit_switch_events(parts: &[PartId], covered: &[usize], counts: &mut [u16], events: &mut Vec<Event>) {
     for (rollover, count) in counts.iter_mut().enumerate() {
         let now = covered.iter().filter(|&&on| on == rollover).count() as u16;
         let before = std::mem::replace(count, now);

@@ -24,7 +24,12 @@ pub(crate) fn tick(model: &Model, state: &mut State, starts: &[DVec2], events: &
         }
         saucer::settle(&model.mechanisms.saucers, &mut state.balls[ball], events);
     }
-    rollover::report(&model.mechanisms.rollovers, &reached.rollovers, &mut state.mechanisms.rollovers, events);
+    rollover::emit_switch_events(
+        &model.mechanisms.rollovers,
+        &reached.rollovers,
+        &mut state.mechanisms.rollovers,
+        events,
+    );
     for &ball in reached.drained.iter().rev() {
         state.balls.remove(ball);
     }

@@ -43,7 +43,7 @@ pub enum EventKind {
     Slam,
 }
 
-/// One impact of a ball, for the debug overlay and for sounds.
+/// One impact of a ball, for whoever listens: the debug overlay, benchmarks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// When in the tick, s: from 0 to [`crate::TICK_S`].

@@ -1,5 +1,5 @@
-//! What every part of a playfield has in common: its id, its material, the checks of its numbers, the events that it
-//! sends.
+//! Parts: what every part of a playfield has in common: its id, its material, the checks of its numbers, the events
+//! that it sends.
 //!
 //! The lowest room. Refuses to know any mechanism and any ball.
 

@@ -108,34 +108,42 @@ fn touch_flippers(step: &mut Step, ball: usize, duration: f64, out: &mut DVec2) 
 }
 
 fn touch_balls(step: &mut Step, ball: usize, out: &mut DVec2) {
+    let near = std::mem::take(&mut step.buffers.near_balls);
+    if near.is_empty() {
+        (0..step.state.balls.len()).for_each(|other| touch_ball(step, ball, other, out));
+    } else {
+        near.of(ball).for_each(|other| touch_ball(step, ball, other, out));
+    }
+    step.buffers.near_balls = near;
+}
+
+fn touch_ball(step: &mut Step, ball: usize, other: usize, out: &mut DVec2) {
     let center = step.state.balls[ball].center;
-    for other in 0..step.state.balls.len() {
-        let offset = center - step.state.balls[other].center;
-        if other == ball || are_far_apart(offset, 0.0) || step.state.balls[ball].passes(&step.state.balls[other]) {
-            continue;
-        }
-        let held = step.state.balls[other].is_held();
-        let normal = offset.try_normalize().unwrap_or(DVec2::Y);
-        // Each of the two balls moves by half of it.
-        *out += correction(0.5 * (offset.length() - 2.0 * BALL_RADIUS_M), normal);
-        if other < ball && !held {
-            continue;
-        }
-        if offset.length() - 2.0 * BALL_RADIUS_M <= SKIN_M {
-            let body = if held { ContactBody::Fixed(DVec2::ZERO) } else { ContactBody::Ball(other) };
-            let friction = Material::BALL_ON_BALL.friction;
-            add_contact(step, Touching { ball, body, normal, center, friction }, 0.0);
-        }
+    let offset = center - step.state.balls[other].center;
+    if other == ball || are_far_apart(offset, 0.0) || step.state.balls[ball].passes(&step.state.balls[other]) {
+        return;
+    }
+    let held = step.state.balls[other].is_held();
+    let normal = offset.try_normalize().unwrap_or(DVec2::Y);
+    // Each of the two balls moves by half of it.
+    *out += correction(0.5 * (offset.length() - 2.0 * BALL_RADIUS_M), normal);
+    if other < ball && !held {
+        return;
+    }
+    if offset.length() - 2.0 * BALL_RADIUS_M <= SKIN_M {
+        let body = if held { ContactBody::Fixed(DVec2::ZERO) } else { ContactBody::Ball(other) };
+        let friction = Material::BALL_ON_BALL.friction;
+        add_contact(step, Touching { ball, body, normal, center, friction }, 0.0);
     }
 }
 
 /// Adds a contact, unless the two part or come at each other so fast that it is an impact: faster than the restitution
 /// threshold and by how much the approach may grow within the step.
 fn add_contact(step: &mut Step, touching: Touching, growth: f64) {
-    let clings = |ball: usize| step.state.balls[ball].loose_ticks == 0;
+    let has_friction = |ball: usize| step.state.balls[ball].dither_ticks == 0;
     let both = match touching.body {
-        ContactBody::Ball(other) => clings(touching.ball) && clings(other),
-        _ => clings(touching.ball),
+        ContactBody::Ball(other) => has_friction(touching.ball) && has_friction(other),
+        _ => has_friction(touching.ball),
     };
     let friction = if both { touching.friction } else { 0.0 };
     let (buffers, bodies) = step.split();

@@ -40,6 +40,7 @@ fn keep(step: &mut Step, constraint: ContactConstraint) {
 fn end_approaches(step: &mut Step) {
     let (buffers, mut bodies) = step.split();
     for _ in 0..RELEASE_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
         for constraint in &mut buffers.constraints {
             constraint.release();
@@ -53,8 +54,8 @@ fn end_approaches(step: &mut Step) {
 
 /// A new step acceleration for what is `left`, unless the ball rests: then all of the step's is in its velocity.
 pub(crate) fn restart_acceleration(step: &mut Step, ball: usize, left: f64) {
-    let motion = &mut step.buffers.motions[ball];
-    if !motion.resting && !step.state.balls[ball].is_held() {
-        motion.acceleration = step.state.balls[ball].step_acceleration(&motion.floor, motion.external, left);
+    let ball_step = &mut step.buffers.ball_steps[ball];
+    if !ball_step.resting && !step.state.balls[ball].is_held() {
+        ball_step.acceleration = step.state.balls[ball].step_acceleration(&ball_step.floor, ball_step.external, left);
     }
 }

@@ -18,7 +18,7 @@ pub(crate) enum Collider {
 }
 
 /// An impact that comes first unless another comes before it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ImpactCandidate {
     /// From now, s.
     pub time: f64,
@@ -33,12 +33,15 @@ pub(crate) fn first(step: &mut Step, left: f64) -> Option<ImpactCandidate> {
     let mut means = std::mem::take(&mut step.buffers.mean_velocities);
     means.clear();
     means.extend((0..step.state.balls.len()).map(|ball| step.mean_velocity(ball, left)));
-    let first = first_on_paths(step, &means, left);
+    let near = step.buffers.near_balls.hold(&step.state.balls, &means, left);
+    let first = first_on_paths(step, &means, left, near);
+    debug_assert!(!near || first == first_on_paths(step, &means, left, false), "the slow twin finds another impact");
     step.buffers.mean_velocities = means;
     first
 }
 
-fn first_on_paths(step: &Step, means: &[DVec2], left: f64) -> Option<ImpactCandidate> {
+/// `near` says that only the balls near each other are to be asked, not every pair.
+fn first_on_paths(step: &Step, means: &[DVec2], left: f64, near: bool) -> Option<ImpactCandidate> {
     let travel = clearance::flipper_travel(step, left);
     let mut first: Option<ImpactCandidate> = None;
     for (ball, own) in step.state.balls.iter().enumerate().filter(|(_, ball)| !ball.is_held()) {
@@ -56,19 +59,34 @@ fn first_on_paths(step: &Step, means: &[DVec2], left: f64) -> Option<ImpactCandi
             offer_rods(step, &path, &mut offer);
             offer_flippers(step, &path, &mut offer);
         }
-        for (other, met) in step.state.balls.iter().enumerate() {
-            if other > ball || (other != ball && met.is_held()) {
-                let (offset, velocity) = (path.center - met.center, path.velocity - means[other]);
-                if are_far_apart(offset, velocity.length_squared() * left * left) || own.passes(met) {
-                    continue;
-                }
-                if let Some(Impact { time, normal }) = ball_time_of_impact(offset, velocity) {
-                    offer(time, Collider::Ball(other), normal);
-                }
-            }
+        let mut meet = |other| offer_ball(step, (ball, &path), (other, means[other]), &mut offer);
+        if near {
+            step.buffers.near_balls.of(ball).for_each(&mut meet);
+        } else {
+            (0..means.len()).for_each(&mut meet);
         }
     }
     first
+}
+
+/// Each pair of balls meets once, from the ball that comes first, or from the one that is not held.
+fn offer_ball(
+    step: &Step,
+    (ball, path): (usize, &StraightPath),
+    (other, mean): (usize, DVec2),
+    offer: &mut impl FnMut(f64, Collider, DVec2),
+) {
+    let (own, met) = (&step.state.balls[ball], &step.state.balls[other]);
+    if other < ball && !met.is_held() || other == ball {
+        return;
+    }
+    let (offset, velocity) = (path.center - met.center, path.velocity - mean);
+    if are_far_apart(offset, velocity.length_squared() * path.duration * path.duration) || own.passes(met) {
+        return;
+    }
+    if let Some(Impact { time, normal }) = ball_time_of_impact(offset, velocity) {
+        offer(time, Collider::Ball(other), normal);
+    }
 }
 
 fn offer_obstacles(step: &Step, ramp: Option<u16>, path: &StraightPath, offer: &mut impl FnMut(f64, Collider, DVec2)) {

@@ -9,16 +9,18 @@ use crate::part::PartId;
 use crate::part::event::{Contact, Event};
 use crate::part::material::Material;
 use crate::solver::contact_constraint::{ContactBody, ContactConstraint, Touching};
+use crate::solver::gap::gap_at;
 use crate::solver::impact_candidate::{Collider, ImpactCandidate};
-use crate::solver::refinement;
 use crate::solver::step::{RESTITUTION_THRESHOLD_M_S, Step, StepTime};
 use crate::{BALL_MASS_KG, BALL_RADIUS_M};
 use geometry::DVec2;
 
-/// A ball that rides round the inside of a curve does so in chords whose middles are this far from it, m.
+/// A ball that slides along the inside of a curve does so in chords whose middles are this far from the curve, m.
 const SAGITTA_M: f64 = 5e-6;
-/// An approach of no more than so many times the chord's own is a ride and no impact: nothing of the speed is lost.
-const RIDE_APPROACH: f64 = 4.0;
+/// An approach of no more than so many times the chord's own is a slide and no impact: nothing of the speed is lost.
+const SLIDE_APPROACH: f64 = 4.0;
+/// A firm impact: its approach is so many times what the flipper's speed can differ from its mean by.
+const FIRM_IMPACT: f64 = 4.0;
 
 /// What a ball has hit.
 struct Struck {
@@ -33,12 +35,12 @@ struct Struck {
 /// 1. A flipper is given the speed that it has at this moment of the step, beside its mean.
 /// 2. The speed of approach along the normal decides: below the threshold nothing bounces, above it the material's
 ///    coefficient of restitution at that speed holds.
-/// 3. Normal and tangential impulse act ([`ContactConstraint::solve_impact`]); round the inside of a curve the ball rides.
+/// 3. Normal and tangential impulse act ([`ContactConstraint::solve_impact`]); the ball slides along the inside of a curve.
 /// 4. What was hit reacts: it kicks, falls, or its switch closes.
 pub(crate) fn respond(step: &mut Step, candidate: &ImpactCandidate, time: StepTime) -> ContactConstraint {
     let struck = struck(step, candidate.collider);
     let growth = approach_growth(step, candidate.ball, struck.body, time.duration);
-    let offset = refinement::flipper_speed_offset(step, candidate, time);
+    let offset = flipper_speed_offset(step, candidate, time);
     push_flipper(step, struck.body, offset);
     let center = step.state.balls[candidate.ball].center;
     let touching = Touching {
@@ -53,14 +55,15 @@ pub(crate) fn respond(step: &mut Step, candidate: &ImpactCandidate, time: StepTi
     let is_impact = approach > RESTITUTION_THRESHOLD_M_S + growth;
     let restitution = if is_impact { struck.material.restitution_at(approach) } else { 0.0 };
     if approach > 0.0 {
-        match chord_speed(step, candidate, approach) {
-            Some(chord) if restitution * approach < chord => {
-                ride(step, &mut constraint, Ride { approach, chord, bounce: restitution * approach });
+        match chord_rebound(step, candidate, approach) {
+            Some(chord_rebound) if restitution * approach < chord_rebound => {
+                let slide = CurveSlide { approach, chord_rebound, bounce: restitution * approach };
+                slide_along_curve(step, &mut constraint, slide);
             }
             _ => {
                 let impulse = constraint.solve_impact(&mut step.bodies(), restitution);
                 if is_impact {
-                    report(step, candidate, struck.part, (approach, impulse));
+                    record_impact(step, candidate, struck.part, (approach, impulse));
                 }
             }
         }
@@ -68,6 +71,17 @@ pub(crate) fn respond(step: &mut Step, candidate: &ImpactCandidate, time: StepTi
     push_flipper(step, struck.body, -offset);
     react(step, candidate, approach);
     constraint
+}
+
+/// How much faster than on the step's mean a flipper turns at the moment of a firm impact, rad/s: the speed goes evenly
+/// from its start to its end, and the mean is in the middle.
+fn flipper_speed_offset(step: &Step, candidate: &ImpactCandidate, time: StepTime) -> f64 {
+    let Collider::Flipper(index) = candidate.collider else { return 0.0 };
+    let gain = step.state.mechanisms.flippers[index].speed_correction;
+    let offset = gain * (1.0 - 2.0 * time.left / time.duration);
+    let closing = gap_at(step, &ImpactCandidate { time: 0.0, ..*candidate }).closing;
+    let is_firm = closing > FIRM_IMPACT * (gain * step.model.mechanisms.flippers[index].reach).abs();
+    if is_firm { offset } else { 0.0 }
 }
 
 fn struck(step: &Step, collider: Collider) -> Struck {
@@ -113,11 +127,11 @@ fn push_flipper(step: &mut Step, body: ContactBody, speed: f64) {
     }
 }
 
-/// The speed away from the inside of a curve with which a ball that is pressed to it rides round in short chords, m/s;
-/// `None` where there is no curve to ride.
+/// The speed away from the inside of a curve with which a ball that is pressed to it goes round in short chords, m/s;
+/// `None` where there is no curve to slide along.
 ///
 /// A chord of the circle of radius `R` whose middle is `s` away from it leaves it at the angle `sqrt(2 s / R)`.
-fn chord_speed(step: &Step, candidate: &ImpactCandidate, approach: f64) -> Option<f64> {
+fn chord_rebound(step: &Step, candidate: &ImpactCandidate, approach: f64) -> Option<f64> {
     let Collider::Obstacle(index) = candidate.collider else { return None };
     let (obstacle, ball) = (&step.model.collision.obstacles[index], &step.state.balls[candidate.ball]);
     let normal = obstacle.shape.distance(ball.center).1;
@@ -129,32 +143,37 @@ fn chord_speed(step: &Step, candidate: &ImpactCandidate, approach: f64) -> Optio
     Some(along * (2.0 * SAGITTA_M / curve.circle().radius).sqrt())
 }
 
-/// A ride round the inside of a curve: speeds along the normal, m/s.
-struct Ride {
+/// A slide along the inside of a curve: speeds along the normal, m/s.
+struct CurveSlide {
     approach: f64,
     /// Away from the curve, into the next chord.
-    chord: f64,
+    chord_rebound: f64,
     /// Away from the curve, if the ball bounced.
     bounce: f64,
 }
 
 /// The ball goes into its next chord, with friction; a smooth curve turns it without work.
-fn ride(step: &mut Step, constraint: &mut ContactConstraint, ride: Ride) {
-    let Ride { approach, chord, bounce } = ride;
-    let kept = if approach <= RIDE_APPROACH * chord { approach } else { bounce };
-    constraint.solve_impact(&mut step.bodies(), chord / approach);
-    keep_speed(&mut step.state.balls[constraint.ball].velocity, constraint.normal, chord, kept);
+fn slide_along_curve(step: &mut Step, constraint: &mut ContactConstraint, slide: CurveSlide) {
+    let CurveSlide { approach, chord_rebound, bounce } = slide;
+    let lossless = if approach <= SLIDE_APPROACH * chord_rebound { approach } else { bounce };
+    constraint.solve_impact(&mut step.bodies(), chord_rebound / approach);
+    keep_energy(&mut step.state.balls[constraint.ball].velocity, constraint.normal, chord_rebound, lossless);
 }
 
-/// Gives back along the wall what a ride round a curve does not lose: the energy of `kept` along the normal, less that of
-/// `away`, which is still along it.
-fn keep_speed(velocity: &mut DVec2, normal: DVec2, away: f64, kept: f64) {
+/// Gives back along the wall what a slide along a curve does not lose: the energy of the speed `lossless` along the normal,
+/// less that of `rebound`, which is still along the normal.
+fn keep_energy(velocity: &mut DVec2, normal: DVec2, rebound: f64, lossless: f64) {
     let along = velocity.dot(normal.perp());
-    let speed = (along * along + kept * kept - away * away).max(0.0).sqrt();
-    *velocity = normal * away + normal.perp() * speed.copysign(along);
+    let speed = (along * along + lossless * lossless - rebound * rebound).max(0.0).sqrt();
+    *velocity = normal * rebound + normal.perp() * speed.copysign(along);
 }
 
-fn report(step: &mut Step, candidate: &ImpactCandidate, part: Option<PartId>, (approach, impulse): (f64, DVec2)) {
+fn record_impact(
+    step: &mut Step,
+    candidate: &ImpactCandidate,
+    part: Option<PartId>,
+    (approach, impulse): (f64, DVec2),
+) {
     step.contacts.push(Contact {
         time_s: step.elapsed,
         part,
@@ -190,7 +209,7 @@ fn closes(step: &mut Step, obstacle: &Obstacle, candidate: &ImpactCandidate, app
     match obstacle.role {
         ObstacleRole::Kicker(index) => {
             let kicker = &models.kickers[index];
-            let fires = kicker.hit(&mut own.kicker_ticks[index], own.kickers_live, approach);
+            let fires = kicker.hit(&mut own.kicker_ticks[index], own.coils_enabled, approach);
             if fires {
                 let ball = &mut step.state.balls[candidate.ball];
                 ball.velocity += candidate.normal * kicker.speed_at(ball.center);

@@ -37,23 +37,23 @@ pub(crate) fn solve(step: &mut Step, duration: f64) {
 
 fn mark_resting(step: &mut Step) {
     for constraint in &step.buffers.constraints {
-        step.buffers.motions[constraint.ball].resting = true;
+        step.buffers.ball_steps[constraint.ball].resting = true;
         if let ContactBody::Ball(other) = constraint.body {
-            step.buffers.motions[other].resting = true;
+            step.buffers.ball_steps[other].resting = true;
         }
     }
 }
 
 /// A resting ball gets the step's external acceleration at once; a free ball its step acceleration.
 fn start(step: &mut Step, duration: f64) {
-    for (ball, motion) in step.state.balls.iter_mut().zip(&mut step.buffers.motions) {
+    for (ball, ball_step) in step.state.balls.iter_mut().zip(&mut step.buffers.ball_steps) {
         if ball.is_held() {
             continue;
-        } else if motion.resting {
-            motion.start_velocity = ball.velocity;
-            ball.velocity += motion.external * duration;
+        } else if ball_step.resting {
+            ball_step.start_velocity = ball.velocity;
+            ball.velocity += ball_step.external * duration;
         } else {
-            motion.acceleration = ball.step_acceleration(&motion.floor, motion.external, duration);
+            ball_step.acceleration = ball.step_acceleration(&ball_step.floor, ball_step.external, duration);
         }
     }
 }
@@ -62,14 +62,15 @@ fn start(step: &mut Step, duration: f64) {
 fn solve_contacts(step: &mut Step, duration: f64) {
     let (buffers, mut bodies) = step.split();
     for _ in 0..SOLVER_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
-        for (ball, motion) in bodies.balls.iter_mut().zip(&mut buffers.motions) {
-            if motion.resting && !ball.is_held() {
+        for (ball, ball_step) in bodies.balls.iter_mut().zip(&mut buffers.ball_steps) {
+            if ball_step.resting && !ball.is_held() {
                 // Coulomb: the sum of the step's floor impulses stays within the friction cone.
-                let cone = motion.floor.friction * motion.floor.normal_load * duration;
-                let wanted = (motion.floor_impulse - ball.floor_slip() * FLOOR_SLIP_SHARE).clamp_length_max(cone);
-                ball.apply_floor_impulse(wanted - motion.floor_impulse);
-                motion.floor_impulse = wanted;
+                let cone = ball_step.floor.friction * ball_step.floor.normal_load * duration;
+                let wanted = (ball_step.floor_impulse - ball.floor_slip() * FLOOR_SLIP_SHARE).clamp_length_max(cone);
+                ball.apply_floor_impulse(wanted - ball_step.floor_impulse);
+                ball_step.floor_impulse = wanted;
             }
         }
         for constraint in &mut buffers.constraints {
@@ -83,9 +84,9 @@ fn solve_contacts(step: &mut Step, duration: f64) {
 }
 
 fn resist(step: &mut Step, duration: f64) {
-    for (ball, motion) in step.state.balls.iter_mut().zip(&step.buffers.motions) {
-        if motion.resting && !ball.is_held() {
-            ball.apply_rolling_resistance(&motion.floor, duration);
+    for (ball, ball_step) in step.state.balls.iter_mut().zip(&step.buffers.ball_steps) {
+        if ball_step.resting && !ball.is_held() {
+            ball.apply_rolling_resistance(&ball_step.floor, duration);
         }
     }
 }
@@ -96,15 +97,17 @@ fn resist(step: &mut Step, duration: f64) {
 /// Only what is along a body that stands still is spread; the rest is given at once, or the ball would go into the body
 /// before the contact's impulse is there.
 fn spread(step: &mut Step, duration: f64) {
-    for (ball, motion) in step.state.balls.iter_mut().zip(&mut step.buffers.motions) {
-        if motion.resting && !ball.is_held() {
-            motion.acceleration.linear = (ball.velocity - motion.start_velocity) / duration;
+    for (ball, ball_step) in step.state.balls.iter_mut().zip(&mut step.buffers.ball_steps) {
+        if ball_step.resting && !ball.is_held() {
+            ball_step.acceleration.linear = (ball.velocity - ball_step.start_velocity) / duration;
         }
     }
     keep_along_still_bodies(step);
     drop_in_corners(step);
-    for (ball, motion) in step.state.balls.iter_mut().zip(&step.buffers.motions).filter(|(_, motion)| motion.resting) {
-        ball.velocity -= motion.acceleration.linear * duration;
+    for (ball, ball_step) in
+        step.state.balls.iter_mut().zip(&step.buffers.ball_steps).filter(|(_, ball_step)| ball_step.resting)
+    {
+        ball.velocity -= ball_step.acceleration.linear * duration;
     }
 }
 
@@ -114,11 +117,11 @@ fn keep_along_still_bodies(step: &mut Step) {
             ContactBody::Fixed(velocity) => velocity == DVec2::ZERO,
             ContactBody::Flipper(index) => step.state.mechanisms.flippers[index].seated,
             ContactBody::Ball(other) => {
-                step.buffers.motions[other].acceleration.linear = DVec2::ZERO;
+                step.buffers.ball_steps[other].acceleration.linear = DVec2::ZERO;
                 false
             }
         };
-        let gain = &mut step.buffers.motions[constraint.ball].acceleration.linear;
+        let gain = &mut step.buffers.ball_steps[constraint.ball].acceleration.linear;
         *gain = if still { gain.project_onto_normalized(constraint.normal.perp()) } else { DVec2::ZERO };
     }
 }
@@ -126,7 +129,7 @@ fn keep_along_still_bodies(step: &mut Step) {
 /// There is no direction along both walls of a corner.
 fn drop_in_corners(step: &mut Step) {
     for constraint in &step.buffers.constraints {
-        let gain = &mut step.buffers.motions[constraint.ball].acceleration.linear;
+        let gain = &mut step.buffers.ball_steps[constraint.ball].acceleration.linear;
         if gain.dot(constraint.normal).abs() > SAME_DIRECTION_SIN * gain.length() {
             *gain = DVec2::ZERO;
         }

@@ -37,6 +37,7 @@ pub(crate) fn solve(step: &mut Step, left: f64) {
     let walls: Vec<Vec<HalfPlane>> = (0..step.state.balls.len()).map(|ball| walls_of(step.buffers, ball)).collect();
     let (buffers, mut bodies) = step.split();
     for _ in 0..MAX_ROUNDS {
+        buffers.contact_solves += buffers.constraints.len() as u64;
         let mut change: f64 = 0.0;
         let moving = |constraint: &&mut ContactConstraint| !matches!(constraint.body, ContactBody::Fixed(_));
         for constraint in buffers.constraints.iter_mut().filter(moving) {
@@ -55,9 +56,9 @@ pub(crate) fn solve(step: &mut Step, left: f64) {
 }
 
 fn accelerate_at_once(step: &mut Step, ball: usize, left: f64) {
-    let motion = &mut step.buffers.motions[ball];
-    let acceleration = std::mem::take(&mut motion.acceleration);
-    motion.resting = true;
+    let ball_step = &mut step.buffers.ball_steps[ball];
+    let acceleration = std::mem::take(&mut ball_step.acceleration);
+    ball_step.resting = true;
     step.state.balls[ball].velocity += acceleration.linear * left;
     step.state.balls[ball].spin += acceleration.angular * left;
 }
@@ -75,7 +76,7 @@ fn walls_of(buffers: &StepBuffers, ball: usize) -> Vec<HalfPlane> {
 
 /// The velocity nearest to `velocity` that leads into no wall: itself, along a wall, or the corner of two.
 fn nearest(velocity: DVec2, walls: &[HalfPlane]) -> DVec2 {
-    let is_free = |one: DVec2| walls.iter().all(|wall| one.dot(wall.normal) >= wall.least - ROUNDING_M_S);
+    let is_free = |velocity: DVec2| walls.iter().all(|wall| velocity.dot(wall.normal) >= wall.least - ROUNDING_M_S);
     if is_free(velocity) {
         return velocity;
     }
@@ -87,7 +88,7 @@ fn nearest(velocity: DVec2, walls: &[HalfPlane]) -> DVec2 {
     };
     let corners =
         walls.iter().enumerate().flat_map(|(index, a)| walls[..index].iter().filter_map(move |b| corner(a, b)));
-    let all = walls.iter().map(along).chain(corners).filter(|one| is_free(*one));
+    let all = walls.iter().map(along).chain(corners).filter(|velocity| is_free(*velocity));
     all.min_by(|a, b| a.distance_squared(velocity).total_cmp(&b.distance_squared(velocity))).unwrap_or(DVec2::ZERO)
 }
 

@@ -1,10 +1,11 @@
 //! Step: everything that moves by rays, for one step.
 
-use crate::ball::motion::Motion;
+use crate::ball::ball_step::BallStep;
 use crate::mechanisms::model::{Model, State};
 use crate::part::event::{Contact, Event};
 use crate::solver::clearance::Clearance;
 use crate::solver::contact_constraint::{Bodies, ContactConstraint};
+use crate::solver::near_balls::{self, NearBalls};
 use crate::solver::{flipper_contact, resting_contacts, sweep};
 use geometry::DVec2;
 
@@ -19,7 +20,7 @@ pub(crate) const SOLVER_TOLERANCE_M_S: f64 = 1e-8;
 /// Buffers kept from step to step; they carry nothing over, but for the clearances within a tick.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StepBuffers {
-    pub motions: Vec<Motion>,
+    pub ball_steps: Vec<BallStep>,
     pub constraints: Vec<ContactConstraint>,
     /// In a tick of many steps the clearance of each ball at its start...
     pub clearances: Vec<Clearance>,
@@ -27,6 +28,10 @@ pub(crate) struct StepBuffers {
     pub flipper_angles: Vec<f64>,
     /// The mean velocity of each ball in what is left of a step, while the next impact is looked for.
     pub mean_velocities: Vec<DVec2>,
+    /// Which balls are near each other in this step.
+    pub near_balls: NearBalls,
+    /// How often the impulse of a contact was found in this tick.
+    pub contact_solves: u64,
 }
 
 /// A step in work.
@@ -72,13 +77,14 @@ impl Step<'_> {
         if self.state.balls[ball].is_held() {
             return DVec2::ZERO;
         }
-        let acceleration = &self.buffers.motions[ball].acceleration;
+        let acceleration = &self.buffers.ball_steps[ball].acceleration;
         self.state.balls[ball].velocity + acceleration.linear * (0.5 * left) + acceleration.mean_velocity_correction
     }
 }
 
-/// Advances everything by `duration`. The buffers' motions hold what acts on each ball.
+/// Advances everything by `duration`. The buffers' `ball_steps` hold what acts on each ball.
 pub(crate) fn advance(step: &mut Step, duration: f64) {
+    near_balls::find(step);
     resting_contacts::solve(step, duration);
     sweep::run(step, duration);
     flipper_contact::end_step(step, duration);

@@ -4,7 +4,7 @@
 //! step must stay below what is seen.
 
 use crate::ball::Ball;
-use crate::ball::motion::Motion;
+use crate::ball::ball_step::BallStep;
 use crate::mechanisms;
 use crate::mechanisms::flipper_model::{FINE_SUBSTEPS, FlipperModel, FlipperState};
 use crate::mechanisms::model::{Model, State};
@@ -87,18 +87,18 @@ pub(crate) fn run(step: &mut Step, input: &TickInput, substeps: u32) {
                 model.drive(&mut step.state.mechanisms.flippers[flipper], input.coils[flipper], duration);
             }
         }
-        start_motions(step, input.external, duration);
+        start_ball_steps(step, input.external, duration);
         step.elapsed = f64::from(index) * duration;
         step::advance(step, duration);
     }
 }
 
 /// What acts on each ball in this step.
-fn start_motions(step: &mut Step, external: DVec2, duration: f64) {
-    let (model, motions) = (step.model, &mut step.buffers.motions);
-    motions.clear();
-    motions.resize(step.state.balls.len(), Motion::new(external, model.floor));
-    for (ball, motion) in step.state.balls.iter().zip(motions) {
-        mechanisms::apply_forces(model, step.state, ball, duration, motion);
+fn start_ball_steps(step: &mut Step, external: DVec2, duration: f64) {
+    let (model, ball_steps) = (step.model, &mut step.buffers.ball_steps);
+    ball_steps.clear();
+    ball_steps.resize(step.state.balls.len(), BallStep::new(external, model.floor));
+    for (ball, ball_step) in step.state.balls.iter().zip(ball_steps) {
+        mechanisms::apply_forces(model, step.state, ball, duration, ball_step);
     }
 }

@@ -31,7 +31,12 @@ pub(crate) fn run(step: &mut Step, duration: f64) {
     let balls = step.state.balls.len();
     let (mut impacts, mut in_a_row) = (0, 0);
     while impacts < MAX_IMPACTS + MAX_IMPACTS_PER_BALL * balls {
-        let reach = step.buffers.motions.iter().filter_map(|motion| motion.acceleration.valid_for).fold(left, f64::min);
+        let reach = step
+            .buffers
+            .ball_steps
+            .iter()
+            .filter_map(|ball_step| ball_step.acceleration.valid_for)
+            .fold(left, f64::min);
         let candidate = impact_candidate::first(step, reach);
         let candidate = candidate.map(|candidate| refinement::refine(step, candidate, reach));
         let time = candidate.map_or(reach, |candidate| candidate.time);
@@ -66,7 +71,7 @@ fn advance(step: &mut Step, time: f64) {
             continue;
         }
         let mean = step.mean_velocity(index, time);
-        let acceleration = &mut step.buffers.motions[index].acceleration;
+        let acceleration = &mut step.buffers.ball_steps[index].acceleration;
         let ball = &mut step.state.balls[index];
         ball.center += mean * time;
         ball.velocity += acceleration.linear * time;
@@ -85,7 +90,7 @@ fn advance(step: &mut Step, time: f64) {
 /// New step accelerations for the balls whose slide has come to its next piece, or to its end.
 fn continue_slides(step: &mut Step, left: f64) {
     for ball in 0..step.state.balls.len() {
-        let is_over = step.buffers.motions[ball].acceleration.valid_for.is_some_and(|time| time <= 0.0);
+        let is_over = step.buffers.ball_steps[ball].acceleration.valid_for.is_some_and(|time| time <= 0.0);
         if is_over && left > 0.0 {
             continuation::restart_acceleration(step, ball, left);
             constraint_projection::project(step, left);

@@ -1,5 +1,11 @@
 //! Every example prints a path.
 
+#![expect(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "an example is a program: it is found and started as a person would"
+)]
+
 use std::path::Path;
 use std::process::Command;
 

@@ -70,7 +70,7 @@ pub fn flipper(left: bool) -> Part {
 /// A machine whose flippers and kickers are live.
 pub fn live(layout: Layout) -> Machine {
     let mut machine = machine(layout);
-    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true)]);
+    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetCoils(true)]);
     machine
 }
 

@@ -19,7 +19,7 @@ fn kick(machine: &mut Machine) {
 }
 
 fn out(machine: &Machine) -> f64 {
-    machine.pose().kickers[0].1
+    machine.pose().extensions[0].1
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn it_is_dead_while_kickers_are_and_fires_in_a_ball_search() {
     let mut machine = lane();
     machine.put_ball(v(0.06, 0.95), DVec2::ZERO, [0.0; 3]);
     run(&mut machine, 2000, EventKind::Closed);
-    machine.tick(Controls::default(), &[Command::SetKickers(false), Command::Kick(PartId(0))]);
+    machine.tick(Controls::default(), &[Command::SetCoils(false), Command::Kick(PartId(0))]);
     run(&mut machine, 100, EventKind::Closed);
     assert!(out(&machine) == 0.0 && machine.pose().balls[0].velocity.length() < 1e-3);
     machine.tick(Controls::default(), &[Command::BallSearch]);

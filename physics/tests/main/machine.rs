@@ -31,7 +31,7 @@ fn the_plunger_shoots_in_proportion_to_its_pull() {
 fn a_restored_machine_goes_on_as_if_nothing_had_been() {
     let layout = Arc::new(table());
     let mut machine = Machine::new(layout.clone()).expect("fixture");
-    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true), Command::AddBall]);
+    machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetCoils(true), Command::AddBall]);
     machine.put_ball(v(0.25, 0.2), v(1.0, -2.0), [0.0; 3]);
     machine.put_ball(v(0.30, 0.4), v(-1.0, -2.0), [0.0; 3]);
     for tick in 0..3000u32 {

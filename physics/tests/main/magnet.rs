@@ -41,7 +41,7 @@ fn a_slow_ball_comes_to_rest_in_the_middle_and_is_held_on_the_slope() {
 fn it_goes_on_when_the_magnet_is_switched_off() {
     for (command, name) in [
         (Command::Magnet(PartId(0), false), "switched off"),
-        (Command::SetKickers(false), "dead"),
+        (Command::SetCoils(false), "dead"),
         (Command::BallSearch, "searched"),
     ] {
         let mut machine = table_with_magnet(0.113, true);

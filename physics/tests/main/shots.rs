@@ -11,7 +11,7 @@ fn random_shots_neither_escape_nor_sink_in() {
     let mut deepest: f64 = 0.0;
     for shot in 0..1500 {
         let mut machine = Machine::new(layout.clone()).expect("fixture");
-        machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetKickers(true)]);
+        machine.tick(Controls::default(), &[Command::SetFlippers(true), Command::SetCoils(true)]);
         let speed = 0.05 * libm::pow(300.0, chance.next());
         let angle = chance.between(0.0, std::f64::consts::TAU);
         machine.put_ball(

@@ -1,4 +1,4 @@
-//! What is the same in every row of a picture: the terms of the light that depend on the column alone.
+//! Column terms: what is the same in every row of a picture: the terms of the light that depend on the column alone.
 
 use crate::scene::{SIDE_F32, Scene, color};
 use tracer::simd::dispatch::{LANES, Lanes};

@@ -1,6 +1,6 @@
-//! The means of a tile's cells: what the bloom, and a ball's mirror, need of a picture.
+//! Cell means: the means of a tile's cells, which is all that bloom, and a ball's mirror, need of a tile.
 //!
-//! They are kept beside every picture of a tile and sum up as the pictures do, so the bloom of a frame is known before
+//! They are kept beside every layer of a tile and sum up as the layers do, so the bloom of a frame is known before
 //! the frame is put together.
 
 use crate::cache::packed_planes::{PLANE_MAX, PackedPlanes, PlaneSlot};
@@ -23,10 +23,10 @@ pub(crate) type TileMeans = [[f32; CELLS_PER_TILE]; 3];
 /// Sums of means in whole numbers.
 pub(crate) type IntegerMeans = [[i32; CELLS_PER_TILE]; 3];
 
-/// The means of a picture's cells, in steps as the picture itself.
+/// The means of a layer's cells, quantized as the layer itself.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CellMeans {
-    /// What a step is worth.
+    /// The quantization step.
     pub step: f32,
     cells: [[u16; CELLS_PER_TILE]; 3],
 }
@@ -40,8 +40,8 @@ impl CellMeans {
         quantized
     }
 
-    /// Keeps the means of those cells of a floor that have any of some rows: of what arrives at it, and of what
-    /// shines there, of which a step is worth the `scales`.
+    /// Keeps the means of those cells of a floor that have any of some rows: of its irradiance and of its
+    /// specular plane, whose quantization steps are `scales`.
     pub fn keep_floor(
         &mut self,
         simd: SimdLevel,
@@ -56,7 +56,7 @@ impl CellMeans {
         self.keep_rows(&means, scales[0] + scales[1], rows);
     }
 
-    /// Keeps the means of those cells of a picture in colours that have any of some rows.
+    /// Keeps the means of those cells of radiance that have any of some rows.
     pub fn keep_rgb(
         &mut self,
         simd: SimdLevel,
@@ -89,10 +89,10 @@ impl CellMeans {
     }
 }
 
-/// Gists that are summed up together.
+/// How many are summed up together.
 const BATCH: usize = 8;
 
-/// Adds gists, each so many times, onto `sums`.
+/// Adds cell means, each so many times, onto `sums`.
 pub(crate) fn add_cell_means<'a>(
     simd: SimdLevel,
     mut cell_means: impl Iterator<Item = (&'a CellMeans, [u32; 3])>,
@@ -132,7 +132,7 @@ fn add_channel(cells: &[u16; CELLS_PER_TILE], gain: u32, sums: &mut [i32; CELLS_
 }
 
 multiversion! {
-    /// The means of the cells of a picture.
+    /// The means of the cells of a tile.
     pub(crate) fn means_of(light: &RgbTile, means: &mut TileMeans) = means_lanes;
 }
 

@@ -25,7 +25,7 @@ pub(crate) fn contact_mm(ball: &Ball) -> f64 {
     ball.radius_mm * CONTACT_RADII + ball.lift_mm()
 }
 
-/// An insert as the last frame showed it.
+/// A glow as the last frame showed it.
 #[derive(Clone, Debug, PartialEq)]
 struct ShownGlow {
     id: ItemId,
@@ -45,8 +45,8 @@ impl Item for ShownGlow {
 #[derive(Clone, Debug, PartialEq)]
 struct LitLamp {
     lamp: Lamp,
-    /// The number by which the tile caches know it.
-    number: usize,
+    /// The slot by which the tile caches know it.
+    slot: usize,
 }
 
 impl Item for LitLamp {
@@ -88,8 +88,8 @@ impl ShownGlow {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Flash {
     circle: (DVec2, f64),
-    /// The number by which the tile caches know it.
-    number: usize,
+    /// The slot by which the tile caches know it.
+    slot: usize,
 }
 
 /// The events of a frame that meet every tile.
@@ -116,27 +116,27 @@ pub(crate) struct Damage {
     ambient: Rgb,
     view: Option<View>,
     art: ArtKey,
-    /// The lamps and the inserts of this frame, kept for the next.
+    /// The lamps and the glows of this frame, kept for the next.
     next_lamps: Vec<LitLamp>,
     next_glows: Vec<ShownGlow>,
     pairing: ItemPairing,
     events: SceneEvents,
     /// The lamps that do not shine as they did.
     flashes: Vec<Flash>,
-    /// The pixels of inserts that do not glow as they did: left, top, right, bottom.
+    /// The pixels of glows that are not as they were: left, top, right, bottom.
     glows: Vec<[usize; 4]>,
     /// Where a ball is or was, and how far it darkens the floor: a ball mirrors all of the table, so whatever changes may
     /// show in it.
-    contacts: Vec<(DVec2, f64)>,
+    contact_shadows: Vec<(DVec2, f64)>,
     balls_are_still: bool,
     /// Where tops are whose emission is not what it was.
-    pub tops: Vec<Bounds>,
+    pub relit_tops: Vec<Bounds>,
 }
 
 impl Damage {
-    /// Compares `scene` with the last one and keeps it; [`Damage::tops`] is the caller's. `number` gives the number by
+    /// Compares `scene` with the last one and keeps it; [`Damage::relit_tops`] is the caller's. `slot` gives the slot by
     /// which the tile caches know a lamp; `buffer_is_last` says that the buffer holds the last frame.
-    pub fn advance(&mut self, scene: &Scene, buffer_is_last: bool, number: impl FnMut(&Lamp) -> usize) {
+    pub fn advance(&mut self, scene: &Scene, buffer_is_last: bool, slot: impl FnMut(&Lamp) -> usize) {
         let art = ArtKey::of(scene.floor);
         self.events = SceneEvents {
             art_changed: self.art != art || self.view != Some(scene.view),
@@ -144,11 +144,11 @@ impl Damage {
             buffer_replaced: !buffer_is_last,
         };
         (self.art, self.ambient, self.view) = (art, scene.ambient, Some(scene.view));
-        self.compare_lamps(scene, number);
+        self.compare_lamps(scene, slot);
         self.compare_glows(scene);
-        self.contacts.clear();
+        self.contact_shadows.clear();
         for ball in self.balls.iter().chain(&scene.balls) {
-            self.contacts.push((ball.center_mm, contact_mm(ball)));
+            self.contact_shadows.push((ball.center_mm, contact_mm(ball)));
         }
         self.balls_are_still = self.balls == scene.balls && self.overhangs == scene.overhangs;
         self.balls.clone_from(&scene.balls);
@@ -162,21 +162,21 @@ impl Damage {
 
     /// Leaves balls as they are that lie still where nothing is new; nor has anything moved before a lamp.
     pub fn leave_still_balls(&mut self) {
-        let quiet = self.flashes.is_empty() && self.glows.is_empty() && self.tops.is_empty();
+        let quiet = self.flashes.is_empty() && self.glows.is_empty() && self.relit_tops.is_empty();
         if quiet && self.balls_are_still && !self.events.any() {
-            self.contacts.clear();
+            self.contact_shadows.clear();
         }
     }
 
     /// Balls add light up in the lamps' order, so a lamp that has changed places has changed.
-    fn compare_lamps(&mut self, scene: &Scene, mut number: impl FnMut(&Lamp) -> usize) {
+    fn compare_lamps(&mut self, scene: &Scene, mut slot: impl FnMut(&Lamp) -> usize) {
         let Damage { lamps, next_lamps, flashes, pairing, .. } = self;
         flashes.clear();
         next_lamps.clear();
         let lit = scene.lamps.iter().filter(|lamp| lamp.shines());
-        next_lamps.extend(lit.map(|lamp| LitLamp { lamp: *lamp, number: number(lamp) }));
-        pairing.each_change(lamps, next_lamps, |LitLamp { lamp, number }| {
-            push_new(flashes, Flash { circle: (lamp.center_mm, lamp.far_mm()), number: *number });
+        next_lamps.extend(lit.map(|lamp| LitLamp { lamp: *lamp, slot: slot(lamp) }));
+        pairing.each_change(lamps, next_lamps, |LitLamp { lamp, slot }| {
+            push_new(flashes, Flash { circle: (lamp.center_mm, lamp.far_mm()), slot: *slot });
         });
         std::mem::swap(lamps, next_lamps);
     }
@@ -200,11 +200,11 @@ impl Damage {
             near.extend(list.iter().filter(|top| top.overlaps(&bounds)));
         };
         overlapping(moved_tops, &mut block.moved_tops);
-        overlapping(&self.tops, &mut block.tops);
+        overlapping(&self.relit_tops, &mut block.relit_tops);
         block.flashes.clear();
         block.flashes.extend(self.flashes.iter().filter(|flash| is_near(&flash.circle, middle_mm, room)));
-        block.contacts.clear();
-        block.contacts.extend(self.contacts.iter().filter(|circle| is_near(circle, middle_mm, room)));
+        block.contact_shadows.clear();
+        block.contact_shadows.extend(self.contact_shadows.iter().filter(|circle| is_near(circle, middle_mm, room)));
         block.glows.clear();
         block.glows.extend_from_slice(&self.glows);
     }
@@ -215,9 +215,9 @@ impl Damage {
 pub(crate) struct BlockDamage {
     events: SceneEvents,
     moved_tops: Vec<Bounds>,
-    tops: Vec<Bounds>,
+    relit_tops: Vec<Bounds>,
     flashes: Vec<Flash>,
-    contacts: Vec<(DVec2, f64)>,
+    contact_shadows: Vec<(DVec2, f64)>,
     glows: Vec<[usize; 4]>,
 }
 
@@ -231,30 +231,32 @@ impl BlockDamage {
         } else if overlaps(&self.moved_tops) {
             cache.apply(Event::TopMoved);
         }
-        if overlaps(&self.tops) {
+        if overlaps(&self.relit_tops) {
             cache.apply(Event::EmissionChanged);
         }
         if self.events.ambient_changed {
             cache.apply(Event::AmbientChanged);
         }
-        let redraws = self.redraws(rect, cache);
-        if let Some(event) = redraws {
+        let event = self.redraw_event(rect, cache);
+        if let Some(event) = event {
             cache.apply(event);
         }
-        redraws.is_some() || !cache.base().is_valid()
+        event.is_some() || !cache.base().is_valid()
     }
 
     /// An event, if there is any, that leaves all layers valid, but gives them other weights or is drawn over them.
-    fn redraws(&self, rect: &TileRect, cache: &TileCache) -> Option<Event> {
+    fn redraw_event(&self, rect: &TileRect, cache: &TileCache) -> Option<Event> {
         let &TileRect { x, y, middle_mm, radius_mm, .. } = rect;
         let room = radius_mm + DAMAGE_MARGIN_MM;
-        let flashes = |flash: &Flash| is_near(&flash.circle, middle_mm, room) && !cache.is_dark(flash.number);
+        let flashes = |flash: &Flash| is_near(&flash.circle, middle_mm, room) && !cache.is_dark(flash.slot);
         let shows =
             |&[left, top, right, bottom]: &[usize; 4]| left < x + TILE && right > x && top < y + TILE && bottom > y;
         match () {
             () if self.events.buffer_replaced => Some(Event::BufferReplaced),
-            () if self.contacts.iter().any(|circle| is_near(circle, middle_mm, room)) => Some(Event::BallMoved),
-            () if self.flashes.iter().any(flashes) => Some(Event::LampFlashed),
+            () if self.contact_shadows.iter().any(|circle| is_near(circle, middle_mm, room)) => {
+                Some(Event::ReflectionChanged)
+            }
+            () if self.flashes.iter().any(flashes) => Some(Event::LampColorChanged),
             () if self.glows.iter().any(shows) => Some(Event::GlowChanged),
             () => None,
         }
@@ -269,7 +271,7 @@ fn push_new<T: PartialEq>(list: &mut Vec<T>, item: T) {
     }
 }
 
-/// Whether a circle comes within `room` of a point; what is not a number is near.
+/// Whether a circle comes within `room` of a point; what is NaN is near.
 pub(crate) fn is_near(&(center, radius): &(DVec2, f64), point: DVec2, room: f64) -> bool {
     let reach = radius + room;
     center.distance_squared(point).partial_cmp(&(reach * reach)) != Some(Ordering::Greater)

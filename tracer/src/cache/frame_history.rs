@@ -1,58 +1,59 @@
-//! What the last picture was made of, what has moved since, and the tiles that remember it.
+//! Frame history: what the last frame was made of, what has moved before each lamp since the lamp was lit last, and the
+//! tiles' caches.
 
 use crate::cache::item_pairing::ItemPairing;
 use crate::cache::tile_cache::TileCache;
 use crate::cache::validity::Event;
 use crate::{Ball, ItemId, Lamp, Occluder, Scene, View};
 
-/// How many lamps are remembered: in a scene of more, every picture is made from nothing.
+/// The most lamps that are cached: in a scene of more, every frame is made from nothing.
 pub(crate) const MAX_LAMPS: usize = 160;
 
-/// And of inserts.
+/// The most glows that are cached.
 pub(crate) const MAX_GLOWS: usize = 1_000;
 
-/// How many moves a dark lamp may miss before everything that was seen of it is forgotten.
+/// How many moves a dark lamp may miss before it is lost.
 const MAX_MOVES: usize = 200;
 
-/// A lamp that has been seen.
+/// A lamp that the tiles' caches know.
 #[derive(Clone, Debug)]
 pub(crate) struct KnownLamp {
     /// The lamp, black.
     lamp: Lamp,
     /// What has moved since it shone last: where it was, and where it went.
     pub moved: Vec<Occluder>,
-    /// The same of balls that float.
+    /// The same of balls in the air.
     pub moved_balls: Vec<Ball>,
     /// Whether too much has moved to be told.
     pub lost: bool,
 }
 
-/// What the last picture was made of, and what has moved since.
+/// What the last frame was made of, and what has moved since.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FrameHistory {
     view: Option<View>,
     occluders: Vec<Occluder>,
-    /// The balls that float, not turned.
+    /// The balls in the air, not turned.
     airborne: Vec<Ball>,
-    /// Those of the picture that is to come.
+    /// Scratch: the airborne balls of this frame.
     next: Vec<Ball>,
-    /// The lamps, by the numbers that [`TileCache`] knows them by; and those that have been where they are not any more.
+    /// The lamps by their slots, which [`TileCache`] knows them by. A lamp that moves gets another slot; its old slot stays.
     pub known: Vec<KnownLamp>,
-    /// The lamps' numbers, in the order of their ids.
-    numbers: Vec<(ItemId, usize)>,
+    /// The lamps' slots, in the order of their ids.
+    slots: Vec<(ItemId, usize)>,
     pairing: ItemPairing,
     /// The tiles, band by band.
     pub bands: Vec<Vec<TileCache>>,
 }
 
 impl FrameHistory {
-    /// Notes what is new in a picture of `bands` bands of `tiles` tiles.
+    /// Notes what is new in a frame of `bands` bands of `tiles` tiles.
     pub fn advance(&mut self, scene: &Scene, bands: usize, tiles: usize) {
         let Scene { view, occluders, .. } = scene;
         if self.view.as_ref() != Some(view) || self.known.len() > MAX_LAMPS {
             self.view = Some(*view);
             self.known.clear();
-            self.numbers.clear();
+            self.slots.clear();
             self.bands.resize_with(bands, Vec::new);
             for band in &mut self.bands {
                 band.resize_with(tiles, TileCache::default);
@@ -85,33 +86,33 @@ impl FrameHistory {
         self.occluders.extend_from_slice(occluders);
     }
 
-    /// Whether any tile is another than in the last picture.
+    /// Whether any tile is another than in the last frame.
     pub fn any_redrawn(&self) -> bool {
         self.bands.iter().flatten().any(|tile| tile.redrawn)
     }
 
-    /// The number of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
-    pub fn number(&mut self, lamp: &Lamp) -> usize {
+    /// The slot of a lamp: it is given one if it is new, and another if it is not where it was or shines in another form.
+    pub fn slot(&mut self, lamp: &Lamp) -> usize {
         let black = Lamp { color: [0.0; 3], ..*lamp };
-        let at = self.numbers.binary_search_by_key(&lamp.id, |&(id, _)| id);
+        let at = self.slots.binary_search_by_key(&lamp.id, |&(id, _)| id);
         if let Ok(at) = at
-            && self.known[self.numbers[at].1].lamp == black
+            && self.known[self.slots[at].1].lamp == black
         {
-            return self.numbers[at].1;
+            return self.slots[at].1;
         }
-        let number = self.known.len();
+        let slot = self.known.len();
         self.known.push(KnownLamp { lamp: black, moved: Vec::new(), moved_balls: Vec::new(), lost: true });
         match at {
-            Ok(at) => self.numbers[at].1 = number,
-            Err(at) => self.numbers.insert(at, (lamp.id, number)),
+            Ok(at) => self.slots[at].1 = slot,
+            Err(at) => self.slots.insert(at, (lamp.id, slot)),
         }
-        number
+        slot
     }
 
-    /// The lamp of this number has been looked at from everywhere.
-    pub fn lamp_updated(&mut self, number: usize) {
-        self.known[number].moved.clear();
-        self.known[number].moved_balls.clear();
-        self.known[number].lost = false;
+    /// Every tile's layer of the lamp of this slot is valid.
+    pub fn lamp_updated(&mut self, slot: usize) {
+        self.known[slot].moved.clear();
+        self.known[slot].moved_balls.clear();
+        self.known[slot].lost = false;
     }
 }

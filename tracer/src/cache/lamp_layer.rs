@@ -119,7 +119,7 @@ impl PlanePools {
 #[derive(Clone, Debug, Default)]
 #[repr(align(64))]
 pub(crate) struct CachedLayer {
-    /// The lamp, by its number.
+    /// The lamp, by its slot.
     pub lamp: u16,
     /// Whether there is any light.
     pub is_lit: bool,

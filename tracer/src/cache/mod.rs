@@ -1,10 +1,11 @@
 //! Cache: what stays from frame to frame. A tile keeps its G-buffer and one layer for each lamp in packed planes; the
-//! frame history and the damage say which of them are valid, and weighted sums put a picture together from them.
+//! frame history and the damage say which events have met it, one state table what these leave valid, and a weighted sum
+//! of the layers is the tile.
 
+pub(crate) mod cached_g_buffer;
 pub(crate) mod cell_means;
 pub(crate) mod damage;
 pub(crate) mod frame_history;
-pub(crate) mod g_buffer;
 pub(crate) mod item_pairing;
 pub(crate) mod lamp_layer;
 pub(crate) mod lamp_set;

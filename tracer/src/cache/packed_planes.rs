@@ -1,4 +1,4 @@
-//! Planes of a tile in 15 bits a number, two side by side, and sums of them in whole numbers.
+//! Packed planes: two planes of a tile in each 32-bit word, 15 bits a number, and their weighted sums in whole numbers.
 //!
 //! Two products of 16-bit numbers and their sum are one instruction for every 32 bits of a register. Whole numbers also
 //! add up to the same in any order: what was kept first does not show. This module refuses to know what the numbers are.

@@ -5,8 +5,8 @@
 //! whatever came before it. Light is linear: a lamp that flashes is another weight in the sum of the layers, and nothing
 //! more. What an event leaves valid is said by [`crate::cache::validity`] and by docs/tile_cache.md.
 
+use crate::cache::cached_g_buffer::CachedGBuffer;
 use crate::cache::cell_means::{CELLS_PER_TILE, CellMeans, TileMeans, add_cell_means, means_of};
-use crate::cache::g_buffer::CachedGBuffer;
 use crate::cache::lamp_layer::{CachedLayer, FloorLight, LampState, LayerFormat, PlaneKind, PlanePools, WeightedSlot};
 use crate::cache::lamp_set::LampSet;
 use crate::cache::packed_planes::{PackedWeights, WeightedPlanes};
@@ -18,14 +18,14 @@ use crate::tile::planes::{ALL_ROWS, AlbedoTile, RgbTile, RowMask};
 use crate::{Group, Rgb};
 
 #[cfg(test)]
-mod state_table;
+mod state_table_tests;
 
 /// The light that a tile is put in.
 pub(crate) struct Illumination<'a> {
     pub ambient: Rgb,
     /// Whether balls darken the ambient light.
     pub shaded: bool,
-    /// The colours of lamps, by their numbers.
+    /// The colours of lamps, by their slots.
     pub lamps: &'a [Rgb],
 }
 
@@ -39,12 +39,13 @@ pub(crate) struct TileCache {
     /// Which surfaces are seen.
     pub g_buffer: CachedGBuffer,
     base: BaseLayer,
-    /// What is known of each lamp, by its number.
+    /// What is known of each lamp, by its slot.
     lamps: Vec<LampState>,
-    /// Those of `lamps` that are valid, and those of these that light the tile.
+    /// The lamps whose layers are valid.
     valid: LampSet,
+    /// The lamps whose layers are valid and not dark.
     lit: LampSet,
-    /// The layers of those that have lit it.
+    /// The layers of the lamps that have lit the tile.
     layers: Vec<CachedLayer>,
     glows: Vec<GlowLayer>,
     /// The planes of all layers.
@@ -60,7 +61,7 @@ struct BaseLayer {
     layer: CachedLayer,
 }
 
-/// A tile in the light of an insert.
+/// A tile in the light of a glow.
 #[derive(Clone, Debug)]
 struct GlowLayer {
     key: GlowKey,
@@ -73,7 +74,7 @@ struct GlowLayer {
 struct TileSum {
     /// The weights of the irradiance planes, of the specular ones and of radiance.
     weights: [Vec<PackedWeights>; 3],
-    /// What a step of the sums is worth.
+    /// The size of a step of the sums.
     step: Rgb,
     ambient: Rgb,
 }
@@ -99,7 +100,7 @@ impl TileCache {
         }
     }
 
-    /// Forgets every lamp and every insert, and takes back the planes of all layers.
+    /// Forgets every lamp and every glow, and takes back the planes of all layers.
     fn clear_layers(&mut self) {
         (self.valid, self.lit) = (LampSet::default(), LampSet::default());
         self.lamps.clear();
@@ -142,7 +143,7 @@ impl TileCache {
         self.display = Validity::Valid;
     }
 
-    /// What of the layer of an insert may be used.
+    /// What of the layer of a glow may be used.
     pub fn glow(&mut self, key: GlowKey) -> Validity {
         self.glow_layer(key).validity
     }
@@ -237,7 +238,7 @@ impl TileCache {
         }
     }
 
-    /// Keeps the tile in an insert's light.
+    /// Keeps the tile in a glow's light.
     pub fn keep_glow(&mut self, key: GlowKey, simd: SimdLevel, radiance: &RgbTile) {
         self.glow_layer(key);
         let TileCache { glows, pools, .. } = self;
@@ -256,7 +257,7 @@ impl TileCache {
     ) -> impl Iterator<Item = (&'a CachedLayer, Rgb)> {
         let base = Some((&self.base.layer, [1.0; 3])).filter(|_| !light.shaded);
         let lamps = self.layers.iter().map(|layer| (layer, light.lamps[usize::from(layer.lamp)]));
-        // Few tiles have inserts.
+        // Few tiles have glows.
         let glows = glows
             .take_while(|_| !self.glows.is_empty())
             .filter_map(|(key, color)| self.glows.iter().find(|glow| glow.key == key).map(|glow| (&glow.layer, color)));

@@ -1,4 +1,4 @@
-//! The tops of the last picture, in slots that they keep while they are there: what a tile has found out about a top holds
+//! Top history: the tops of the last frame, in slots that they keep while they are there: what a tile has found out about a top holds
 //! whatever comes and goes in the list before it.
 
 use crate::cache::item_pairing::{ItemPairing, Pairing};
@@ -6,16 +6,16 @@ use crate::shading::coverage::OutlineSdf;
 use crate::{Finish, ItemId, Top};
 use geometry::Bounds;
 
-/// The tops of the last picture.
+/// The tops of the last frame.
 #[derive(Default)]
 pub(crate) struct TopHistory {
     slots: Vec<Slot>,
-    /// The slots of the picture's tops, from the lowest to the highest, and the tops' ids.
+    /// The slots of the frame's tops, from the lowest to the highest, and the tops' ids.
     order: Vec<usize>,
     ids: Vec<ItemId>,
     free: Vec<usize>,
     pairing: ItemPairing,
-    /// The ids of the picture before with their slots, sorted, and whether they are still there.
+    /// The ids of the frame before with their slots, sorted, and whether they are still there.
     known: Vec<(ItemId, usize, bool)>,
 }
 
@@ -29,7 +29,7 @@ struct Slot {
 }
 
 impl TopHistory {
-    /// The slots of the picture's tops, from the lowest to the highest.
+    /// The slots of the frame's tops, from the lowest to the highest.
     pub fn order(&self) -> &[usize] {
         &self.order
     }
@@ -44,8 +44,8 @@ impl TopHistory {
         self.slots[slot].outline.as_ref()
     }
 
-    /// Becomes the tops of a picture. Where tops have moved goes into `moved`; where their own light is another, into
-    /// `relit`. Most tops are where they were in the last picture.
+    /// Becomes the tops of a frame. Where tops have moved goes into `moved`; where their own light is another, into
+    /// `relit`. Most tops are where they were in the last frame.
     pub fn advance(&mut self, tops: &[Top], moved: &mut Vec<Bounds>, relit: &mut Vec<Bounds>) {
         moved.clear();
         relit.clear();
@@ -72,7 +72,7 @@ impl TopHistory {
         relit.extend_from_slice(moved);
     }
 
-    /// Finds the slots of a picture's tops. One that is not there any more, or is elsewhere in the order, has moved away
+    /// Finds the slots of a frame's tops. One that is not there any more, or is elsewhere in the order, has moved away
     /// from where it was.
     fn find_slots(&mut self, tops: &[Top], moved: &mut Vec<Bounds>) {
         let TopHistory { slots, order, ids, free, pairing, known } = self;

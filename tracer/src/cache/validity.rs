@@ -26,7 +26,7 @@ pub(crate) enum CachedItem {
     Base,
     /// The tile in the light of one lamp.
     LampLayer,
-    /// The tile in the light of one insert.
+    /// The tile in the light of one glow.
     GlowLayer,
     /// The tile's pixels in the display buffer.
     Display,
@@ -50,11 +50,11 @@ pub(crate) enum Event {
     /// What moved before the lamp while it was dark is not known any more, or the lamp is new.
     LampLost,
     /// The lamp has another colour.
-    LampFlashed,
-    /// An insert has another colour, or came or went.
+    LampColorChanged,
+    /// A glow has another colour, or came or went.
     GlowChanged,
-    /// A ball is or was here, and something changed that it may mirror.
-    BallMoved,
+    /// A ball is or was here, and the ball or something that it may mirror is another.
+    ReflectionChanged,
     /// The buffer holds something else than this renderer's last frame.
     BufferReplaced,
     /// The bloom over the tile is another.

@@ -1,6 +1,6 @@
-//! What a tile shows in the light of all lamps, from the pictures of each, which are kept in whole numbers.
+//! Weighted sums: a tile in the light of all lamps, from its layers, which are kept in whole numbers.
 //!
-//! Light is linear, so the picture under all lamps is the sum of the pictures under each, times the lamps' colours. A
+//! Light is linear, so the tile under all lamps is the sum of the layers of each, times the lamps' colours. A
 //! lamp that flashes is a factor here and nothing else. Of bare floor, what arrives is kept in one plane, since all
 //! lamps meet the same paint; of anything else, three planes of colours. Numbers are kept in 32,767 steps up to the
 //! plane's largest, and what they are multiplied by in 65,535 steps of all such factors together: an error of 1.5e-5 of
@@ -43,7 +43,7 @@ fn largest_lanes(planes: &[Plane], largest: &mut f32) {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quantizer {
     per_unit: Rgb,
-    /// What a step is worth.
+    /// The size of a step.
     pub step: Rgb,
 }
 
@@ -87,7 +87,7 @@ pub(crate) struct WeightedSum<'a> {
     pub specular: WeightedPlanes<'a, 1>,
     /// What is kept in colours.
     pub rgb: WeightedPlanes<'a, 3>,
-    /// What a step of the sums is worth.
+    /// The size of a step of the sums.
     pub step: Rgb,
     /// Light that arrives everywhere at the floor.
     pub ambient: Rgb,

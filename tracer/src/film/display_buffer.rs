@@ -1,4 +1,4 @@
-//! A finished picture that knows what it shows, so that only what has changed is drawn again.
+//! The display buffer: a tone-mapped picture that knows which frame it holds, so that only what has changed is drawn again.
 
 use crate::Frame;
 use crate::film::bloom::BloomPyramid;
@@ -12,9 +12,9 @@ use crate::tile::planes::TILE;
 pub struct DisplayBuffer {
     pub(crate) frame: Frame,
     pub(crate) bloom: BloomPyramid,
-    /// The part that is wanted, if it is not all: the first column and row, and those after the last.
+    /// The scissor rectangle, if not all is wanted: the first column and row, and those after the last.
     pub(crate) scissor: Option<[usize; 4]>,
-    /// Which renderer drew it, which of its pictures it is, and how it was exposed.
+    /// The frame that it holds, and how that was exposed.
     pub(crate) source: Option<(FrameId, f32)>,
 }
 
@@ -25,12 +25,12 @@ impl DisplayBuffer {
     }
 
     /// From now on, only the pixels from (`x`, `y`) on, `width` x `height` of them, are wanted: all others may be left as
-    /// they are. Their light is known all the same, so that the picture does not depend on where one has looked before.
+    /// they are. Their light is known all the same, so that the picture does not depend on earlier scissor rectangles.
     pub fn set_scissor(&mut self, x: usize, y: usize, width: usize, height: usize) {
         self.scissor = Some([x, y, x + width, y + height]);
     }
 
-    /// Whether a tile, given by its upper left pixel, is wanted in a window.
+    /// Whether a tile, given by its upper left pixel, has a pixel in a scissor rectangle.
     pub(crate) fn in_scissor(scissor: Option<[usize; 4]>, x: usize, y: usize) -> bool {
         scissor.is_none_or(|[left, top, right, bottom]| x < right && x + TILE > left && y < bottom && y + TILE > top)
     }

@@ -1,4 +1,4 @@
-//! The light that leaves the table towards the eye, before any film has seen it.
+//! The light that leaves the table towards the eye, before exposure and tone map.
 
 use crate::film::frame_id::FrameId;
 use crate::simd::dispatch::LANES;

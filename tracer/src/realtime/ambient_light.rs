@@ -1,4 +1,4 @@
-//! A tile in the light that no lamp above the floor gives: ambient light, emission, and inserts that glow.
+//! A tile in the light that no lamp above the floor gives: ambient light, emission, and glows.
 
 use crate::Mask;
 use crate::realtime::frame_context::FrameContext;
@@ -19,14 +19,14 @@ pub(crate) fn shade_ambient(frame: &FrameContext, g_buffer: &GBuffer, packed: &m
             samples.scatter(ALL_ROWS, packed, out);
         }
     }
-    for TopLayer { slot, points, surface, .. } in g_buffer.tops() {
+    for TopLayer { slot, samples, surface, .. } in g_buffer.tops() {
         let finish = &frame.tops.top(*slot).finish;
-        shade_top_ambient(simd, points.blocks(), surface, finish, ambient, packed);
-        points.scatter(ALL_ROWS, packed, out);
+        shade_top_ambient(simd, samples.blocks(), surface, finish, ambient, packed);
+        samples.scatter(ALL_ROWS, packed, out);
     }
 }
 
-/// What of an insert's light passes the ink on it whatever the ink's colour.
+/// What of a glow's light passes the ink on it whatever the ink's colour.
 const WHITE_SHARE: f32 = 0.15;
 
 /// What passes in proportion to the ink's luminance.
@@ -38,8 +38,8 @@ const ALBEDO_SHARE: f32 = 0.4;
 /// Luminance of linear sRGB (ITU-R BT.709).
 const LUMINANCE: [f32; 3] = [0.2126, 0.7152, 0.0722];
 
-/// The tile in the light of one insert, of the colour white, that shines from below through the floor's albedo.
-pub(crate) fn shade_insert(g_buffer: &GBuffer, rect: &TileRect, mask: &Mask, out: &mut RgbTile) {
+/// The tile in the light of one glow, of the colour white, that shines from below through the floor's albedo.
+pub(crate) fn shade_glow(g_buffer: &GBuffer, rect: &TileRect, mask: &Mask, out: &mut RgbTile) {
     *out = BLACK;
     let albedo = g_buffer.floor_albedo();
     let &TileRect { x, y, .. } = rect;

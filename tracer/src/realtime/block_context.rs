@@ -39,7 +39,7 @@ struct Lists {
     gathered: bool,
     /// The slots of the tops in the block, from the lowest to the highest.
     tops: Vec<usize>,
-    /// The lamps that reach the block: their places among the active ones, and their numbers.
+    /// The lamps that reach the block: their places among the active ones, and their slots.
     lamps: Vec<usize>,
     reaching: LampSet,
     /// By the active lamps' places: what may stand between the lamp and the block, where that was asked.
@@ -94,15 +94,15 @@ impl BlockContext {
     /// frame's.
     pub fn apply_damage(&self, frame: &FrameContext, rect: &TileRect, cache: &mut TileCache) -> bool {
         let mut redraw = self.damage.apply(rect, cache);
-        for ActiveLamp { lamp, number, .. } in self.lost_lamps.iter().map(|&at| &frame.lamps.list[at]) {
+        for ActiveLamp { lamp, slot, .. } in self.lost_lamps.iter().map(|&at| &frame.lamps.list[at]) {
             if rect.is_reached_by(lamp) {
-                cache.apply_to_lamp(*number, Event::LampLost);
+                cache.apply_to_lamp(*slot, Event::LampLost);
                 redraw = true;
             }
         }
         for &at in &self.moved_lamps {
-            let ActiveLamp { lamp, number, .. } = &frame.lamps.list[at];
-            let (layer, shadows) = (*cache.lamp(*number), &self.moved_shadows[at]);
+            let ActiveLamp { lamp, slot, .. } = &frame.lamps.list[at];
+            let (layer, shadows) = (*cache.lamp(*slot), &self.moved_shadows[at]);
             // What one group hides stays hidden while that group stands still.
             let hidden = layer.hidden_by.is_some_and(|group| shadows.iter().all(|bounds| bounds.group != group));
             if layer.validity.is_empty() || hidden || !rect.is_reached_by(lamp) {
@@ -111,7 +111,7 @@ impl BlockContext {
             let reaching = shadows.iter().filter(|bounds| bounds.may_reach(rect.middle_mm, rect.half_mm));
             let rows = reaching.fold(0, |rows, bounds| rows | bounds.rows(rect, frame.scene.view.mm_per_px));
             if rows != 0 || !layer.validity.is_valid() {
-                cache.apply_to_lamp(*number, Event::OccluderMoved(rows));
+                cache.apply_to_lamp(*slot, Event::OccluderMoved(rows));
                 redraw = true;
             }
         }
@@ -138,7 +138,7 @@ impl BlockContext {
         let reaches = |lamp: &ActiveLamp| is_near(&lamp.circle, *middle_mm, *radius_mm + DAMAGE_MARGIN_MM);
         lists.lamps.extend((0..lamps.len()).filter(|&at| reaches(&lamps[at])));
         lists.reaching = LampSet::default();
-        lists.lamps.iter().for_each(|&at| lists.reaching.insert(lamps[at].number));
+        lists.lamps.iter().for_each(|&at| lists.reaching.insert(lamps[at].slot));
     }
 
     /// The slots of the tops in the block, from the lowest to the highest.
@@ -151,7 +151,7 @@ impl BlockContext {
         &self.lists.lamps
     }
 
-    /// The numbers of the lamps that reach the block.
+    /// The slots of the lamps that reach the block.
     pub fn reaching(&self) -> &LampSet {
         &self.lists.reaching
     }

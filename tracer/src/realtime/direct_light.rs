@@ -19,7 +19,7 @@ use crate::{Group, Rgb};
 
 /// What a lamp lights of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lit {
+pub(crate) enum LitResult {
     /// Nothing; which group hides the lamp, if it is one group alone.
     Nothing { hidden_by: Option<Group> },
     /// Bare floor in light that nothing tints, of this visibility: the floor's planes of [`LampLight`] hold it.
@@ -77,8 +77,8 @@ pub(crate) struct LampOnTile<'a> {
 
 /// What may stand between a lamp and a tile: occluders that were classified for the tile, but for some groups.
 #[derive(Clone, Copy)]
-struct Obstacles<'a> {
-    occluders: &'a PotentialOccluders,
+struct Occluders<'a> {
+    potential: &'a PotentialOccluders,
     without: &'a [Group],
 }
 
@@ -88,49 +88,53 @@ impl<'a> LampOnTile<'a> {
         LampOnTile { frame, lamp, rect, g_buffer, falloff: Falloff::new(&lamp.lamp, rect.middle_mm) }
     }
 
-    /// Puts some rows of the tile in the lamp's light, past `occluders`.
+    /// Puts some rows of the tile in the lamp's light, past what `potential` holds.
     pub fn light(
         &self,
-        occluders: &PotentialOccluders,
+        potential: &PotentialOccluders,
         rows: RowMask,
         scratch: &mut LightScratch,
         out: &mut LampLight,
-    ) -> Lit {
-        let on_path = transmission::on_path(self.frame.tinted, |group| occluders.casts(group));
-        let obstacles = Obstacles { occluders, without: &[] };
+    ) -> LitResult {
+        let on_path = transmission::on_path(self.frame.tinted, |group| potential.casts(group));
+        let occluders = Occluders { potential, without: &[] };
         if !on_path.as_slice().is_empty() {
-            return self.light_through(on_path.as_slice(), occluders, rows, scratch, out);
+            return self.light_through(on_path.as_slice(), potential, rows, scratch, out);
         }
         if self.g_buffer.tops().is_empty() {
-            return match self.light_floor_past(obstacles, rows, scratch, out) {
-                VisibilityClass::Umbra => Lit::Nothing { hidden_by: scratch.blockers.hidden_by },
-                class => Lit::Floor(class),
+            return match self.light_floor_past(occluders, rows, scratch, out) {
+                VisibilityClass::Umbra => LitResult::Nothing { hidden_by: scratch.blockers.hidden_by },
+                class => LitResult::Floor(class),
             };
         }
-        if self.light_past(obstacles, rows, scratch, out) { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
+        if self.light_past(occluders, rows, scratch, out) {
+            LitResult::Rgb
+        } else {
+            LitResult::Nothing { hidden_by: None }
+        }
     }
 
     /// [`LampOnTile::light`] through tinted groups: the sum over the sets of them that may be taken away.
     fn light_through(
         &self,
         tinted: &[TintedGroup],
-        occluders: &PotentialOccluders,
+        potential: &PotentialOccluders,
         rows: RowMask,
         scratch: &mut LightScratch,
         out: &mut LampLight,
-    ) -> Lit {
+    ) -> LitResult {
         let mut lit = false;
         scratch.sum = BLACK;
         transmission::each_subset(tinted, |without, part| {
-            let obstacles = Obstacles { occluders, without };
-            if part != [0.0; 3] && self.light_past(obstacles, rows, scratch, out) {
+            let occluders = Occluders { potential, without };
+            if part != [0.0; 3] && self.light_past(occluders, rows, scratch, out) {
                 lit = true;
                 add(&out.radiance, part, &mut scratch.sum);
             }
         });
         out.radiance = scratch.sum;
         // What hides the lamp with every tinted group away is more than one group can be blamed for.
-        if lit { Lit::Rgb } else { Lit::Nothing { hidden_by: None } }
+        if lit { LitResult::Rgb } else { LitResult::Nothing { hidden_by: None } }
     }
 
     /// The quantization step of the tile's layer: that of all the light that it would show were nothing in the way.
@@ -147,15 +151,15 @@ impl<'a> LampOnTile<'a> {
         quantization_step(self.frame.simd, sum)
     }
 
-    /// Puts the floor in light past obstacles, into the floor's planes; how much of the lamp it sees.
+    /// Puts the floor in light past occluders, into the floor's planes; how much of the lamp it sees.
     fn light_floor_past(
         &self,
-        obstacles: Obstacles,
+        occluders: Occluders,
         rows: RowMask,
         scratch: &mut LightScratch,
         out: &mut LampLight,
     ) -> VisibilityClass {
-        let class = self.visibility(obstacles, None, rows, scratch, &mut out.visibility);
+        let class = self.visibility(occluders, None, rows, scratch, &mut out.visibility);
         if class != VisibilityClass::Umbra {
             self.light_floor(rows, out);
         }
@@ -194,12 +198,12 @@ impl<'a> LampOnTile<'a> {
         }
     }
 
-    /// Puts all surfaces in light past obstacles, into [`LampLight::radiance`]; whether any is lit.
-    fn light_past(&self, obstacles: Obstacles, rows: RowMask, scratch: &mut LightScratch, out: &mut LampLight) -> bool {
+    /// Puts all surfaces in light past occluders, into [`LampLight::radiance`]; whether any is lit.
+    fn light_past(&self, occluders: Occluders, rows: RowMask, scratch: &mut LightScratch, out: &mut LampLight) -> bool {
         out.radiance = BLACK;
         let mut lit = false;
         if self.g_buffer.has_floor() {
-            let class = self.light_floor_past(obstacles, rows, scratch, out);
+            let class = self.light_floor_past(occluders, rows, scratch, out);
             if class != VisibilityClass::Umbra {
                 lit = true;
                 if class == VisibilityClass::Partial {
@@ -210,7 +214,7 @@ impl<'a> LampOnTile<'a> {
             }
         }
         for top in self.g_buffer.tops() {
-            let class = self.visibility(obstacles, Some(top), rows, scratch, &mut out.visibility);
+            let class = self.visibility(occluders, Some(top), rows, scratch, &mut out.visibility);
             if class != VisibilityClass::Umbra {
                 lit = true;
                 let visibility = if class == VisibilityClass::Lit { &FULLY_VISIBLE } else { &out.visibility };
@@ -229,16 +233,16 @@ impl<'a> LampOnTile<'a> {
         packed: &mut RgbTile,
         out: &mut RgbTile,
     ) {
-        let TopLayer { slot, points, surface, .. } = top;
-        let (finish, blocks) = (&self.frame.tops.top(*slot).finish, points.blocks_in(rows));
-        shade_top(self.frame.simd, points, blocks, surface, finish, self.falloff, visibility, packed);
-        points.scatter(blocks, packed, out);
+        let TopLayer { slot, samples, surface, .. } = top;
+        let (finish, blocks) = (&self.frame.tops.top(*slot).finish, samples.blocks_in(rows));
+        shade_top(self.frame.simd, samples, blocks, surface, finish, self.falloff, visibility, packed);
+        samples.scatter(blocks, packed, out);
     }
 
-    /// The fraction of the lamp that the samples of the floor or of a top see, past obstacles but the top's own group.
+    /// The fraction of the lamp that the samples of the floor or of a top see, past occluders but the top's own group.
     fn visibility(
         &self,
-        obstacles: Obstacles,
+        occluders: Occluders,
         top: Option<&TopLayer>,
         rows: RowMask,
         scratch: &mut LightScratch,
@@ -246,20 +250,20 @@ impl<'a> LampOnTile<'a> {
     ) -> VisibilityClass {
         let own = top.map(|top| self.frame.tops.top(top.slot).group);
         let (samples, blocks) = match top {
-            Some(top) => (&top.points, top.points.blocks_in(rows)),
+            Some(top) => (&top.samples, top.samples.blocks_in(rows)),
             None => (self.g_buffer.floor_samples(self.frame), self.g_buffer.floor_blocks(rows)),
         };
         let mut without = [Group(0); MAX_TINTED + 1];
-        let away = obstacles.without.len();
+        let away = occluders.without.len();
         let count = away + own.iter().len();
-        without[..away].copy_from_slice(obstacles.without);
+        without[..away].copy_from_slice(occluders.without);
         without[away..count].copy_from_slice(own.as_slice());
         let mut query = VisibilityQuery {
             simd: self.frame.simd,
             disc_chains: self.frame.disc_chains,
             lamp: &self.lamp.lamp,
             airborne: &self.lamp.airborne,
-            occluders: obstacles.occluders,
+            occluders: occluders.potential,
             rect: self.rect,
             blockers: &mut scratch.blockers,
             scratch: &mut scratch.intervals,

@@ -21,7 +21,7 @@ use crate::{DisplayBuffer, Radiance, RenderStage, Scene, View};
 use std::borrow::Cow;
 
 #[cfg(test)]
-mod cache_states;
+mod cache_state_tests;
 
 /// Renders scenes in exact direct light. Keep one from frame to frame: it allocates only when a scene has more in it than
 /// before.
@@ -52,7 +52,8 @@ impl ExactRenderer {
         }
     }
 
-    /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any number.
+    /// Renders `scene` with exact shadows, on the threads of the current rayon pool: the same bits on any
+    /// number.
     /// What [`Scene::check`] refuses is not drawn; of a view that it refuses there is no picture.
     pub fn render(&mut self, scene: &Scene, radiance: &mut Radiance) {
         let Some(scene) = &drawable(scene, &mut self.scratch) else { return radiance.resize(0, 0) };
@@ -89,7 +90,7 @@ impl ExactRenderer {
         self.frame.leave_still_balls();
         done(RenderStage::Prepared);
         self.update(scene, &mut display.bloom);
-        done(RenderStage::Lit);
+        done(RenderStage::Shaded);
         let (frame, redrawn) = (self.frame.context(self.simd, scene), self.history.any_redrawn());
         if redrawn {
             render_balls(&frame, &mut self.sprites, &mut display.bloom);
@@ -139,7 +140,7 @@ impl ExactRenderer {
     /// Makes the tile caches of a scene that was prepared valid, and the means of what is redrawn.
     fn update(&mut self, scene: &Scene, bloom: &mut BloomPyramid) {
         update_tiles(&self.frame.context(self.simd, scene), &mut self.history.bands, bloom);
-        self.frame.lamps.list.iter().for_each(|lamp| self.history.lamp_updated(lamp.number));
+        self.frame.lamps.list.iter().for_each(|lamp| self.history.lamp_updated(lamp.slot));
     }
 
     /// Renders a scene that was prepared, uncached, with its balls and its bloom.

@@ -33,7 +33,7 @@ pub(crate) struct FrameContext<'a> {
 }
 
 impl FrameContext<'_> {
-    /// The inserts that glow, with their colours.
+    /// The glows, with their colours.
     pub fn glows(&self) -> impl Iterator<Item = (GlowKey, Rgb)> + Clone {
         self.scene.glows.iter().map(|glow| (glow.key(), glow.color))
     }
@@ -44,17 +44,17 @@ impl FrameContext<'_> {
 pub(crate) struct ActiveLamps {
     /// In the scene's order.
     pub list: Vec<ActiveLamp>,
-    /// By the lamps' numbers: the colour of each, black for those that do not shine.
+    /// By the lamps' slots: the colour of each, black for those that do not shine.
     pub colors: Vec<Rgb>,
-    /// By the lamps' numbers: the place of each in `list`.
+    /// By the lamps' slots: the place of each in `list`.
     pub places: Vec<usize>,
 }
 
 /// A lamp that shines.
 pub(crate) struct ActiveLamp {
     pub lamp: Lamp,
-    /// The number by which the tile caches know it.
-    pub number: usize,
+    /// The slot by which the tile caches know it.
+    pub slot: usize,
     /// Where its light ends: the middle and the radius of a circle, mm.
     pub circle: (DVec2, f64),
     /// What may stand in its way.
@@ -71,10 +71,10 @@ pub(crate) struct ActiveLamp {
 
 impl ActiveLamp {
     /// A lamp of which nothing else is known.
-    pub fn new(lamp: &Lamp, number: usize) -> ActiveLamp {
+    pub fn new(lamp: &Lamp, slot: usize) -> ActiveLamp {
         ActiveLamp {
             lamp: *lamp,
-            number,
+            slot,
             circle: (lamp.center_mm, lamp.far_mm()),
             occluders: PotentialOccluders::default(),
             airborne: Vec::new(),

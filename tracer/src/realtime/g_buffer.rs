@@ -3,7 +3,7 @@
 //!
 //! The highest top is looked at first, so that nothing is shaded that is hidden.
 
-use crate::cache::g_buffer::CachedGBuffer;
+use crate::cache::cached_g_buffer::CachedGBuffer;
 use crate::cache::validity::Validity;
 use crate::realtime::frame_context::FrameContext;
 use crate::shading::albedo_map::{self, Albedo};
@@ -145,7 +145,7 @@ impl GBuffer {
             layer.slot = slot;
             let opacity = clamp(frame.tops.top(slot).finish.opacity, 0.0, 1.0);
             layer.pack(distance, outline.bevel_mm(), opacity, mm_per_px as f32, &mut self.floor_weight);
-            self.tops += usize::from(layer.points.count > 0);
+            self.tops += usize::from(layer.samples.count > 0);
         }
         self.pack_floor_samples(mm_per_px as f32);
     }

@@ -1,9 +1,10 @@
-//! Pictures for small machines: the lamps' light is found at half the resolution, everything else at the full one.
+//! Half resolution, for small machines: the lamps' light is found at half the resolution, everything else at the full one.
 //!
 //! Lamps, their shadows and the light from everywhere are a picture of a quarter of the pixels, brought to the full
-//! resolution by [`crate::realtime::joint_upsampling`]. What glows by itself, the balls and the bloom are made at the full resolution, as
+//! resolution by [`crate::realtime::joint_upsampling`]. What shines by itself, the balls and the bloom are made at the full resolution, as
 //! [`crate::Renderer::draw`] makes them. Its slow twin is that: the same scene, every pixel lit by itself.
 
+use crate::cache::validity::{CachedItem, Event, Validity};
 use crate::film::bloom::{BloomPyramid, CELL_PX, MipLevel};
 use crate::film::tone_map;
 use crate::realtime::exact_renderer::{ExactRenderer, drawable};
@@ -26,39 +27,39 @@ use lists::{Lists, add_lamps};
 pub(crate) struct HalfRenderer {
     simd: SimdLevel,
     /// All light but what surfaces have of their own, at half the resolution, without the balls.
-    lamps: Layer,
+    lamps: CachedImage,
     /// Under a white sky: at half the resolution, and at the full one.
-    guides: [Layer; 2],
+    guides: [CachedImage; 2],
     /// Which surface is seen, as a number: at half the resolution, and at the full one.
-    surface_ids: [Layer; 2],
-    /// Light that surfaces have of their own, at the full resolution.
-    glows: Layer,
-    /// The lists of the layers' scenes.
+    surface_ids: [CachedImage; 2],
+    /// Light that surfaces have of their own, and glows, at the full resolution.
+    emission: CachedImage,
+    /// The lists of the images' scenes.
     lists: Lists,
-    tiles: Vec<Tile>,
+    tiles: Vec<UpsampledTile>,
     /// Room to check a scene in.
     scratch: CheckScratch,
 }
 
 /// A tile of the picture.
 #[derive(Clone, Debug)]
-struct Tile {
+struct UpsampledTile {
     kernel: UpsampleKernel,
     /// Whether a surface has light of its own.
-    glows: bool,
-    /// Whether it is not on the film as it should be.
-    stale: bool,
+    has_emission: bool,
+    /// The tile in the buffer that it is composed into.
+    shown: Validity,
 }
 
-/// A picture that only what has changed is made anew of.
-struct Layer {
+/// An image of a part of the scene, cached from frame to frame: only tiles that have changed are rendered again.
+struct CachedImage {
     renderer: ExactRenderer,
     radiance: Radiance,
-    /// Whether any tile of the last one was made anew.
+    /// Whether any tile is another than in the frame before.
     redrawn: bool,
 }
 
-impl Layer {
+impl CachedImage {
     fn render(&mut self, scene: &Scene) {
         self.renderer.render_table(scene, &mut self.radiance);
         self.redrawn = self.renderer.any_redrawn();
@@ -74,13 +75,13 @@ impl Layer {
 impl HalfRenderer {
     /// A renderer on a chosen instruction set: the same bits on each.
     pub fn on(simd: SimdLevel) -> HalfRenderer {
-        let layer = || Layer { renderer: ExactRenderer::on(simd), radiance: Radiance::default(), redrawn: true };
+        let image = || CachedImage { renderer: ExactRenderer::on(simd), radiance: Radiance::default(), redrawn: true };
         HalfRenderer {
             simd,
-            lamps: layer(),
-            guides: [layer(), layer()],
-            surface_ids: [layer(), layer()],
-            glows: layer(),
+            lamps: image(),
+            guides: [image(), image()],
+            surface_ids: [image(), image()],
+            emission: image(),
             lists: Lists::default(),
             tiles: Vec::new(),
             scratch: CheckScratch::default(),
@@ -115,15 +116,15 @@ impl HalfRenderer {
         display.source = Some((self.lamps.renderer.frame_id(), exposure));
     }
 
-    /// Forgets what earlier pictures showed, as [`crate::Renderer::forget`] does.
+    /// Makes every tile anew in the next frame, as [`crate::Renderer::invalidate`] does.
     pub fn invalidate(&mut self) {
-        let HalfRenderer { lamps, guides, surface_ids, glows, .. } = self;
-        for layer in [lamps, glows].into_iter().chain(guides).chain(surface_ids) {
-            layer.renderer.invalidate();
+        let HalfRenderer { lamps, guides, surface_ids, emission, .. } = self;
+        for image in [lamps, emission].into_iter().chain(guides).chain(surface_ids) {
+            image.renderer.invalidate();
         }
     }
 
-    /// Makes every layer true, the balls and the bloom; `known` says that the last picture is there to go on from.
+    /// Makes every image valid, the balls and the bloom; `known` says that the buffer holds the last frame.
     fn find_light(
         &mut self,
         scene: &Scene,
@@ -131,12 +132,12 @@ impl HalfRenderer {
         bloom: &mut BloomPyramid,
         done: &mut (dyn FnMut(RenderStage) + Send),
     ) {
-        self.render_layers(scene, done);
+        self.render_images(scene, done);
         let changed = self.find_stale(&scene.view, known);
         if changed {
             self.write_means(bloom);
         }
-        done(RenderStage::Lit);
+        done(RenderStage::Shaded);
         self.lamps.renderer.render_balls(scene, bloom);
         done(RenderStage::BallsRendered);
         if changed {
@@ -145,46 +146,49 @@ impl HalfRenderer {
         done(RenderStage::Bloomed);
     }
 
-    /// Makes every layer true: each is a picture of a scene of its own, with a part of what is in `scene`.
-    fn render_layers(&mut self, scene: &Scene, done: &mut (dyn FnMut(RenderStage) + Send)) {
+    /// Makes every image valid: each is of a scene of its own, with a part of what is in `scene`.
+    fn render_images(&mut self, scene: &Scene, done: &mut (dyn FnMut(RenderStage) + Send)) {
         let half_floor = scene.half_floor.unwrap_or(&NO_FLOOR);
         let (full, half) = ((scene.floor, scene.view), (half_floor, scene.view.halved()));
-        let mut layer = self.lists.surfaces_of(scene);
-        self.glows.render(&layer);
-        layer.glows.clear();
-        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+        let mut part = self.lists.surfaces_of(scene);
+        self.emission.render(&part);
+        part.glows.clear();
+        for (top, original) in part.tops.iter_mut().zip(&scene.tops) {
             top.finish = Finish { emission: [surface_id(top.id), 0.0, 0.0], art: false, ..original.finish };
         }
         let [half_surface_ids, full_surface_ids] = &mut self.surface_ids;
-        full_surface_ids.render_at(full, &mut layer);
-        half_surface_ids.render_at(half, &mut layer);
-        for (top, original) in layer.tops.iter_mut().zip(&scene.tops) {
+        full_surface_ids.render_at(full, &mut part);
+        half_surface_ids.render_at(half, &mut part);
+        for (top, original) in part.tops.iter_mut().zip(&scene.tops) {
             top.finish = Finish { emission: [0.0; 3], ..original.finish };
         }
-        layer.ambient = [1.0; 3];
+        part.ambient = [1.0; 3];
         let [half_guide, full_guide] = &mut self.guides;
-        half_guide.render_at(half, &mut layer);
-        full_guide.render_at(full, &mut layer);
+        half_guide.render_at(half, &mut part);
+        full_guide.render_at(full, &mut part);
         done(RenderStage::Prepared);
-        add_lamps(scene, &mut layer);
-        self.lamps.render_at(half, &mut layer);
-        self.lists = Lists::of(layer);
+        add_lamps(scene, &mut part);
+        self.lamps.render_at(half, &mut part);
+        self.lists = Lists::of(part);
     }
 
-    /// Finds which tiles have to be developed again; says whether there is any.
+    /// Finds which tiles have to be composed again; says whether there is any.
     fn find_stale(&mut self, view: &View, known: bool) -> bool {
         let HalfRenderer {
             simd,
             lamps,
             guides: [half_guide, guide],
             surface_ids: [half_surface_ids, surface_ids],
-            glows,
+            emission,
             tiles,
             ..
         } = self;
         let (across, down) = (view.width.div_ceil(TILE), view.height.div_ceil(TILE));
         let another = tiles.len() != across * down;
-        tiles.resize(across * down, Tile { kernel: UpsampleKernel::none(), glows: false, stale: true });
+        tiles.resize(
+            across * down,
+            UpsampledTile { kernel: UpsampleKernel::none(), has_emission: false, shown: Validity::Empty },
+        );
         let guides = Guides {
             half_guide: &half_guide.radiance,
             half_surface_ids: &half_surface_ids.radiance,
@@ -192,30 +196,32 @@ impl HalfRenderer {
             surface_ids: &surface_ids.radiance,
         };
         let half = view.halved();
-        let look = |(at, tile): (usize, &mut Tile)| {
+        let look = |(at, tile): (usize, &mut UpsampledTile)| {
             let (x, y) = (at % across * TILE, at / across * TILE);
             let (left, top) = ((x / 2).saturating_sub(1), (y / 2).saturating_sub(1));
             let (right, bottom) = ((x / 2 + TILE / 2).min(half.width - 1), (y / 2 + TILE / 2).min(half.height - 1));
             let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
-            let is_redrawn = |layer: &Layer| another || layer.redrawn && layer.renderer.is_redrawn_at(view, x, y);
-            let is_redrawn_around = |layer: &Layer| {
-                layer.redrawn && corners.iter().any(|&(x, y)| layer.renderer.is_redrawn_at(&half, x, y))
+            let is_redrawn = |image: &CachedImage| another || image.redrawn && image.renderer.is_redrawn_at(view, x, y);
+            let is_redrawn_around = |image: &CachedImage| {
+                image.redrawn && corners.iter().any(|&(x, y)| image.renderer.is_redrawn_at(&half, x, y))
             };
-            let printed = is_redrawn(guide)
+            let surfaces_changed = is_redrawn(guide)
                 || is_redrawn(surface_ids)
                 || is_redrawn_around(half_guide)
                 || is_redrawn_around(half_surface_ids);
-            if printed {
+            if surfaces_changed {
                 tile.kernel.take(*simd, guides, x, y);
             }
-            let glowing = is_redrawn(glows);
-            if glowing {
+            let emission_changed = is_redrawn(emission);
+            if emission_changed {
                 let mut light = BLACK;
-                glows.radiance.read_tile(x, y, &mut light);
-                tile.glows = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
+                emission.radiance.read_tile(x, y, &mut light);
+                tile.has_emission = light.as_flattened().as_flattened().iter().any(|light| *light > 0.0);
             }
-            let redrawn = !known || printed || glowing || is_redrawn_around(lamps);
-            tile.stale |= redrawn;
+            let redrawn = !known || surfaces_changed || emission_changed || is_redrawn_around(lamps);
+            if redrawn {
+                tile.shown = Validity::Empty;
+            }
             redrawn
         };
         tiles.par_iter_mut().enumerate().with_min_len(across).map(look).reduce(|| false, |a, b| a | b)
@@ -224,14 +230,14 @@ impl HalfRenderer {
     /// The means of the picture's cells: a cell is two half-resolution pixels wide and high.
     fn write_means(&self, bloom: &mut BloomPyramid) {
         let lamps = &self.lamps.radiance;
-        let glows = self.glows.radiance.bloom.means();
-        let (Some((level, means)), Some((_, glows))) = (bloom.means_mut(), glows) else { return };
-        means.into_par_iter().zip(glows).enumerate().for_each(|(channel, (means, glows))| {
+        let emission = self.emission.radiance.bloom.means();
+        let (Some((level, means)), Some((_, emission))) = (bloom.means_mut(), emission) else { return };
+        means.into_par_iter().zip(emission).enumerate().for_each(|(channel, (means, emission))| {
             mean_of_four(
                 &lamps.planes[channel],
                 [lamps.stride(), lamps.height()],
                 &level,
-                &glows[level.stride..],
+                &emission[level.stride..],
                 means,
             );
         });
@@ -240,14 +246,14 @@ impl HalfRenderer {
     /// Puts together the tiles that are not in `radiance` as they should be.
     fn compose(&mut self, radiance: &mut Radiance) {
         let (width, stride) = (radiance.width(), radiance.stride());
-        let (surfaces, tiles) = (Surfaces::of(self.simd, &self.lamps, &self.glows), &mut self.tiles);
+        let (surfaces, tiles) = (Surfaces::of(self.simd, &self.lamps, &self.emission), &mut self.tiles);
         let [red, green, blue] = &mut radiance.planes;
         let rows = red.par_chunks_mut(stride * TILE).zip(green.par_chunks_mut(stride * TILE));
         let bands = rows.zip(blue.par_chunks_mut(stride * TILE)).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (((red, green), blue), tiles))| {
             let (mut planes, mut out) = ([red, green, blue], BLACK);
-            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| tile.stale) {
-                tile.stale = false;
+            for (x, tile) in (0..width).step_by(TILE).zip(tiles).filter(|(_, tile)| !tile.shown.is_valid()) {
+                tile.shown = Validity::Valid;
                 surfaces.compose(tile, x, band * TILE, &mut out);
                 write_planes(&out, x, 0, stride, &mut planes);
             }
@@ -257,17 +263,19 @@ impl HalfRenderer {
     /// Tone-maps the tiles that are not on display as they should be.
     fn tone_map(&mut self, exposure: f32, display: &mut DisplayBuffer) {
         let (simd, width, scissor, bloom) = (self.simd, display.frame.width, display.scissor, &display.bloom);
-        let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.glows), &mut self.tiles);
+        let (surfaces, tiles) = (Surfaces::of(simd, &self.lamps, &self.emission), &mut self.tiles);
         let bands = display.frame.pixels.par_chunks_mut(width * TILE).zip(tiles.par_chunks_mut(width.div_ceil(TILE)));
         bands.enumerate().for_each(|(band, (pixels, tiles))| {
             let (mut out, mut mapped) = (BLACK, [[0; LANES]; TILE]);
             let y = band * TILE;
             for (x, tile) in (0..width).step_by(TILE).zip(tiles) {
-                tile.stale |= bloom.has_changed_at(x, y);
-                if !tile.stale || !DisplayBuffer::in_scissor(scissor, x, y) {
+                if tile.shown.is_valid() && bloom.has_changed_at(x, y) {
+                    tile.shown = tile.shown.after(CachedItem::Display, Event::BloomChanged);
+                }
+                if tile.shown.is_valid() || !DisplayBuffer::in_scissor(scissor, x, y) {
                     continue;
                 }
-                tile.stale = false;
+                tile.shown = Validity::Valid;
                 surfaces.compose(tile, x, y, &mut out);
                 tone_map::tone_map_tile(simd, &out, bloom, exposure, [x, y], &mut mapped);
                 tone_map::store_tile(&mapped, x, width, pixels);
@@ -280,21 +288,21 @@ impl HalfRenderer {
 struct Surfaces<'a> {
     simd: SimdLevel,
     light: &'a Radiance,
-    glows: &'a Radiance,
+    emission: &'a Radiance,
     balls: &'a [BallSprite],
 }
 
 impl<'a> Surfaces<'a> {
-    fn of(simd: SimdLevel, lamps: &'a Layer, glows: &'a Layer) -> Surfaces<'a> {
-        Surfaces { simd, light: &lamps.radiance, glows: &glows.radiance, balls: lamps.renderer.sprites() }
+    fn of(simd: SimdLevel, lamps: &'a CachedImage, emission: &'a CachedImage) -> Surfaces<'a> {
+        Surfaces { simd, light: &lamps.radiance, emission: &emission.radiance, balls: lamps.renderer.sprites() }
     }
 
     /// Puts together the tile whose upper left pixel is (`x`, `y`).
-    fn compose(&self, tile: &Tile, x: usize, y: usize, out: &mut RgbTile) {
+    fn compose(&self, tile: &UpsampledTile, x: usize, y: usize, out: &mut RgbTile) {
         tile.kernel.apply(self.simd, self.light, x, y, out);
-        if tile.glows {
+        if tile.has_emission {
             let mut own = BLACK;
-            self.glows.read_tile(x, y, &mut own);
+            self.emission.read_tile(x, y, &mut own);
             add(&own, out);
         }
         self.balls.iter().for_each(|ball| ball.blend(x, y, out));
@@ -309,7 +317,7 @@ fn add(more: &RgbTile, light: &mut RgbTile) {
     }
 }
 
-/// The ids that marks tell apart; single precision has no finer turns for more.
+/// The surface ids that are told apart; single precision has no finer turns for more.
 const SURFACE_IDS: u32 = 4096;
 
 /// What tells a top from the floor, which is 0, and from other tops: from a quarter to 1, far from those of tops of

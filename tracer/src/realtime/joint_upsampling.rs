@@ -6,7 +6,7 @@
 //! surface count next to nothing: joint bilateral upsampling (J. Kopf, M. Cohen, D. Lischinski, M. Uyttendaele, 2007).
 //!
 //! All but the light stands still where nothing moves, so a tile keeps the weights of each pixel's four neighbours and
-//! the guides' quotient ([`UpsampleKernel`]). This module refuses to know where light, guide and mark come from.
+//! the guides' quotient ([`UpsampleKernel`]). This module refuses to know where light, guide and ids come from.
 
 use crate::Radiance;
 use crate::simd::dispatch::{LANES, Lanes, SimdLevel, max, min, multiversion, round_to_u16};
@@ -15,7 +15,7 @@ use crate::tile::planes::{AREA, Plane, RgbTile, TILE};
 /// Half-resolution pixels along the side of what a tile needs: its own and one beyond on each side.
 const HALF_TILE_SIDE: usize = TILE / 2 + 2;
 
-/// The square of the difference of two marks that halves a pixel's weight.
+/// The square of the difference of two surface ids that halves a pixel's weight.
 const LIKENESS: f32 = 1.0 / 1024.0;
 
 /// Half of the lanes. In this module the pixels of a row are sorted, the even ones first: so their neighbours lie side by
@@ -46,7 +46,7 @@ pub(crate) struct UpsampleKernel {
     quotients: [[u16; AREA]; 3],
 }
 
-/// Guide and mark of a picture at half the resolution, and at the full one; a mark is the first channel.
+/// Guide image and surface ids of a picture at half the resolution, and at the full one; an id is the first channel.
 #[derive(Clone, Copy)]
 pub(crate) struct Guides<'a> {
     pub half_guide: &'a Radiance,
@@ -106,7 +106,7 @@ fn read(half: &Radiance, channel: usize, x: usize, y: usize, out: &mut Spread) {
 }
 
 multiversion! {
-    /// Weighs the four nearest half-resolution pixels: bilinear, over how far their marks are from the pixel's own.
+    /// Weighs the four nearest half-resolution pixels: bilinear, over how far their ids are from the pixel's own.
     fn weigh(surface_id: &Plane, surface_ids: &Spread, weights: &mut [[u8; AREA]; 4]) = weigh_lanes;
 }
 multiversion! {

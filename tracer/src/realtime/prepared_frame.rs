@@ -86,8 +86,8 @@ impl PreparedFrame {
         if is_cached {
             self.lamps.index(history.known.len());
         }
-        self.tops.advance(&scene.tops, &mut self.moved_tops, &mut self.damage.tops);
-        self.damage.advance(scene, buffer_is_last, |lamp| history.number(lamp));
+        self.tops.advance(&scene.tops, &mut self.moved_tops, &mut self.damage.relit_tops);
+        self.damage.advance(scene, buffer_is_last, |lamp| history.slot(lamp));
         if self.mm_per_px != scene.view.mm_per_px {
             self.mm_per_px = scene.view.mm_per_px;
             self.full_tile = PackedSamples::full_tile(scene.view.mm_per_px);
@@ -111,10 +111,10 @@ impl ActiveLamps {
     fn find(&mut self, scene: &Scene, history: &mut FrameHistory) {
         let mut count = 0;
         for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
-            let number = history.number(lamp);
+            let slot = history.slot(lamp);
             match self.list.get_mut(count) {
-                Some(old) => (old.lamp, old.circle, old.number) = (*lamp, (lamp.center_mm, lamp.far_mm()), number),
-                None => self.list.push(ActiveLamp::new(lamp, number)),
+                Some(old) => (old.lamp, old.circle, old.slot) = (*lamp, (lamp.center_mm, lamp.far_mm()), slot),
+                None => self.list.push(ActiveLamp::new(lamp, slot)),
             }
             count += 1;
         }
@@ -125,7 +125,7 @@ impl ActiveLamps {
     fn find_occluders(&mut self, scene: &Scene, history: &FrameHistory, disc_chains: &DiscChains) {
         self.list.par_iter_mut().for_each(|active| {
             let ActiveLamp { lamp, occluders, airborne, moved, moved_shadows, .. } = active;
-            let known = &history.known[active.number];
+            let known = &history.known[active.slot];
             active.lost = known.lost;
             occluders.set(lamp, disc_chains);
             moved.set(&known.moved);
@@ -137,14 +137,14 @@ impl ActiveLamps {
         });
     }
 
-    /// Puts down by its number what is known of each; `count` is how many numbers there are.
+    /// Puts down by its slot what is known of each; `count` is how many slots there are.
     fn index(&mut self, count: usize) {
         self.colors.clear();
         self.colors.resize(count, [0.0; 3]);
         self.places.resize(count, 0);
-        for (at, ActiveLamp { lamp, number, .. }) in self.list.iter().enumerate() {
-            self.colors[*number] = lamp.color;
-            self.places[*number] = at;
+        for (at, ActiveLamp { lamp, slot, .. }) in self.list.iter().enumerate() {
+            self.colors[*slot] = lamp.color;
+            self.places[*slot] = at;
         }
     }
 }

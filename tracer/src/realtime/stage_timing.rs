@@ -1,16 +1,16 @@
-//! What a picture's making consists of, for somebody who has a clock: light has none.
+//! Stage timing: the stages of a frame, for somebody who has a clock. Light has none.
 
-/// The steps of [`crate::Renderer::draw`], each named when it is done.
+/// The stages of [`crate::Renderer::draw`], each named when it is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RenderStage {
     /// What is new in the scene is known.
     Prepared,
-    /// Shadows and surfaces are found where something has moved.
-    Lit,
+    /// The tile caches are valid: shadows and surfaces are found where something has moved.
+    Shaded,
     /// The balls mirror the table.
     BallsRendered,
-    /// The bloom is taken.
+    /// The bloom is there.
     Bloomed,
-    /// All lamps are summed up, and the sums are pixels.
+    /// The layers are summed up, and the sums are pixels.
     ToneMapped,
 }

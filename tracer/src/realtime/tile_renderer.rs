@@ -4,14 +4,14 @@
 //! Lamps are the outer loop: what stands between a lamp and the tile is found once, and serves the floor and every top
 //! in the tile.
 
+use crate::cache::cached_g_buffer::CachedGBuffer;
 use crate::cache::cell_means::{TileMeans, means_of};
-use crate::cache::g_buffer::CachedGBuffer;
 use crate::cache::lamp_layer::{FloorLight, WeightedSlot};
 use crate::cache::tile_cache::{Illumination, TileCache};
-use crate::realtime::ambient_light::{shade_ambient, shade_insert};
+use crate::realtime::ambient_light::{shade_ambient, shade_glow};
 use crate::realtime::block_context::BlockContext;
 use crate::realtime::contact_shadow::{has_contacts, shade_contacts};
-use crate::realtime::direct_light::{LampLight, LampOnTile, LightScratch, Lit, add};
+use crate::realtime::direct_light::{LampLight, LampOnTile, LightScratch, LitResult, add};
 use crate::realtime::frame_context::FrameContext;
 use crate::realtime::g_buffer::GBuffer;
 use crate::shading::chrome_ball::BallSprite;
@@ -31,7 +31,7 @@ pub(crate) struct TileRenderer {
     pub scratch: LightScratch,
     /// A tile's light that no lamp gives, or its sum.
     radiance: RgbTile,
-    /// The numbers of the lamps, and the places of the inserts, whose layers have to be made anew.
+    /// The slots of the lamps, and the places of the glows, whose layers have to be made anew.
     lamps_to_make: Vec<usize>,
     glows_to_make: Vec<usize>,
     /// The planes that a tile's sum is made of.
@@ -70,7 +70,7 @@ impl TileRenderer {
         }
         for &at in &self.glows_to_make {
             let glow = &frame.scene.glows[at];
-            shade_insert(&self.g_buffer, rect, glow.mask, &mut self.radiance);
+            shade_glow(&self.g_buffer, rect, glow.mask, &mut self.radiance);
             rect.clamp_to_edge(&mut self.radiance.each_mut());
             cache.keep_glow(glow.key(), frame.simd, &self.radiance);
         }
@@ -82,11 +82,11 @@ impl TileRenderer {
         let lamps = frame.lamps;
         self.lamps_to_make.clear();
         self.lamps_to_make.extend(cache.out_of_date(self.block.reaching()));
-        self.lamps_to_make.retain(|&number| {
-            let lamp = &lamps.list[lamps.places[number]];
+        self.lamps_to_make.retain(|&slot| {
+            let lamp = &lamps.list[lamps.places[slot]];
             let reached = rect.is_reached_by(&lamp.lamp);
             if !reached {
-                cache.keep_dark(number, None);
+                cache.keep_dark(slot, None);
             }
             reached
         });
@@ -113,21 +113,21 @@ impl TileRenderer {
         let TileRenderer { block, g_buffer, light, scratch, .. } = self;
         let lamp = &frame.lamps.list[at];
         // Beyond the picture's edge rows are repeated.
-        let mut rows = if rect.is_unclipped() { cache.lamp(lamp.number).rows_to_make() } else { ALL_ROWS };
+        let mut rows = if rect.is_unclipped() { cache.lamp(lamp.slot).rows_to_make() } else { ALL_ROWS };
         let on_tile = LampOnTile::new(frame, lamp, rect, g_buffer);
         let occluders = block.occluders(frame, at, rect);
         let mut lit = on_tile.light(occluders, rows, scratch, light);
         let changes_format = match lit {
-            Lit::Nothing { .. } => false,
-            Lit::Floor(_) => cache.changes_format(lamp.number, false),
-            Lit::Rgb => cache.changes_format(lamp.number, true),
+            LitResult::Nothing { .. } => false,
+            LitResult::Floor(_) => cache.changes_format(lamp.slot, false),
+            LitResult::Rgb => cache.changes_format(lamp.slot, true),
         };
         if changes_format && rows != ALL_ROWS {
             rows = ALL_ROWS;
             lit = on_tile.light(occluders, rows, scratch, light);
         }
-        if lit == Lit::Rgb && (changes_format || !cache.lamp(lamp.number).has_step) {
-            cache.set_step(lamp.number, on_tile.unoccluded_step(scratch, light));
+        if lit == LitResult::Rgb && (changes_format || !cache.lamp(lamp.slot).has_step) {
+            cache.set_step(lamp.slot, on_tile.unoccluded_step(scratch, light));
         }
         store_lamp(frame, &on_tile, (lit, rows), light, cache);
     }
@@ -156,9 +156,9 @@ impl TileRenderer {
             }
             let on_tile = LampOnTile::new(frame, lamp, rect, g_buffer);
             match on_tile.light(block.occluders(frame, at, rect), ALL_ROWS, scratch, light) {
-                Lit::Nothing { .. } => continue,
-                Lit::Floor(class) => shade_bare_floor(&on_tile, class, scratch, light),
-                Lit::Rgb => {}
+                LitResult::Nothing { .. } => continue,
+                LitResult::Floor(class) => shade_bare_floor(&on_tile, class, scratch, light),
+                LitResult::Rgb => {}
             }
             add(&light.radiance, lamp.lamp.color, out);
         }
@@ -173,10 +173,10 @@ impl TileRenderer {
         shade_contacts(frame, rect, out);
     }
 
-    /// Adds the light of inserts: the last of an uncached tile.
+    /// Adds the light of glows: the last of an uncached tile.
     pub fn render_glows(&mut self, frame: &FrameContext, rect: &TileRect, out: &mut RgbTile) {
         for glow in frame.scene.glows.iter().filter(|glow| rect.overlaps_mask(glow.mask)) {
-            shade_insert(&self.g_buffer, rect, glow.mask, &mut self.radiance);
+            shade_glow(&self.g_buffer, rect, glow.mask, &mut self.radiance);
             add(&self.radiance, glow.color, out);
         }
         rect.clamp_to_edge(&mut out.each_mut());
@@ -187,23 +187,23 @@ impl TileRenderer {
 fn store_lamp(
     frame: &FrameContext,
     on_tile: &LampOnTile,
-    (lit, rows): (Lit, RowMask),
+    (lit, rows): (LitResult, RowMask),
     light: &mut LampLight,
     cache: &mut TileCache,
 ) {
-    let (number, rect, simd) = (on_tile.lamp.number, on_tile.rect, frame.simd);
+    let (slot, rect, simd) = (on_tile.lamp.slot, on_tile.rect, frame.simd);
     match lit {
-        Lit::Nothing { hidden_by } => cache.keep_dark(number, hidden_by),
-        Lit::Floor(class) => {
+        LitResult::Nothing { hidden_by } => cache.keep_dark(slot, hidden_by),
+        LitResult::Floor(class) => {
             let LampLight { irradiance, specular, visibility, .. } = light;
             rect.clamp_to_edge(&mut [&mut *irradiance, specular, visibility]);
             let visibility = if class == VisibilityClass::Lit { &FULLY_VISIBLE } else { &*visibility };
             let floor = FloorLight { albedo: &on_tile.g_buffer.floor.albedo, irradiance, specular, visibility };
-            cache.keep_floor(number, simd, &floor, rows);
+            cache.keep_floor(slot, simd, &floor, rows);
         }
-        Lit::Rgb => {
+        LitResult::Rgb => {
             rect.clamp_to_edge(&mut light.radiance.each_mut());
-            cache.keep_rgb(number, simd, &light.radiance, rows);
+            cache.keep_rgb(slot, simd, &light.radiance, rows);
         }
     }
 }

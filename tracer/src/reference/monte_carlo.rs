@@ -11,10 +11,10 @@ use geometry::DVec2;
 use geometry::rng::Key;
 
 mod airborne;
-mod picture;
+mod integrator;
 mod rays;
 
-pub(crate) use picture::render;
+pub(crate) use integrator::render;
 
 /// How a lamp is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,13 +32,13 @@ pub fn irradiance(scene: &Scene, point_mm: DVec2, exclude: Option<Group>, sampli
     let mut sum = [0.0; 3];
     let mut near = Near::default();
     for lamp in scene.lamps.iter().filter(|lamp| lamp.shines()) {
-        let rest = lamp.rest(point_mm);
-        if rest > 0.0 {
+        let window = lamp.range_window(point_mm);
+        if window > 0.0 {
             let key = Key::new(sampling.seed, u64::from(lamp.id.0)).with_point(point_mm);
             let rays = Rays { sampling, key, point: point_mm };
             let seen = rays.arriving(scene, lamp, exclude, &mut near).seen;
             let open = rays.unoccluded_fraction(&scene.balls, lamp, exclude);
-            let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * rest * rest;
+            let strength = open * Lamp::REFERENCE_MM * Lamp::REFERENCE_MM * window * window;
             for channel in 0..3 {
                 sum[channel] += f64::from(lamp.color[channel]) * strength * seen[channel];
             }

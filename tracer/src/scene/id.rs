@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ItemId(pub u32);
 
-/// Which printing of art it is. Art of the same revision has the same pixels: whoever prints others takes a fresh one.
+/// Which version of art it is. Art of the same revision has the same pixels: whoever rasterizes others takes a fresh one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Revision(u64);
 

@@ -13,7 +13,7 @@ pub enum Emitter {
         radius_mm: f64,
     },
     /// A line, every millimetre of it as bright as any other: a neon tube.
-    Segment {
+    Tube {
         /// From the middle to one end, mm. One that is shorter than [`Lamp::LEAST_HALF_MM`] is a point.
         half_mm: DVec2,
     },
@@ -23,8 +23,8 @@ pub enum Emitter {
 ///
 /// A floor point at distance `d` in the plane from a disc's middle receives
 /// `color * visible fraction * reference^2 / (d^2 + height^2) * (1 - (d / reach)^2)^2` for `d < reach`, nothing beyond;
-/// `reference` is [`Lamp::REFERENCE_MM`]. From a segment it receives the mean of `reference^2 / (d^2 + height^2)` over
-/// the segment's points, where hidden ones count 0; there the reach counts from the segment's closest point.
+/// `reference` is [`Lamp::REFERENCE_MM`]. From a tube it receives the mean of `reference^2 / (d^2 + height^2)` over
+/// the tube's points, where hidden ones count 0; there the reach counts from the tube's closest point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// The caller's name for it.
@@ -50,7 +50,7 @@ impl Lamp {
     /// A lamp in the floor's own plane would be infinitely bright at its middle, so none is lower than this, mm.
     pub const LEAST_HEIGHT_MM: f64 = 0.1;
 
-    /// A segment with a shorter half shines as a point does, mm.
+    /// A tube with a shorter half shines as a point does, mm.
     pub const LEAST_HALF_MM: f64 = 0.01;
 
     /// The height of lamps that are made without one, mm: a bulb that stands in a post of a table.
@@ -66,13 +66,13 @@ impl Lamp {
     }
 
     /// A tube, `half_mm` to both sides of its middle, of the usual height and reach, which is inside of nothing.
-    pub fn segment(id: ItemId, center_mm: DVec2, half_mm: DVec2, color: Rgb) -> Lamp {
-        Lamp { emitter: Emitter::Segment { half_mm }, ..Lamp::disc(id, center_mm, 0.0, color) }
+    pub fn of_tube(id: ItemId, center_mm: DVec2, half_mm: DVec2, color: Rgb) -> Lamp {
+        Lamp { emitter: Emitter::Tube { half_mm }, ..Lamp::disc(id, center_mm, 0.0, color) }
     }
 
     /// What a floor point that sees all of the lamp receives of its colour.
     pub fn falloff(&self, point_mm: DVec2) -> f64 {
-        let rest = self.rest(point_mm);
+        let window = self.range_window(point_mm);
         let height = self.height_mm();
         let reference = Lamp::REFERENCE_MM * Lamp::REFERENCE_MM;
         let arriving = match self.tube() {
@@ -88,16 +88,17 @@ impl Lamp {
                 reference * angle / (2.0 * length * q)
             }
         };
-        arriving * rest * rest
+        arriving * window * window
     }
 
-    /// `1 - (d / reach)^2`, where the point is `d` from the nearest point that shines; 0 beyond the reach.
-    pub(crate) fn rest(&self, point_mm: DVec2) -> f64 {
+    /// The range window, before it is squared, that brings the falloff to 0 at the reach: `1 - (d / reach)^2`, where the
+    /// point is `d` from the nearest point that shines; 0 beyond the reach.
+    pub(crate) fn range_window(&self, point_mm: DVec2) -> f64 {
         let square = point_mm.distance_squared(self.nearest(point_mm));
         (1.0 - square / (self.reach_mm * self.reach_mm)).max(0.0)
     }
 
-    /// The point of a segment that is nearest to `point_mm`; the middle of a disc.
+    /// The point of a tube that is nearest to `point_mm`; the middle of a disc.
     fn nearest(&self, point_mm: DVec2) -> DVec2 {
         match self.tube() {
             None => self.center_mm,
@@ -110,10 +111,10 @@ impl Lamp {
         self.height_mm.abs().max(Lamp::LEAST_HEIGHT_MM)
     }
 
-    /// From the middle to the end of a segment that is long enough to be one, mm.
+    /// From the middle to the end of a tube that is long enough to be one, mm.
     pub(crate) fn tube(&self) -> Option<DVec2> {
         match self.emitter {
-            Emitter::Segment { half_mm } if half_mm.length_squared() >= Lamp::LEAST_HALF_MM * Lamp::LEAST_HALF_MM => {
+            Emitter::Tube { half_mm } if half_mm.length_squared() >= Lamp::LEAST_HALF_MM * Lamp::LEAST_HALF_MM => {
                 Some(half_mm)
             }
             _ => None,
@@ -124,7 +125,7 @@ impl Lamp {
     pub(crate) fn radius_mm(&self) -> f64 {
         match self.emitter {
             Emitter::Disc { radius_mm } => radius_mm.max(0.0),
-            Emitter::Segment { .. } => self.tube().map_or(0.0, DVec2::length),
+            Emitter::Tube { .. } => self.tube().map_or(0.0, DVec2::length),
         }
     }
 

@@ -1,4 +1,7 @@
-//! What occluders are made of.
+//! Materials: what occluders are made of: where light goes that meets them on its way to the floor.
+//!
+//! How a top looks to an eye above is its [`crate::Finish`]. A mirror or a dielectric joins here as a variant, with its
+//! reflectance, index of refraction and absorption (`docs/add_an_integrator.md`, part 3).
 
 use crate::Rgb;
 

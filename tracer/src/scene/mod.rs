@@ -1,4 +1,4 @@
-//! What is lit, what lights it and what is in the way: plain data.
+//! The scene: what is lit, what lights it and what is in the way: plain data.
 
 pub(crate) mod id;
 pub(crate) mod lamp;
@@ -33,7 +33,7 @@ pub struct Scene<'a> {
     pub balls: Vec<Ball>,
     /// What hangs above those balls that are below.
     pub overhangs: Vec<Overhang>,
-    /// Inserts that glow from below.
+    /// What glows from below: the inserts of a playfield.
     pub glows: Vec<Glow<'a>>,
     /// The floor's art.
     pub floor: &'a Floor,
@@ -127,7 +127,7 @@ pub struct Ball {
     pub rotation: [f32; 4],
 }
 
-/// An insert that glows: a mask on the screen and its light.
+/// Light that comes through the floor from below, as from an insert of a playfield: a mask on the screen and a colour.
 #[derive(Clone, Debug)]
 pub struct Glow<'a> {
     /// The caller's name for it.
@@ -141,7 +141,7 @@ pub struct Glow<'a> {
 /// Coverage of some pixels of a view.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mask {
-    /// Which printing of it this is.
+    /// Which version of it this is.
     pub revision: Revision,
     /// The leftmost pixel.
     pub x: usize,
@@ -157,7 +157,7 @@ pub struct Mask {
 /// leaves them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Floor {
-    /// Which printing of it this is.
+    /// Which version of it this is.
     pub revision: Revision,
     /// Pixels across.
     pub width: usize,
@@ -173,7 +173,7 @@ pub struct Floor {
     pub gloss: f32,
 }
 
-/// A glow with the printing of its mask: what a tile knows its light by.
+/// A glow with the revision of its mask: what a tile knows its light by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GlowKey(ItemId, Revision);
 

@@ -1,4 +1,4 @@
-//! What hangs above the balls: a ramp's floor, the wires of a wire-form.
+//! Overhangs: what hangs above the balls: a ramp's floor, the wires of a wire-form.
 //!
 //! Balls are drawn over everything else. Where one rolls below an overhang, only what the overhang lets through of it is seen; the
 //! rest is what was there without the ball, the overhang's own look among it.
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_veil_hides_what_it_covers_and_half_at_its_edge() {
+    fn an_overhang_hides_what_it_covers_and_half_at_its_edge() {
         let overhang = Overhang { shape: Shape::capsule(DVec2::ZERO, DVec2::new(100.0, 0.0), 20.0), passes: 0.6 };
         for (y, seen) in [(0.0, 0.6), (19.0, 0.6), (20.0, 0.8), (21.0, 1.0), (50.0, 1.0)] {
             assert!((overhang.passes_at(DVec2::new(40.0, y), 1.0) - seen).abs() < 1e-6, "at {y}");

@@ -1,5 +1,5 @@
-//! What a scene may say: sizes that single precision can tell apart and that a table may have, and numbers that are
-//! numbers.
+//! Scene validation: what a scene may say: sizes that single precision can tell apart and that a table may have, and
+//! numbers that are numbers.
 //!
 //! What says anything else is not drawn: it gives no light, casts no shadow, has no top. [`Scene::check`] says what that
 //! would be.
@@ -158,7 +158,7 @@ pub(crate) fn wrong_with_view(view: &View) -> Option<&'static str> {
 pub(crate) fn wrong_with_lamp(lamp: &Lamp) -> Option<&'static str> {
     let size = match lamp.emitter {
         Emitter::Disc { radius_mm } => radius_mm,
-        Emitter::Segment { half_mm } => half_mm.length(),
+        Emitter::Tube { half_mm } => half_mm.length(),
     };
     if !is_place(lamp.center_mm) {
         Some("must be within 10 km of the origin")

@@ -18,7 +18,7 @@ pub fn jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     Scene { lamps, occluders, ..white_view(floor, 1.0) }
 }
 
-/// As [`jumble`], with two segments that shine beside two discs, one lamp inside a wall, and one in a wall of its own
+/// As [`jumble`], with two tubes beside two discs, one lamp inside a wall, and one in a wall of its own
 /// group.
 pub fn mixed_jumble<'a>(seed: u64, floor: &'a Floor) -> Scene<'a> {
     let mut random = SplitMix64::new(seed ^ 0x5eed_0f1a);
@@ -77,7 +77,7 @@ fn tube(random: &mut SplitMix64, size: DVec2) -> Lamp {
     let lamp = disc(random, size);
     let middle = lamp.center_mm;
     let center_mm = if upright { middle.floor() + DVec2::splat(0.5) } else { middle };
-    Lamp { center_mm, emitter: Emitter::Segment { half_mm }, ..lamp }
+    Lamp { center_mm, emitter: Emitter::Tube { half_mm }, ..lamp }
 }
 
 fn shapes(random: &mut SplitMix64, size: DVec2) -> Vec<Occluder> {

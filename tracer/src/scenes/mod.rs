@@ -22,11 +22,11 @@ pub const SIZE_MM: DVec2 = DVec2::new(514.0, 1067.0);
 pub struct Props {
     /// The floor's art.
     pub floor: Floor,
-    /// The inserts, each with its colour.
-    pub inserts: Vec<(Mask, Rgb)>,
+    /// The glows, each with its colour.
+    pub glows: Vec<(Mask, Rgb)>,
 }
 
-/// A portrait table as big as a real one: 16 lamps, some 250 pieces of wall, 80 tops, three balls, glowing inserts.
+/// A portrait table as big as a real one: 16 lamps, some 250 pieces of wall, 80 tops, three balls, glows.
 pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
     let mut builder = Builder { occluders: Vec::new(), tops: Vec::new(), group: 1, random: SplitMix64::new(7) };
     builder.outer_walls();
@@ -39,7 +39,7 @@ pub fn table<'a>(view: View, props: &'a Props) -> Scene<'a> {
     let balls = builder.balls();
     let Builder { occluders, tops, .. } = builder;
     let glows =
-        (0..).zip(&props.inserts).map(|(id, (mask, color))| Glow { id: ItemId(id), mask, color: *color }).collect();
+        (0..).zip(&props.glows).map(|(id, (mask, color))| Glow { id: ItemId(id), mask, color: *color }).collect();
     Scene {
         view,
         lamps: lamps(&caps),
@@ -64,7 +64,7 @@ pub fn roll(scene: &mut Scene, by_mm: DVec2) {
     }
 }
 
-/// Floor art and inserts for `view`.
+/// Floor art and glows for `view`.
 pub fn props(view: &View) -> Props {
     let revision = Revision::fresh();
     let mut floor = Floor { revision, width: view.width, height: view.height, floor: Vec::new(), ..Floor::default() };
@@ -75,14 +75,14 @@ pub fn props(view: &View) -> Props {
             floor.tops.push(print(at));
         }
     }
-    let mut inserts = Vec::new();
+    let mut glows = Vec::new();
     for k in 0..7 {
         let angle = -2.6 + 0.35 * f64::from(k);
         let center = DVec2::new(257.0, 700.0) + trig::direction(angle) * 150.0;
         let hue = [[1.6, 0.5, 0.05], [1.4, 0.1, 0.1], [0.1, 1.2, 0.3], [0.1, 0.4, 1.8]][k as usize % 4];
-        inserts.push((mask(view, center, 11.0), hue));
+        glows.push((mask(view, center, 11.0), hue));
     }
-    Props { floor, inserts }
+    Props { floor, glows }
 }
 
 /// A white floor of `width` x `height` pixels, tops printed white too.

@@ -10,8 +10,9 @@ use crate::shading::environment;
 use crate::simd::dispatch::{SimdLevel, clamp, max};
 use crate::tile::planes::{RgbTile, TILE};
 use crate::visibility::disc_chain::DiscChains;
-use crate::visibility::potential_occluders::{PotentialOccluders, Shaft};
+use crate::visibility::potential_occluders::PotentialOccluders;
 use crate::visibility::scalar;
+use crate::visibility::shaft::Shaft;
 use crate::visibility::transmission::{self, TintedGroup};
 use crate::{Ball, Lamp, Overhang, Rgb, View};
 use geometry::DVec2;
@@ -64,13 +65,13 @@ pub(crate) struct Highlight {
     /// The middle, mm from the ball's middle, and its height above the floor.
     place: [f32; 3],
     radius: f32,
-    /// The unit vector along a segment, and half of its length, mm; 0 for a disc.
+    /// The unit vector along a tube, and half of its length, mm; 0 for a disc.
     along: [f32; 2],
     half: f32,
     color: Rgb,
 }
 
-/// How thick a segment that shines looks in a ball, mm.
+/// How thick a tube that shines looks in a ball, mm.
 const TUBE_RADIUS_MM: f32 = 3.0;
 
 impl Highlight {

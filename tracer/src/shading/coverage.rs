@@ -93,12 +93,12 @@ impl OutlineSdf {
         Some((Kind::Polygon(corners.to_vec()), bounds, dome))
     }
 
-    /// Finds distance and direction for the points of a whole tile round `middle_mm`. Beyond `margin_mm` from the
+    /// Finds distance and direction for the samples of a whole tile round `middle_mm`. Beyond `margin_mm` from the
     /// outline only the side is right.
     pub fn evaluate(
         &self,
         simd: SimdLevel,
-        points: &PackedSamples,
+        samples: &PackedSamples,
         middle_mm: DVec2,
         margin_mm: f64,
         edge: &mut SignedDistance,
@@ -107,7 +107,7 @@ impl OutlineSdf {
         match &self.kind {
             Kind::Hull(a, b) => {
                 let (a, b) = if a.radius >= b.radius { (a, b) } else { (b, a) };
-                hull(simd, points, Hull::new(a, b, local(a.center)), edge);
+                hull(simd, samples, Hull::new(a, b, local(a.center)), edge);
             }
             Kind::Arc { circle, middle, cos_half, ends, radius } => {
                 let bow = ThickArc {
@@ -118,12 +118,12 @@ impl OutlineSdf {
                     cos_half: *cos_half as f32,
                     ends: ends.map(local),
                 };
-                arc(simd, points, bow, edge);
+                arc(simd, samples, bow, edge);
             }
             Kind::Polygon(corners) => {
                 let far = (margin_mm + f64::from(self.bevel_mm)) as f32;
                 begin_polygon(edge);
-                let reach = far + points.x[0][LANES - 1].abs();
+                let reach = far + samples.x[0][LANES - 1].abs();
                 for (at, &to) in corners.iter().enumerate() {
                     let from = corners[(at + corners.len() - 1) % corners.len()];
                     let (from, to) = (local(from), local(to));
@@ -134,7 +134,7 @@ impl OutlineSdf {
                     let level =
                         from[1].min(to[1]) < reach && from[1].max(to[1]) > -reach && from[0].max(to[0]) > -reach;
                     if near || level {
-                        side(simd, points, [from, to], near, edge);
+                        side(simd, samples, [from, to], near, edge);
                     }
                 }
                 end_polygon(simd, edge);
@@ -195,23 +195,23 @@ struct ThickArc {
 }
 
 multiversion! {
-    fn hull(points: &PackedSamples, hull: Hull, edge: &mut SignedDistance) = hull_lanes;
+    fn hull(samples: &PackedSamples, hull: Hull, edge: &mut SignedDistance) = hull_lanes;
 }
 multiversion! {
-    fn arc(points: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) = arc_lanes;
+    fn arc(samples: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) = arc_lanes;
 }
 multiversion! {
-    fn side(points: &PackedSamples, ends: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) = side_lanes;
+    fn side(samples: &PackedSamples, ends: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) = side_lanes;
 }
 multiversion! {
     fn end_polygon(edge: &mut SignedDistance) = end_polygon_lanes;
 }
 
 #[inline(always)]
-fn hull_lanes(points: &PackedSamples, hull: Hull, edge: &mut SignedDistance) {
+fn hull_lanes(samples: &PackedSamples, hull: Hull, edge: &mut SignedDistance) {
     let Hull { a, along, length, a_radius, b_radius, lean, upright } = hull;
     for block in 0..TILE {
-        let (x, y) = (&points.x[block], &points.y[block]);
+        let (x, y) = (&samples.x[block], &samples.y[block]);
         let (mut distance, mut away_x, mut away_y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             let (px, py) = (x[i] - a[0], y[i] - a[1]);
@@ -238,9 +238,9 @@ fn hull_lanes(points: &PackedSamples, hull: Hull, edge: &mut SignedDistance) {
 }
 
 #[inline(always)]
-fn arc_lanes(points: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) {
+fn arc_lanes(samples: &PackedSamples, bow: ThickArc, edge: &mut SignedDistance) {
     for block in 0..TILE {
-        let (x, y) = (&points.x[block], &points.y[block]);
+        let (x, y) = (&samples.x[block], &samples.y[block]);
         let (mut distance, mut away_x, mut away_y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             let (px, py) = (x[i] - bow.center[0], y[i] - bow.center[1]);
@@ -270,12 +270,12 @@ fn begin_polygon(edge: &mut SignedDistance) {
 }
 
 #[inline(always)]
-fn side_lanes(points: &PackedSamples, [from, to]: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) {
+fn side_lanes(samples: &PackedSamples, [from, to]: [[f32; 2]; 2], near: bool, edge: &mut SignedDistance) {
     let (ex, ey) = (to[0] - from[0], to[1] - from[1]);
     let inverse = 1.0 / max(ex * ex + ey * ey, 1e-12);
     let slant = ex / if ey == 0.0 { 1.0 } else { ey };
     for block in 0..TILE {
-        let (x, y): (&Lanes, &Lanes) = (&points.x[block], &points.y[block]);
+        let (x, y): (&Lanes, &Lanes) = (&samples.x[block], &samples.y[block]);
         let (signed, away_x, away_y) = (&mut edge.distance[block], &mut edge.away_x[block], &mut edge.away_y[block]);
         for i in 0..LANES {
             let (px, py) = (x[i] - from[0], y[i] - from[1]);

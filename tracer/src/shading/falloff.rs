@@ -18,11 +18,11 @@ pub(crate) struct Falloff {
     pub height_square: f32,
     /// One over the square of the reach, 1/mm^2.
     fade: f32,
-    /// The unit vector along a segment, and half of its length, mm.
+    /// The unit vector along a tube, and half of its length, mm.
     tube: Option<([f32; 2], f32)>,
 }
 
-/// What arrives at one block of points.
+/// What arrives at one block of samples.
 pub(crate) struct IncidentLight {
     /// The vector to the nearest point of the emitter, across, mm.
     pub x: Lanes,
@@ -52,7 +52,7 @@ impl Falloff {
         }
     }
 
-    /// What arrives at a block of points.
+    /// What arrives at a block of samples.
     #[inline(always)]
     pub fn incident(&self, x: &Lanes, y: &Lanes) -> IncidentLight {
         let none = [0.0; LANES];
@@ -69,9 +69,9 @@ impl Falloff {
         for i in 0..LANES {
             let (ux, uy) = (self.x - x[i], self.y - y[i]);
             let square = ux * ux + uy * uy;
-            let rest = max(1.0 - square * self.fade, 0.0);
+            let window = max(1.0 - square * self.fade, 0.0);
             (incident.x[i], incident.y[i], incident.square[i]) = (ux, uy, square);
-            incident.irradiance[i] = rest * rest / (square + self.height_square);
+            incident.irradiance[i] = window * window / (square + self.height_square);
         }
     }
 
@@ -88,14 +88,14 @@ impl Falloff {
             let off = my * along[0] - mx * along[1];
             let nearest = middle - clamp(middle, -half, half);
             let square = nearest * nearest + off * off;
-            let rest = max(1.0 - square * self.fade, 0.0);
+            let window = max(1.0 - square * self.fade, 0.0);
             let q_square = off * off + self.height_square;
             let across = 2.0 * half * q_square.sqrt();
             incident.x[i] = along[0] * nearest - along[1] * off;
             incident.y[i] = along[1] * nearest + along[0] * off;
             incident.square[i] = square;
             let seen = angle(q_square + (middle - half) * (middle + half), across);
-            incident.irradiance[i] = rest * rest * seen / across;
+            incident.irradiance[i] = window * window * seen / across;
         }
     }
 }

@@ -1,5 +1,5 @@
-//! What a lamp's light does at points of a tile: how much arrives, and what a surface sends on to an eye straight
-//! above.
+//! Surface shading: what a lamp's light does at samples of a tile: how much arrives, and what a surface sends on to an
+//! eye straight above.
 
 use crate::shading::environment;
 use crate::shading::falloff::{Falloff, IncidentLight};
@@ -8,7 +8,7 @@ use crate::tile::packed_samples::PackedSamples;
 use crate::tile::planes::{BLACK, Plane, RgbTile, TILE};
 use crate::{Finish, Lamp};
 
-/// How the surface at each point of a layer leans.
+/// How the surface at each sample of a layer leans.
 #[derive(Clone, Debug)]
 pub(crate) struct Normals {
     /// Across.
@@ -27,10 +27,10 @@ impl Normals {
     }
 }
 
-/// What a layer is at its points.
+/// What a layer is at its samples.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
-    /// How much of a pixel each point is.
+    /// How much of a pixel each sample is.
     pub weight: Plane,
     /// Reflectance, linear; a top's is multiplied by that of its finish.
     pub albedo: RgbTile,
@@ -49,10 +49,10 @@ impl Surface {
 }
 
 multiversion! {
-    /// What arrives of the beam's light at those blocks of the floor's points whose bits are set, and what shines there
+    /// What arrives of the lamp's light at those blocks of the floor's samples whose bits are set, and what shines there
     /// in the light's own colour, if nothing is in the way; `gloss` is 0 to 1.
     pub(crate) fn floor_irradiance(
-        points: &PackedSamples, blocks: u16, floor: &Surface, falloff: Falloff, gloss: f32, irradiance: &mut Plane,
+        samples: &PackedSamples, blocks: u16, floor: &Surface, falloff: Falloff, gloss: f32, irradiance: &mut Plane,
         specular: &mut Plane,
     ) = floor_irradiance_lanes;
 }
@@ -63,16 +63,16 @@ multiversion! {
 }
 
 multiversion! {
-    /// The floor's picture, of what arrives and of what shines, at those blocks of its points whose bits are set.
+    /// The floor's picture, of what arrives and of what shines, at those blocks of its samples whose bits are set.
     pub(crate) fn shade_floor(
         blocks: u16, albedo: &RgbTile, irradiance: &Plane, specular: &Plane, out: &mut RgbTile,
     ) = shade_floor_lanes;
 }
 
 multiversion! {
-    /// A top's picture in the beam's light, at those blocks of its points whose bits are set.
+    /// A top's picture in the lamp's light, at those blocks of its samples whose bits are set.
     pub(crate) fn shade_top(
-        points: &PackedSamples, blocks: u16, top: &Surface, finish: &Finish, falloff: Falloff, fraction: &[Lanes], out: &mut RgbTile,
+        samples: &PackedSamples, blocks: u16, top: &Surface, finish: &Finish, falloff: Falloff, fraction: &[Lanes], out: &mut RgbTile,
     ) = shade_top_lanes;
 }
 
@@ -143,7 +143,7 @@ const COAT_END_COSINE_SQUARE: f32 = 1.0 - 6.0 / 32.0;
 
 #[inline(always)]
 fn floor_irradiance_lanes(
-    points: &PackedSamples,
+    samples: &PackedSamples,
     blocks: u16,
     floor: &Surface,
     falloff: Falloff,
@@ -154,7 +154,7 @@ fn floor_irradiance_lanes(
     let has_normals = floor.has_normals || gloss > 0.0;
     let coat = COAT_STRENGTH * clamp(gloss, 0.0, 1.0);
     for block in set_bits(blocks) {
-        let (x, y) = (&points.x[block], &points.y[block]);
+        let (x, y) = (&samples.x[block], &samples.y[block]);
         let (nx, ny, nz) = (&floor.normals.x[block], &floor.normals.y[block], &floor.normals.z[block]);
         let weight = &floor.weight[block];
         let (diffuse, specular) = (&mut irradiance[block], &mut specular[block]);
@@ -201,7 +201,7 @@ fn shade_floor_lanes(blocks: u16, albedo: &RgbTile, irradiance: &Plane, specular
 
 #[inline(always)]
 fn shade_top_lanes(
-    points: &PackedSamples,
+    samples: &PackedSamples,
     blocks: u16,
     top: &Surface,
     finish: &Finish,
@@ -212,7 +212,7 @@ fn shade_top_lanes(
     let gloss = clamp(finish.gloss, 0.0, 1.0);
     let through = clamp(finish.translucency, 0.0, 1.0);
     for block in set_bits(blocks) {
-        let (x, y, seen) = (&points.x[block], &points.y[block], &fraction[block]);
+        let (x, y, seen) = (&samples.x[block], &samples.y[block], &fraction[block]);
         let (nx, ny, nz) = (&top.normals.x[block], &top.normals.y[block], &top.normals.z[block]);
         let weight = &top.weight[block];
         let (mut above, mut specular, mut below) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);

@@ -1,34 +1,34 @@
-//! A tile of the screen and the points of it that some surface needs light at.
+//! Packed samples: those pixels of a tile that some surface needs light at.
 
 use crate::simd::dispatch::{LANES, set_bits};
 use crate::tile::planes::{AREA, Plane, RgbTile, TILE};
 
-/// Some pixels of a tile, packed, as points in mm from the tile's middle.
+/// Some pixels of a tile, packed: samples in mm from the tile's middle.
 #[derive(Clone, Debug)]
 pub(crate) struct PackedSamples {
-    /// How many points there are.
+    /// How many samples there are.
     pub count: usize,
     /// Across, mm.
     pub x: Plane,
     /// Down, mm.
     pub y: Plane,
-    /// Which pixel of the tile each point is.
+    /// Which pixel of the tile each sample is.
     pub pixel: [u8; AREA],
 }
 
 impl PackedSamples {
-    /// No point.
+    /// No sample.
     pub fn none() -> PackedSamples {
         PackedSamples { count: 0, x: [[0.0; LANES]; TILE], y: [[0.0; LANES]; TILE], pixel: [0; AREA] }
     }
 
     /// Every pixel of a tile, in order.
     pub fn full_tile(mm_per_px: f64) -> PackedSamples {
-        let mut points = PackedSamples::none();
+        let mut samples = PackedSamples::none();
         for pixel in 0..AREA {
-            points.push_pixel(pixel, mm_per_px as f32);
+            samples.push_pixel(pixel, mm_per_px as f32);
         }
-        points
+        samples
     }
 
     /// Adds a pixel of the tile.
@@ -42,7 +42,7 @@ impl PackedSamples {
         self.count += 1;
     }
 
-    /// Fills the last block with copies of the last point, so that the blocks can be taken whole.
+    /// Fills the last block with copies of the last sample, so that the blocks can be taken whole.
     pub fn pad(&mut self) {
         if self.count == 0 {
             return;
@@ -55,7 +55,7 @@ impl PackedSamples {
         }
     }
 
-    /// The blocks that hold any of the points in some rows of the tile; those that were pushed in order.
+    /// The blocks that hold any of the samples in some rows of the tile; those that were pushed in order.
     pub fn blocks_in(&self, rows: u16) -> u16 {
         let row = |at: usize| u32::from(self.pixel[at]) / LANES as u32;
         let meets = |block: &usize| {
@@ -78,7 +78,7 @@ impl PackedSamples {
         }
     }
 
-    /// How many blocks of [`LANES`] hold the points.
+    /// How many blocks of [`LANES`] hold the samples.
     pub fn blocks(&self) -> usize {
         self.count.div_ceil(LANES)
     }

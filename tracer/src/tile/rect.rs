@@ -42,7 +42,7 @@ impl TileRect {
         }
     }
 
-    /// Beyond the picture's edge a tile shows what is at the edge, so that the glare there is the picture's own.
+    /// Beyond the picture's edge a tile shows what is at the edge, so that the bloom there is the picture's own.
     pub fn clamp_to_edge(&self, planes: &mut [&mut Plane]) {
         let (columns, rows) = self.visible_px;
         if self.is_unclipped() {

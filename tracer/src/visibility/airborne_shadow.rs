@@ -1,4 +1,4 @@
-//! The shadow of an airborne ball: which fraction of a lamp a sphere hides from the points of a tile.
+//! The shadow of an airborne ball: which fraction of a lamp a sphere hides from the samples of a tile.
 //!
 //! 1. Seen from a point of the floor, a sphere of radius R whose centre is z above the floor and d across fills a cone:
 //!    the directions x with (x . m)^2 >= |x|^2 (|m|^2 - R^2), where m = (d, 0, z).
@@ -41,7 +41,7 @@ pub(crate) struct AirborneShadow {
     ball_mm: DVec2,
     lamp_mm: DVec2,
     sizes: Sizes,
-    shape: Shape,
+    shape: EmitterShape,
 }
 
 /// The ball and the lamp, as far as it does not matter where they are.
@@ -68,11 +68,11 @@ struct Sizes {
 
 /// What of the lamp shines.
 #[derive(Clone, Copy, Debug)]
-enum Shape {
+enum EmitterShape {
     Point,
     /// How far each strip of a disc is from its middle, half of its length, and what a millimetre of it counts.
     Disc([[f32; 3]; DISC_STRIPS]),
-    /// The unit vector along a segment, and the square of its height.
+    /// The unit vector along a tube, and the square of its height.
     Tube([f32; 2], f32),
 }
 
@@ -97,27 +97,27 @@ impl AirborneShadow {
         let shape = match lamp.tube() {
             Some(half) => {
                 let along = half / half.length();
-                Shape::Tube([along.x as f32, along.y as f32], (height * height) as f32)
+                EmitterShape::Tube([along.x as f32, along.y as f32], (height * height) as f32)
             }
-            None if lamp.radius_mm() == 0.0 => Shape::Point,
-            None => Shape::Disc(strips(lamp.radius_mm())),
+            None if lamp.radius_mm() == 0.0 => EmitterShape::Point,
+            None => EmitterShape::Disc(strips(lamp.radius_mm())),
         };
         let bounds = ShadowBounds::of_airborne(lamp, ball);
         AirborneShadow { group: ball.group, bounds, ball_mm: ball.center_mm, lamp_mm: lamp.center_mm, sizes, shape }
     }
 
-    /// Takes what it hides from those blocks of a tile's points whose bits are set.
+    /// Takes what it hides from those blocks of a tile's samples whose bits are set.
     pub fn attenuate(
         &self,
         simd: SimdLevel,
         rect: &TileRect,
-        points: &PackedSamples,
+        samples: &PackedSamples,
         blocks: u16,
         fraction: &mut Plane,
     ) {
         let narrow = |at: DVec2| [(at.x - rect.middle_mm.x) as f32, (at.y - rect.middle_mm.y) as f32];
         let (ball, lamp) = (narrow(self.ball_mm), narrow(self.lamp_mm));
-        attenuate(simd, blocks, points, ball, lamp, &self.sizes, &self.shape, fraction);
+        attenuate(simd, blocks, samples, ball, lamp, &self.sizes, &self.shape, fraction);
     }
 }
 
@@ -132,7 +132,7 @@ fn strips(radius: f64) -> [[f32; 3]; DISC_STRIPS] {
 
 multiversion! {
     fn attenuate(
-        blocks: u16, points: &PackedSamples, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &Shape,
+        blocks: u16, samples: &PackedSamples, ball: [f32; 2], lamp: [f32; 2], sizes: &Sizes, shape: &EmitterShape,
         fraction: &mut Plane,
     ) = attenuate_lanes;
 }
@@ -140,27 +140,27 @@ multiversion! {
 #[inline(always)]
 fn attenuate_lanes(
     blocks: u16,
-    points: &PackedSamples,
+    samples: &PackedSamples,
     ball: [f32; 2],
     lamp: [f32; 2],
     sizes: &Sizes,
-    shape: &Shape,
+    shape: &EmitterShape,
     fraction: &mut Plane,
 ) {
     for block in set_bits(blocks) {
-        let view = View::new(&points.x[block], &points.y[block], ball, lamp, sizes);
+        let view = View::new(&samples.x[block], &samples.y[block], ball, lamp, sizes);
         if !view.may_hide(sizes) {
             continue;
         }
         let mut hidden = [0.0; LANES];
         match *shape {
-            Shape::Point => {
+            EmitterShape::Point => {
                 let (low, high) = Lines::across_edge(&view, sizes).hidden(sizes, 0.0);
                 for i in 0..LANES {
                     hidden[i] = if (low[i] <= 0.0) & (high[i] >= 0.0) { 1.0 } else { 0.0 };
                 }
             }
-            Shape::Disc(strips) => {
+            EmitterShape::Disc(strips) => {
                 let lines = Lines::across_edge(&view, sizes);
                 for [aside, half, counts] in strips {
                     let (low, high) = lines.hidden(sizes, aside);
@@ -170,7 +170,7 @@ fn attenuate_lanes(
                     }
                 }
             }
-            Shape::Tube(along, height_square) => {
+            EmitterShape::Tube(along, height_square) => {
                 let lines = Lines::towards(&view, sizes, along);
                 let (low, high) = lines.hidden(sizes, 0.0);
                 lines.weigh(&view, &low, &high, sizes.half, height_square, &mut hidden);

@@ -55,7 +55,7 @@ pub(crate) struct Piece {
     pub clipped: bool,
 }
 
-/// What stands between one lamp and the points of one tile.
+/// What stands between one lamp and the samples of one tile.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Blockers {
     /// The elements of the chains, one chain after another.
@@ -68,14 +68,14 @@ pub(crate) struct Blockers {
     pub hidden_by: Option<Group>,
 }
 
-/// How much of a lamp the points of a tile see.
+/// How much of a lamp the samples of a tile see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum VisibilityClass {
-    /// All of it, every point.
+    /// All of it, every sample.
     Lit,
-    /// Nothing of it, every point.
+    /// Nothing of it, every sample.
     Umbra,
-    /// Some points may be in penumbra: computed point by point.
+    /// Some samples may be in penumbra: computed sample by sample.
     Partial,
 }
 

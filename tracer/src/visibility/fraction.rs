@@ -1,34 +1,24 @@
-//! The visible fraction of a lamp, point by point.
+//! The visible fraction of a lamp, sample by sample.
 //!
 //! Everything lies in the plane of the floor, where occluders are areas and a lamp is a line. From a point P a disc
 //! lamp is its *chord*: the diameter that is perpendicular to the line from P to the disc's centre. A tube is its own
 //! chord, wherever P is. A convex occluder between P and the chord covers one interval of the chord, bounded by the
-//! occluder's two tangents through P. The visible fraction is one minus the length of the intervals' union
-//! ([`crate::visibility::interval_union`]). Linear lamps were first treated so, with the visible parts of the line
-//! found for each point, by T. Nishita, I. Okamura, E. Nakamae, "Shading models for point and linear sources", ACM TOG
-//! 4(2), 1985.
-//!
-//! The frame of all formulas below:
-//! - the origin is P;
-//! - u is the vector from P to the chord's line, at right angles to it, of length d; it is not normalised, which saves
-//!   a square root and a division;
-//! - the vector c has the coordinates (ahead, aside) = (c . u, u x c), so each is in mm times d;
-//! - a direction is its slope, aside / ahead. The ray of slope s meets the chord's line s d from the foot of u, so
-//!   intervals of slopes are intervals of the chord, and the chord of a disc of radius r is [-r/d, r/d].
+//! occluder's two tangents through P ([`crate::visibility::covered_interval`]). The visible fraction is one minus the
+//! length of the intervals' union ([`crate::visibility::interval_union`]). Linear lamps were first treated so, with the
+//! visible parts of the line found for each point, by T. Nishita, I. Okamura, E. Nakamae, "Shading models for point and
+//! linear sources", ACM TOG 4(2), 1985.
 //!
 //! For a tube the ends of the intervals are weighed by the irradiance from their part of the line before their union is
 //! measured ([`ProjectedChord::measure`]). `docs/exact_visibility.md` derives the whole method.
 
-use crate::simd::dispatch::{LANES, Lanes, clamp, max, min, multiversion, set_bits};
+use crate::simd::dispatch::{LANES, Lanes, clamp, multiversion, set_bits};
 use crate::tile::planes::Plane;
-use crate::visibility::blockers::{Blockers, Cap, Element, Piece};
+use crate::visibility::blockers::Blockers;
+use crate::visibility::covered_interval::covered_interval;
 use crate::visibility::interval_union::{uncovered, uncovered_many};
 use crate::visibility::projected_emitter::{ProjectedChord, ProjectedDisc, ProjectedEmitter};
 
-/// A slope that stands for infinity: a direction parallel to the chord. Its square is finite in single precision.
-const STEEP: f32 = 1e18;
-
-/// Scratch memory for the ends of the intervals that one block of points sees, as slopes.
+/// Scratch memory for the ends of the intervals that one block of samples sees, as slopes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct IntervalScratch {
     low: Vec<Lanes>,
@@ -36,7 +26,7 @@ pub(crate) struct IntervalScratch {
 }
 
 impl IntervalScratch {
-    /// Makes room for `count` intervals a point.
+    /// Makes room for `count` intervals a sample.
     pub fn reserve(&mut self, count: usize) {
         if self.low.len() < count {
             self.low.resize(count, [0.0; LANES]);
@@ -46,7 +36,7 @@ impl IntervalScratch {
 }
 
 multiversion! {
-    /// The visible fraction of `emitter` at those blocks of points whose bits are set.
+    /// The visible fraction of `emitter` at those blocks of samples whose bits are set.
     pub(crate) fn visible_fraction(
         blocks: u16, x: &Plane, y: &Plane, emitter: ProjectedEmitter, blockers: &Blockers, scratch: &mut IntervalScratch,
         fraction: &mut Plane,
@@ -63,7 +53,7 @@ fn visible_fraction_lanes(
     scratch: &mut IntervalScratch,
     fraction: &mut Plane,
 ) {
-    // Coherence: the occluder that hid the lamp from the last points is tested first for the next.
+    // Coherence: the occluder that hid the lamp from the last samples is tested first for the next.
     let mut first = 0;
     for block in set_bits(blocks) {
         let (x, y, out) = (&x[block], &y[block], &mut fraction[block]);
@@ -75,31 +65,6 @@ fn visible_fraction_lanes(
                 soft_shadow(&x, &y, tube, blockers, scratch, &mut first, out);
             }
         }
-    }
-}
-
-/// The interval that the chain or piece of this number covers, for each of a block of points.
-#[inline(always)]
-fn interval<S: ProjectedChord>(
-    x: &Lanes,
-    y: &Lanes,
-    emitter: S,
-    blockers: &Blockers,
-    at: usize,
-    low: &mut Lanes,
-    high: &mut Lanes,
-) {
-    let chains = blockers.ends.len();
-    if at < chains {
-        let first = if at == 0 { 0 } else { blockers.ends[at - 1] };
-        return cover_chain(x, y, emitter, &blockers.elements[first..blockers.ends[at]], low, high);
-    }
-    let piece = &blockers.pieces[at - chains];
-    match (piece.clipped, piece.cap.is_some()) {
-        (false, false) => cover_piece::<S, false, false>(x, y, emitter, piece, low, high),
-        (false, true) => cover_piece::<S, false, true>(x, y, emitter, piece, low, high),
-        (true, false) => cover_piece::<S, true, false>(x, y, emitter, piece, low, high),
-        (true, true) => cover_piece::<S, true, true>(x, y, emitter, piece, low, high),
     }
 }
 
@@ -123,7 +88,7 @@ fn soft_shadow<S: ProjectedChord>(
         // The order: `first`, those before it, those after it.
         let at = if turn == 0 { *first } else { turn - usize::from(turn <= *first) };
         let (begin, end) = (&mut scratch.low[count], &mut scratch.high[count]);
-        interval(x, y, emitter, blockers, at, begin, end);
+        covered_interval(x, y, emitter, blockers, at, begin, end);
         let (mut met, mut missed) = (0u32, 0u32);
         for i in 0..LANES {
             begin[i] = clamp(begin[i], least[i], most[i]);
@@ -161,283 +126,10 @@ fn hard_shadow(x: &Lanes, y: &Lanes, emitter: ProjectedDisc, blockers: &Blockers
     *out = [1.0; LANES];
     let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
     for at in 0..blockers.intervals() {
-        interval(x, y, emitter, blockers, at, &mut low, &mut high);
+        covered_interval(x, y, emitter, blockers, at, &mut low, &mut high);
         for i in 0..LANES {
             let covered = (low[i] <= 0.0) & (high[i] >= 0.0);
             out[i] = if covered { 0.0 } else { out[i] };
         }
     }
-}
-
-/// The interval of a chain that lies, for every point of the block, between the point and the lamp's chord.
-///
-/// From outside, the hull of two discs spans the same directions as the two discs together and whatever lies between
-/// them, and the links of a chain leave no gap: its interval goes from its discs' lowest tangent to their highest.
-///
-/// The tangents of a disc, with c the vector from P to its centre, R its radius and t = sqrt(c^2 - R^2) the distance to
-/// the points of tangency:
-/// 1. They are c turned by plus and minus the angle whose sine is R / |c| and whose cosine is t / |c|.
-/// 2. In the frame their directions are (ahead t + aside R, aside t - ahead R) and (ahead t - aside R, aside t + ahead
-///    R).
-/// 3. Each slope, expanded by the other direction's `ahead` and divided by c^2, is
-///    (ahead aside -+ R d^2 t) / (ahead^2 - R^2 d^2): one division serves both.
-#[inline(always)]
-fn cover_chain<S: ProjectedChord>(
-    x: &Lanes,
-    y: &Lanes,
-    emitter: S,
-    elements: &[Element],
-    low: &mut Lanes,
-    high: &mut Lanes,
-) {
-    let (mut lowest, mut highest) = ([STEEP; LANES], [-STEEP; LANES]);
-    for element in elements {
-        match *element {
-            Element::Disc([qx, qy, radius]) => {
-                for i in 0..LANES {
-                    let (ux, uy, square) = emitter.way(x[i], y[i]);
-                    let (cx, cy) = (qx - x[i], qy - y[i]);
-                    let (ahead, aside) = (cx * ux + cy * uy, cy * ux - cx * uy);
-                    let tangent = max(cx * cx + cy * cy - radius * radius, 0.0).sqrt();
-                    let swing = radius * square * tangent;
-                    let product = ahead * aside;
-                    let scale = 1.0 / (ahead * ahead - radius * radius * square);
-                    lowest[i] = min(lowest[i], (product - swing) * scale);
-                    highest[i] = max(highest[i], (product + swing) * scale);
-                }
-            }
-            Element::Bulge(cap) => {
-                for i in 0..LANES {
-                    let (ux, uy, square) = emitter.way(x[i], y[i]);
-                    let ends = tangents(x[i], y[i], cap.circle, ux, uy);
-                    let middle = in_frame(cap.middle, ux, uy);
-                    let least = cap.least * square;
-                    let (lower, upper) =
-                        (on_cap(&ends, ends.lower, middle, least), on_cap(&ends, ends.upper, middle, least));
-                    lowest[i] = if lower { min(lowest[i], slope(ends.lower, -STEEP)) } else { lowest[i] };
-                    highest[i] = if upper { max(highest[i], slope(ends.upper, STEEP)) } else { highest[i] };
-                }
-            }
-        }
-    }
-    (*low, *high) = (lowest, highest);
-}
-
-/// The tangents of a disc from a point, in the frame of the module: coordinates in mm times d.
-struct Tangents {
-    /// The vector c to the disc's centre.
-    center: [f32; 2],
-    /// The direction of the lower tangent: step 2 of [`cover_chain`].
-    lower: [f32; 2],
-    /// The direction of the upper tangent.
-    upper: [f32; 2],
-    /// The distance t to the points of tangency, mm.
-    tangent: f32,
-    /// c^2, mm^2. A direction times t / c^2 is the point of tangency.
-    square: f32,
-    /// Whether the point is inside the disc.
-    inside: bool,
-}
-
-/// A vector in the frame of the module: (v . u, u x v).
-#[inline(always)]
-fn in_frame(v: [f32; 2], ux: f32, uy: f32) -> [f32; 2] {
-    [v[0] * ux + v[1] * uy, v[1] * ux - v[0] * uy]
-}
-
-/// The tangents of a disc, given by its centre and radius, from (x, y).
-#[inline(always)]
-fn tangents(x: f32, y: f32, [qx, qy, radius]: [f32; 3], ux: f32, uy: f32) -> Tangents {
-    let (cx, cy) = (qx - x, qy - y);
-    let [ahead, aside] = in_frame([cx, cy], ux, uy);
-    let square = cx * cx + cy * cy;
-    let tangent_square = square - radius * radius;
-    let tangent = max(tangent_square, 0.0).sqrt();
-    Tangents {
-        center: [ahead, aside],
-        lower: [ahead * tangent + aside * radius, aside * tangent - ahead * radius],
-        upper: [ahead * tangent - aside * radius, aside * tangent + ahead * radius],
-        tangent,
-        square,
-        inside: tangent_square < 0.0,
-    }
-}
-
-/// The slope of a direction, or `behind` for a direction that points away from the lamp.
-#[inline(always)]
-fn slope([ahead, aside]: [f32; 2], behind: f32) -> f32 {
-    let forward = ahead > 0.0;
-    let quotient = clamp(aside / (if forward { ahead } else { 1.0 }), -STEEP, STEEP);
-    if forward { quotient } else { behind }
-}
-
-/// Whether a tangent of the cap's circle touches it within the cap; `least` is the cap's, times d^2.
-///
-/// 1. The point of tangency is direction t / c^2, so from the circle's centre it is n = direction t / c^2 - center.
-/// 2. The cap is where n . middle >= least. Both vectors are in the frame, so their product carries d^2, and multiplied
-///    by c^2 the comparison needs no division.
-#[inline(always)]
-fn on_cap(seen: &Tangents, direction: [f32; 2], middle: [f32; 2], least: f32) -> bool {
-    let nx = direction[0] * seen.tangent - seen.center[0] * seen.square;
-    let ny = direction[1] * seen.tangent - seen.center[1] * seen.square;
-    (nx * middle[0] + ny * middle[1] >= least * seen.square) & !seen.inside
-}
-
-/// The interval of the hull of two discs, wherever it lies: round the point, behind it, across the chord.
-///
-/// 1. The extreme tangents are those of either disc, or of the cap that bulges out of an arc's piece.
-/// 2. A hull whose two extreme tangents both point away from the lamp is behind the point: no interval.
-/// 3. A point inside the hull sees nothing: the interval is everything.
-/// 4. Where an extreme tangent touches beyond the chord (`CLIPPED`), the hull's part before the chord ends on the
-///    chord's line: the interval's end is where the outline crosses that line.
-#[inline(always)]
-fn cover_piece<S: ProjectedChord, const CLIPPED: bool, const CAPPED: bool>(
-    x: &Lanes,
-    y: &Lanes,
-    emitter: S,
-    piece: &Piece,
-    low: &mut Lanes,
-    high: &mut Lanes,
-) {
-    let cap = piece.cap.unwrap_or(Cap { circle: [0.0; 3], middle: [0.0; 2], least: 0.0, inner: [-1.0; 2] });
-    let hull = !piece.single;
-    for i in 0..LANES {
-        let (ux, uy, square) = emitter.way(x[i], y[i]);
-        let a = tangents(x[i], y[i], piece.a, ux, uy);
-        let b = tangents(x[i], y[i], piece.b, ux, uy);
-        // Directions are compared by the sign of their cross product, not by slope: a hull may reach round the point.
-        let b_lowest = cross(b.lower, a.lower) > 0.0;
-        let b_highest = cross(a.upper, b.upper) > 0.0;
-        let mut lower = Touch::pick(b_lowest, &b, b.lower, &Touch::of(&a, a.lower));
-        let mut upper = Touch::pick(b_highest, &b, b.upper, &Touch::of(&a, a.upper));
-        if CAPPED {
-            let ends = tangents(x[i], y[i], cap.circle, ux, uy);
-            let middle = in_frame(cap.middle, ux, uy);
-            let least = cap.least * square;
-            let lowest = on_cap(&ends, ends.lower, middle, least) & (cross(ends.lower, lower.direction) > 0.0);
-            let highest = on_cap(&ends, ends.upper, middle, least) & (cross(upper.direction, ends.upper) > 0.0);
-            lower = Touch::pick(lowest, &ends, ends.lower, &lower);
-            upper = Touch::pick(highest, &ends, ends.upper, &upper);
-        }
-        // Step 2: the hull spans less than half a turn, so both ends behind means all behind.
-        let behind = (lower.direction[0] <= 0.0) & (upper.direction[0] <= 0.0);
-        let (mut lowest, mut highest) = (slope(lower.direction, -STEEP), slope(upper.direction, STEEP));
-        // Step 3: from outside, the turn from the lower tangent of one disc to the upper tangent of the other is less
-        // than half a turn; from within the hull it is more.
-        let b_above_a = cross(a.center, b.center) >= 0.0;
-        let span = if b_above_a { cross(a.lower, b.upper) } else { cross(b.lower, a.upper) };
-        let inside = a.inside | b.inside | (hull & (span < 0.0));
-        if CLIPPED {
-            let (mut bottom, mut top) = across_chord(x[i], y[i], piece, &a, &b, ux, uy, square);
-            if CAPPED {
-                let center = in_frame([cap.circle[0] - x[i], cap.circle[1] - y[i]], ux, uy);
-                let middle = in_frame(cap.middle, ux, uy);
-                for [radius, least] in [[cap.circle[2], cap.least], cap.inner] {
-                    for at in rim_across_chord(center, radius, middle, least, square) {
-                        bottom = min(bottom, at.0);
-                        top = max(top, at.1);
-                    }
-                }
-            }
-            lowest = if lower.is_beyond(square) { bottom } else { lowest };
-            highest = if upper.is_beyond(square) { top } else { highest };
-        }
-        let empty = behind | (lowest > highest);
-        low[i] = if inside { -STEEP } else { if empty { STEEP } else { lowest } };
-        high[i] = if inside | empty { STEEP } else { highest };
-    }
-}
-
-/// A point of tangency: the direction of the tangent, and t and c^2, whose quotient takes the direction to the point.
-#[derive(Clone, Copy)]
-struct Touch {
-    direction: [f32; 2],
-    tangent: f32,
-    square: f32,
-}
-
-impl Touch {
-    #[inline(always)]
-    fn of(seen: &Tangents, direction: [f32; 2]) -> Touch {
-        Touch { direction, tangent: seen.tangent, square: seen.square }
-    }
-
-    #[inline(always)]
-    fn pick(first: bool, seen: &Tangents, direction: [f32; 2], other: &Touch) -> Touch {
-        Touch {
-            direction: [
-                if first { direction[0] } else { other.direction[0] },
-                if first { direction[1] } else { other.direction[1] },
-            ],
-            tangent: if first { seen.tangent } else { other.tangent },
-            square: if first { seen.square } else { other.square },
-        }
-    }
-
-    /// Whether the point of tangency lies beyond the chord's line, where `ahead` is d^2: direction t / c^2 > d^2.
-    #[inline(always)]
-    fn is_beyond(&self, square: f32) -> bool {
-        self.direction[0] * self.tangent > square * self.square
-    }
-}
-
-#[inline(always)]
-fn cross(a: [f32; 2], b: [f32; 2]) -> f32 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-/// The slopes between which the hull's outline crosses the chord's line, where `ahead` is d^2 (`square`); in the wrong
-/// order if it does not cross.
-///
-/// In the frame, a circle of radius R has the radius R d. It crosses the line at `center.aside -+ half`, where
-/// half^2 = (R d)^2 - (d^2 - center.ahead)^2. A straight side crosses where it is cut in the proportion of its ends'
-/// distances from the line. On the line the slope is aside / d^2.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn across_chord(
-    x: f32,
-    y: f32,
-    piece: &Piece,
-    a: &Tangents,
-    b: &Tangents,
-    ux: f32,
-    uy: f32,
-    square: f32,
-) -> (f32, f32) {
-    let (mut bottom, mut top) = (STEEP, -STEEP);
-    for (disc, radius) in [(a, piece.a[2]), (b, piece.b[2])] {
-        let off = square - disc.center[0];
-        let half_square = radius * radius * square - off * off;
-        let half = max(half_square, 0.0).sqrt();
-        let crosses = half_square >= 0.0;
-        bottom = if crosses { min(bottom, disc.center[1] - half) } else { bottom };
-        top = if crosses { max(top, disc.center[1] + half) } else { top };
-    }
-    for side in &piece.sides {
-        let from = in_frame([side[0] - x, side[1] - y], ux, uy);
-        let to = in_frame([side[2] - x, side[3] - y], ux, uy);
-        let crosses = (from[0] < square) != (to[0] < square);
-        let run = to[0] - from[0];
-        let part = (square - from[0]) / (if crosses { run } else { 1.0 });
-        let at = from[1] + (to[1] - from[1]) * part;
-        let counts = crosses & !piece.single;
-        bottom = if counts { min(bottom, at) } else { bottom };
-        top = if counts { max(top, at) } else { top };
-    }
-    (bottom / square, top / square)
-}
-
-/// The slopes at which the piece of a circle crosses the chord's line, as in [`across_chord`]; in the wrong order where
-/// it does not cross.
-#[inline(always)]
-fn rim_across_chord(center: [f32; 2], radius: f32, middle: [f32; 2], least: f32, square: f32) -> [(f32, f32); 2] {
-    let off = square - center[0];
-    let half_square = radius * radius * square - off * off;
-    let half = max(half_square, 0.0).sqrt();
-    [-half, half].map(|aside| {
-        let on_piece = off * middle[0] + aside * middle[1] >= least * square;
-        let crosses = (half_square >= 0.0) & (radius > 0.0) & on_piece;
-        let slope = (center[1] + aside) / square;
-        (if crosses { slope } else { STEEP }, if crosses { slope } else { -STEEP })
-    })
 }

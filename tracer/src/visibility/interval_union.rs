@@ -7,7 +7,7 @@
 //!
 //! Which end belongs to which beginning does not matter. So ends and beginnings are sorted independently, by a network
 //! of compare-exchange steps, each a `min` and a `max` (D. Knuth, The Art of Computer Programming 3, section 5.3.4): no
-//! branch, 16 points at a time.
+//! branch, 16 samples at a time.
 
 use crate::simd::dispatch::{LANES, Lanes, clamp, max, min};
 

@@ -4,6 +4,7 @@
 
 pub(crate) mod airborne_shadow;
 pub(crate) mod blockers;
+pub(crate) mod covered_interval;
 pub(crate) mod disc_chain;
 pub(crate) mod fraction;
 pub(crate) mod interval_union;

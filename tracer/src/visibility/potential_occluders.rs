@@ -5,8 +5,7 @@
 
 use crate::simd::dispatch::SimdLevel;
 use crate::visibility::disc_chain::{DiscChains, Link};
-pub(crate) use crate::visibility::shaft::Shaft;
-use crate::visibility::shaft::{ASIDE, BETWEEN, Discs, OUTSIDE, SHAFT_MARGIN_MM};
+use crate::visibility::shaft::{BETWEEN, Discs, OUTSIDE, OUTSIDE_LINK, SHAFT_MARGIN_MM, Shaft};
 use crate::{Group, Lamp};
 use geometry::Segment;
 
@@ -60,8 +59,8 @@ impl PotentialOccluders {
             let before = if follows { at - 1 } else { at };
             let near = || {
                 let core = Segment { a: chains.discs[before].center, b: disc.center };
-                let thick = outer_radius(chains, before).max(outer_radius(chains, at));
-                let reach = lamp.reach_mm + thick + lamp.radius_mm() + f64::from(SHAFT_MARGIN_MM);
+                let max_radius = outer_radius(chains, before).max(outer_radius(chains, at));
+                let reach = lamp.reach_mm + max_radius + lamp.radius_mm() + f64::from(SHAFT_MARGIN_MM);
                 core.closest(lamp.center_mm).distance_squared(lamp.center_mm) <= reach * reach
             };
             let counts = (alone || follows) && Some(disc.group) != lamp.inside && near();
@@ -87,7 +86,7 @@ impl PotentialOccluders {
         self.index.push(at as u32);
     }
 
-    /// Finds for every disc how it lies to the cone.
+    /// Finds for every disc how it lies to the shaft.
     pub fn classify(&mut self, simd: SimdLevel, shaft: &Shaft) {
         let n = self.len();
         self.code.resize(n, 0);
@@ -111,7 +110,7 @@ impl PotentialOccluders {
                 let alone = self.link.get(at + 1).is_none_or(|&next| next == Link::Start);
                 alone && code[at] & OUTSIDE == 0
             }
-            _ => code[at - 1] & code[at] & OUTSIDE == 0 && code[at] & ASIDE == 0,
+            _ => code[at - 1] & code[at] & OUTSIDE == 0 && code[at] & OUTSIDE_LINK == 0,
         }
     }
 

@@ -74,7 +74,7 @@ impl ProjectedEmitter {
 pub(crate) trait ProjectedChord: Copy {
     /// The vector u from the point to the chord's line, at right angles to it, and d^2, the square of its length: never
     /// zero, so that there is a direction.
-    fn way(self, x: f32, y: f32) -> (f32, f32, f32);
+    fn to_chord_line(self, x: f32, y: f32) -> (f32, f32, f32);
 
     /// The slopes of the chord's ends.
     fn limits(self, x: f32, y: f32) -> (f32, f32);
@@ -93,7 +93,7 @@ pub(crate) trait ProjectedChord: Copy {
 
 impl ProjectedChord for ProjectedDisc {
     #[inline(always)]
-    fn way(self, x: f32, y: f32) -> (f32, f32, f32) {
+    fn to_chord_line(self, x: f32, y: f32) -> (f32, f32, f32) {
         let (ux, uy) = (self.x - x, self.y - y);
         let square = ux * ux + uy * uy;
         let here = square < 1e-8;
@@ -102,7 +102,7 @@ impl ProjectedChord for ProjectedDisc {
 
     #[inline(always)]
     fn limits(self, x: f32, y: f32) -> (f32, f32) {
-        let limit = self.radius / self.way(x, y).2.sqrt();
+        let limit = self.radius / self.to_chord_line(x, y).2.sqrt();
         (-limit, limit)
     }
 
@@ -112,7 +112,7 @@ impl ProjectedChord for ProjectedDisc {
 }
 
 impl ProjectedTube {
-    /// A block of points in the segment's frame.
+    /// A block of samples in the tube's frame.
     #[inline(always)]
     pub fn turned(&self, x: &Lanes, y: &Lanes) -> (Lanes, Lanes) {
         let (mut ahead, mut along) = ([0.0; LANES], [0.0; LANES]);
@@ -123,7 +123,7 @@ impl ProjectedTube {
         (ahead, along)
     }
 
-    /// How far ahead the segment's line is.
+    /// How far ahead the tube's line is.
     #[inline(always)]
     fn off(&self, x: f32) -> f32 {
         let off = self.ahead - x;
@@ -133,7 +133,7 @@ impl ProjectedTube {
 
 impl ProjectedChord for ProjectedTube {
     #[inline(always)]
-    fn way(self, x: f32, _: f32) -> (f32, f32, f32) {
+    fn to_chord_line(self, x: f32, _: f32) -> (f32, f32, f32) {
         let off = self.off(x);
         (off, 0.0, off * off)
     }

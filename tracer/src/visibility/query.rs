@@ -1,4 +1,4 @@
-//! How much of one lamp the points of one tile see.
+//! Visibility query: how much of one lamp the samples of one tile see.
 
 use crate::simd::dispatch::SimdLevel;
 use crate::simd::dispatch::{LANES, set_bits};
@@ -29,51 +29,51 @@ pub(crate) struct VisibilityQuery<'a> {
 }
 
 impl VisibilityQuery<'_> {
-    /// Finds how much of the lamp each point of some blocks sees, past everything but some occluders' groups, and past
-    /// airborne balls that are not of the points' own group.
+    /// Finds how much of the lamp each sample of some blocks sees, past everything but some occluders' groups, and past
+    /// airborne balls that are not of the samples' own group.
     pub fn evaluate(
         &mut self,
-        points: &PackedSamples,
+        samples: &PackedSamples,
         blocks: u16,
         without: &[Group],
         own: Option<Group>,
     ) -> VisibilityClass {
-        let verdict = self.behind_occluders(points, blocks, without);
-        if verdict == VisibilityClass::Umbra || self.airborne.is_empty() {
-            return verdict;
+        let class = self.behind_occluders(samples, blocks, without);
+        if class == VisibilityClass::Umbra || self.airborne.is_empty() {
+            return class;
         }
-        self.behind_balls(points, blocks, own, verdict)
+        self.behind_balls(samples, blocks, own, class)
     }
 
-    fn behind_occluders(&mut self, points: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
+    fn behind_occluders(&mut self, samples: &PackedSamples, blocks: u16, without: &[Group]) -> VisibilityClass {
         let (lamp, middle) = (self.lamp, self.rect.middle_mm);
         let (emitter, axis) = ProjectedEmitter::new(lamp, middle);
-        let verdict = self.blockers.gather(self.occluders, self.disc_chains, middle, axis, without);
-        if verdict == VisibilityClass::Partial {
+        let class = self.blockers.gather(self.occluders, self.disc_chains, middle, axis, without);
+        if class == VisibilityClass::Partial {
             self.scratch.reserve(self.blockers.intervals());
             let &mut VisibilityQuery { simd, ref blockers, ref mut scratch, ref mut fraction, .. } = self;
-            visible_fraction(simd, blocks, &points.x, &points.y, emitter, blockers, scratch, fraction);
+            visible_fraction(simd, blocks, &samples.x, &samples.y, emitter, blockers, scratch, fraction);
         }
-        verdict
+        class
     }
 
     /// Takes what airborne balls hide from what is seen past all else.
     fn behind_balls(
         &mut self,
-        points: &PackedSamples,
+        samples: &PackedSamples,
         blocks: u16,
         own: Option<Group>,
-        mut verdict: VisibilityClass,
+        mut class: VisibilityClass,
     ) -> VisibilityClass {
         let &TileRect { middle_mm, half_mm, .. } = self.rect;
         let reaches = |ball: &&AirborneShadow| Some(ball.group) != own && ball.bounds.may_reach(middle_mm, half_mm);
         for ball in self.airborne.iter().filter(reaches) {
-            if verdict == VisibilityClass::Lit {
-                verdict = VisibilityClass::Partial;
+            if class == VisibilityClass::Lit {
+                class = VisibilityClass::Partial;
                 set_bits(blocks).for_each(|block| self.fraction[block] = [1.0; LANES]);
             }
-            ball.attenuate(self.simd, self.rect, points, blocks, self.fraction);
+            ball.attenuate(self.simd, self.rect, samples, blocks, self.fraction);
         }
-        verdict
+        class
     }
 }

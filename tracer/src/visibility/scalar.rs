@@ -90,7 +90,7 @@ struct Chord {
     unit: f64,
     /// Where the chord begins and ends along the second axis.
     ends: (f64, f64),
-    /// For a segment, how far from its line in space the point is, mm.
+    /// For a tube, how far from its line in space the point is, mm.
     off: Option<f64>,
 }
 
@@ -121,7 +121,7 @@ impl Chord {
         }
     }
 
-    /// A measure of the chord up to a place: from a segment, dt / (t^2 + off^2) arrives.
+    /// A measure of the chord up to a place: from a tube, dt / (t^2 + off^2) arrives.
     fn counts(&self, place: f64) -> f64 {
         self.off.map_or(place, |off| {
             let begin = self.ends.0;

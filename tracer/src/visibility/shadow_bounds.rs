@@ -164,11 +164,11 @@ mod tests {
     use crate::{Emitter, ItemId, Occluder, SimdLevel, View};
     use geometry::rng::SplitMix64;
 
-    /// A lamp somewhere, a disc or a segment.
+    /// A lamp somewhere, a disc or a tube.
     fn any_lamp(random: &mut SplitMix64, size: DVec2) -> Lamp {
         let emitter = match random.unit() {
             kind if kind < 0.5 => Emitter::Disc { radius_mm: random.uniform(0.0, 8.0) },
-            _ => Emitter::Segment { half_mm: random.point_within(size * 0.2) - size * 0.1 },
+            _ => Emitter::Tube { half_mm: random.point_within(size * 0.2) - size * 0.1 },
         };
         let center_mm = random.point_within(size);
         Lamp { id: ItemId(0), center_mm, emitter, height_mm: 20.0, reach_mm: 1000.0, color: [1.0; 3], inside: None }

@@ -1,4 +1,4 @@
-//! The shaft: the convex hull of a lamp and a part of the floor, and how discs lie to it. (E. Haines, J. Wallace,
+//! The shaft: the convex hull of a lamp and a part of the floor, and how discs lie to the shaft. (E. Haines, J. Wallace,
 //! "Shaft culling for efficient ray-traced radiosity", 1991, in two dimensions.)
 //!
 //! Every ray from the part of the floor to the lamp lies in the shaft. A disc outside casts no shadow there; a chain of
@@ -22,7 +22,7 @@ const BEHIND_TILE: u16 = 8;
 /// For every point of the tile the disc lies before the lamp's chord.
 pub(crate) const BEFORE_LAMP: u16 = 256;
 /// The link up to this disc has the lamp and the tile, all of both, on one side.
-pub(crate) const ASIDE: u16 = 16;
+pub(crate) const OUTSIDE_LINK: u16 = 16;
 /// Both discs of a link have one of these in common: no shadow.
 pub(crate) const OUTSIDE: u16 = BEYOND_LEFT | BEYOND_RIGHT | BEHIND_LAMP | BEHIND_TILE;
 /// The disc reaches the left side.
@@ -38,7 +38,7 @@ pub(crate) struct Shaft {
     tile: [f32; 2],
     tile_radius: f32,
     tile_distance: f32,
-    /// The radius of a disc; half of a segment's length.
+    /// The radius of a disc; half of a tube's length.
     lamp_radius: f32,
     /// The outward normals of the hull's sides, and how far out the sides are.
     left: [f32; 2],
@@ -47,14 +47,14 @@ pub(crate) struct Shaft {
     tube: Option<Tube>,
 }
 
-/// A segment that shines, its middle at the origin.
+/// A tube that shines, its middle at the origin.
 #[derive(Clone, Copy, Debug)]
 struct Tube {
     /// From the middle to one end.
     half: [f32; 2],
     /// The unit normal on the tile's side.
     normal: [f32; 2],
-    /// How far the part of the floor that is nearest to the segment's line is from it; negative where the line crosses.
+    /// How far the part of the floor that is nearest to the tube's line is from it; negative where the line crosses.
     gap: f32,
 }
 
@@ -100,7 +100,7 @@ impl Shaft {
         }
     }
 
-    /// Writes for each disc the bits that say how it lies to the cone.
+    /// Writes for each disc the bits that say how it lies to the shaft.
     pub fn classify(&self, simd: SimdLevel, discs: Discs, code: &mut [u16]) {
         match &self.tube {
             None => classify_round(simd, discs, self, code),
@@ -124,7 +124,7 @@ fn sides(lamp: DVec2, lamp_radius: f64, tile: DVec2, radius: f64) -> [Side; 2] {
     }
 }
 
-/// The same for a segment: of the sides through its two ends, those that have the other end on the inner side.
+/// The same for a tube: of the sides through its two ends, those that have the other end on the inner side.
 fn tube_sides(half: DVec2, tile: DVec2, radius: f64) -> [Side; 2] {
     let (from_end, from_other) = (sides(half, 0.0, tile, radius), sides(-half, 0.0, tile, radius));
     [0, 1].map(|side| {
@@ -166,15 +166,15 @@ fn classify_round_lanes(discs: Discs, shaft: &Shaft, code: &mut [u16]) {
         let (cx, cy) = (x[i] - tx, y[i] - ty);
         let (sx, sy) = (cx - tx, cy - ty);
         let from_tile = -(cx * tx + cy * ty);
-        let from_tile_swing = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
+        let from_tile_variation = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
         let to_lamp = x[i] * tx + y[i] * ty;
-        let to_lamp_swing = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
-        let thick = outer[i] * farthest;
+        let to_lamp_variation = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
+        let margin = outer[i] * farthest;
         let square = shaft.tile_radius * shaft.tile_radius;
-        let behind_lamp = to_lamp + to_lamp_swing + thick < 0.0;
-        let behind_tile = from_tile + from_tile_swing + square + thick < 0.0;
-        let before_lamp = to_lamp - to_lamp_swing - thick > 0.0;
-        let after_tile = from_tile - from_tile_swing - thick > 0.0;
+        let behind_lamp = to_lamp + to_lamp_variation + margin < 0.0;
+        let behind_tile = from_tile + from_tile_variation + square + margin < 0.0;
+        let before_lamp = to_lamp - to_lamp_variation - margin > 0.0;
+        let after_tile = from_tile - from_tile_variation - margin > 0.0;
         code[i] = bit(left - outer[i] > 0.0, BEYOND_LEFT)
             | bit(right - outer[i] > 0.0, BEYOND_RIGHT)
             | bit(behind_lamp, BEHIND_LAMP)
@@ -184,10 +184,10 @@ fn classify_round_lanes(discs: Discs, shaft: &Shaft, code: &mut [u16]) {
             | bit(before_lamp & after_tile, BETWEEN)
             | bit(before_lamp, BEFORE_LAMP);
     }
-    aside(discs, shaft, code, |_, _| shaft.lamp_radius);
+    classify_links(discs, shaft, code, |_, _| shaft.lamp_radius);
 }
 
-/// The chord of a segment is the segment itself, whatever the point, so before and behind are sides of its line.
+/// The chord of a tube is the tube itself, whatever the point, so before and behind are sides of its line.
 #[inline(always)]
 fn classify_tube_lanes(discs: Discs, shaft: &Shaft, tube: &Tube, code: &mut [u16]) {
     let n = code.len();
@@ -199,20 +199,20 @@ fn classify_tube_lanes(discs: Discs, shaft: &Shaft, tube: &Tube, code: &mut [u16
     for i in 0..n {
         let left = shaft.left[0] * x[i] + shaft.left[1] * y[i] - shaft.offset[0];
         let right = shaft.right[0] * x[i] + shaft.right[1] * y[i] - shaft.offset[1];
-        // The disc's distance from the segment's line, on the tile's side.
+        // The disc's distance from the tube's line, on the tile's side.
         let off = tube.normal[0] * x[i] + tube.normal[1] * y[i];
-        // Farther than the segment's far end on the way from every point of the tile to the segment's middle.
+        // Farther than the tube's far end on the way from every point of the tile to the tube's middle.
         let to_lamp = x[i] * tx + y[i] * ty;
-        let to_lamp_swing = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
-        let behind_ends = to_lamp + to_lamp_swing + (outer[i] + shaft.lamp_radius) * farthest < 0.0;
+        let to_lamp_variation = shaft.tile_radius * (x[i] * x[i] + y[i] * y[i]).sqrt();
+        let behind_ends = to_lamp + to_lamp_variation + (outer[i] + shaft.lamp_radius) * farthest < 0.0;
         // What is behind a point on its way to both ends is so on its way to all between them.
         let (cx, cy) = (x[i] - tx, y[i] - ty);
         let behind = |ex: f32, ey: f32| {
             let (sx, sy) = (cx - (tx - ex), cy - (ty - ey));
             let from_tile = -(cx * (tx - ex) + cy * (ty - ey));
-            let swing = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
-            let thick = outer[i] * (farthest + shaft.lamp_radius);
-            from_tile + swing + shaft.tile_radius * shaft.tile_radius + thick < 0.0
+            let from_tile_variation = shaft.tile_radius * (sx * sx + sy * sy).sqrt();
+            let margin = outer[i] * (farthest + shaft.lamp_radius);
+            from_tile + from_tile_variation + shaft.tile_radius * shaft.tile_radius + margin < 0.0
         };
         let before_lamp = one_side & (off - outer[i] > 0.0);
         code[i] = bit(left - outer[i] > 0.0, BEYOND_LEFT)
@@ -224,15 +224,15 @@ fn classify_tube_lanes(discs: Discs, shaft: &Shaft, tube: &Tube, code: &mut [u16
             | bit(before_lamp & (off + outer[i] < tube.gap), BETWEEN)
             | bit(before_lamp, BEFORE_LAMP);
     }
-    aside(discs, shaft, code, |nx, ny| {
+    classify_links(discs, shaft, code, |nx, ny| {
         let half = nx * hx + ny * hy;
         max(half, -half)
     });
 }
 
-/// Finds the links that have lamp and tile on one side; `lamp_room` is how far the lamp reaches along a unit normal.
+/// Finds the links that have lamp and tile on one side; `lamp_extent` is how far the lamp reaches along a unit normal.
 #[inline(always)]
-fn aside(discs: Discs, shaft: &Shaft, code: &mut [u16], lamp_room: impl Fn(f32, f32) -> f32) {
+fn classify_links(discs: Discs, shaft: &Shaft, code: &mut [u16], lamp_extent: impl Fn(f32, f32) -> f32) {
     let n = code.len();
     let (x, y, outer) = (&discs.x[..n], &discs.y[..n], &discs.outer[..n]);
     let [tx, ty] = shaft.tile;
@@ -242,10 +242,11 @@ fn aside(discs: Discs, shaft: &Shaft, code: &mut [u16], lamp_room: impl Fn(f32, 
         let scale = 1.0 / max(ex * ex + ey * ey, 1e-12).sqrt();
         let lamp = (ey * x[i] - ex * y[i]) * scale;
         let tile = lamp - (ey * tx - ex * ty) * scale;
-        let thick = max(outer[i - 1], outer[i]);
-        let (lamp_room, tile_room) = (lamp_room(ey * scale, -ex * scale) + thick, shaft.tile_radius + thick);
-        let above = (lamp > lamp_room) & (tile > tile_room);
-        let below = (lamp < -lamp_room) & (tile < -tile_room);
-        code[i] |= if above | below { ASIDE } else { 0 };
+        let max_radius = max(outer[i - 1], outer[i]);
+        let (lamp_margin, tile_margin) =
+            (lamp_extent(ey * scale, -ex * scale) + max_radius, shaft.tile_radius + max_radius);
+        let above = (lamp > lamp_margin) & (tile > tile_margin);
+        let below = (lamp < -lamp_margin) & (tile < -tile_margin);
+        code[i] |= if above | below { OUTSIDE_LINK } else { 0 };
     }
 }

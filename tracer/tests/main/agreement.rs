@@ -126,7 +126,7 @@ fn memory_changes_no_bit() {
     }
 }
 
-/// The same for all that can be seen of a table: balls, tops that move or only change colour, inserts, light from
+/// The same for all that can be seen of a table: balls, tops that move or only change colour, glows, light from
 /// everywhere, lamps that come, go and change places; and for a picture that another renderer has drawn over.
 #[test]
 fn what_did_not_change_is_left_as_it_was() {

@@ -105,14 +105,14 @@ fn from_right_below_a_ball_hides_a_lens() {
     }
 }
 
-/// The picture, and double precision: low and high balls, lamps that are points, discs and segments, below, among and
+/// The picture, and double precision: low and high balls, lamps that are points, discs and tubes, below, among and
 /// above.
 #[test]
 fn the_lanes_agree_with_the_sphere() {
     let floor = scenes::white(SIDE, SIDE);
     let discs = [(0.0, 1e-3), (2.0, 2e-3), (6.0, 2e-3), (13.0, 5e-3), (25.0, 0.02)];
     let discs = discs.map(|(radius_mm, most)| (Emitter::Disc { radius_mm }, most));
-    let tubes = [DVec2::new(20.0, 0.0), DVec2::new(-7.0, 15.0)].map(|half_mm| (Emitter::Segment { half_mm }, 1e-4));
+    let tubes = [DVec2::new(20.0, 0.0), DVec2::new(-7.0, 15.0)].map(|half_mm| (Emitter::Tube { half_mm }, 1e-4));
     let mut shaded = 0;
     for (height, lift) in [(120.0, 50.0), (28.0, 0.2), (28.0, 10.0), (40.0, 20.0), (40.0, 33.0), (60.0, 30.0)] {
         for &(emitter, most) in discs.iter().chain(&tubes) {
@@ -250,10 +250,10 @@ fn light_of_half_the_resolution_has_floating_balls() {
     let view = View::fit(150, 300, scenes::SIZE_MM);
     let (props, Props { floor: half, .. }) = (scenes::props(&view), scenes::props(&view.halved()));
     let drawn = |renderer: &mut Renderer, scene: &Scene| {
-        let mut film = DisplayBuffer::default();
+        let mut display = DisplayBuffer::default();
         let scene = Scene { half_floor: Some(&half), ..scene.clone() };
-        renderer.draw(&scene, 1.0, &mut film);
-        film.frame().clone()
+        renderer.draw(&scene, 1.0, &mut display);
+        display.frame().clone()
     };
     let mut renderer = Renderer::with(Integrator::HalfResolution);
     let mut scene = table(view, &props);

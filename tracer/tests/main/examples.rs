@@ -1,5 +1,7 @@
 //! Every example writes a picture, and shows what it says that it shows.
 
+#![expect(clippy::disallowed_methods, reason = "the test reads what an example has written")]
+
 #[path = "../../examples/one_lamp.rs"]
 #[expect(dead_code, reason = "an example's main is not run here: it would take the tests' command line for its own")]
 mod one_lamp;

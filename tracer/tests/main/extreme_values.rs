@@ -43,7 +43,7 @@ fn shape() -> BoxedStrategy<Shape> {
 fn lamp() -> impl Strategy<Value = Lamp> {
     let emitter = prop_oneof![
         number().prop_map(|radius_mm| Emitter::Disc { radius_mm }),
-        place().prop_map(|half_mm| Emitter::Segment { half_mm }),
+        place().prop_map(|half_mm| Emitter::Tube { half_mm }),
     ];
     let color = prop_oneof![5 => Just([1.0, 0.5, 0.2]), 1 => Just([f32::NAN, 1.0, 1.0]), 1 => Just([f32::MAX; 3]), 1 => Just([-1.0, 1.0, 0.0])];
     (place(), emitter, number(), prop_oneof![3 => Just(200.0), 1 => number()], color, prop::option::of(0..4u16))
@@ -200,7 +200,7 @@ fn very_long_walls_and_very_large_lamps_are_right() {
         let scene = Scene { lamps: vec![lamp], occluders, ambient: [0.0; 3], ..scene(&floor) };
         compare(&scene);
     }
-    for emitter in [Emitter::Disc { radius_mm: 4000.0 }, Emitter::Segment { half_mm: DVec2::new(3000.0, 2000.0) }] {
+    for emitter in [Emitter::Disc { radius_mm: 4000.0 }, Emitter::Tube { half_mm: DVec2::new(3000.0, 2000.0) }] {
         let occluders = vec![Occluder::opaque(ItemId(0), Shape::disc(DVec2::new(15.0, 5.0), 4.0), Group(1))];
         let lamps = vec![Lamp { emitter, ..lamp }];
         compare(&Scene { lamps, occluders, ambient: [0.0; 3], ..scene(&floor) });

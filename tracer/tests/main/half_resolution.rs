@@ -32,15 +32,15 @@ fn with_half<'a>(scene: &Scene<'a>, half: &'a Floor) -> Scene<'a> {
 }
 
 fn drawn_half(scene: &Scene, half: &Floor) -> Frame {
-    let mut film = DisplayBuffer::default();
-    Renderer::with(Integrator::HalfResolution).draw(&with_half(scene, half), 1.0, &mut film);
-    film.frame().clone()
+    let mut display = DisplayBuffer::default();
+    Renderer::with(Integrator::HalfResolution).draw(&with_half(scene, half), 1.0, &mut display);
+    display.frame().clone()
 }
 
 fn drawn_full(scene: &Scene) -> Frame {
-    let mut film = DisplayBuffer::default();
-    Renderer::new().draw(scene, 1.0, &mut film);
-    film.frame().clone()
+    let mut display = DisplayBuffer::default();
+    Renderer::new().draw(scene, 1.0, &mut display);
+    display.frame().clone()
 }
 
 /// How far two pictures are apart, in 8-bit levels.
@@ -77,7 +77,7 @@ fn half_the_resolution_looks_like_all_of_it() {
 #[test]
 fn where_light_is_constant_nothing_is_lost() {
     let mut set = Set::new(135, 271);
-    // Art is printed anew for each resolution, so its mean, which the glare is made of, need not be the same.
+    // Art is printed anew for each resolution, so its mean, which the bloom is made of, need not be the same.
     for art in [&mut set.props.floor, &mut set.half] {
         art.floor.fill([150, 90, 60, 255]);
         art.tops.fill([40, 180, 90, 255]);
@@ -169,7 +169,7 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
     for path in SimdLevel::available() {
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let (mut renderer, mut film) = (Renderer::on(path), DisplayBuffer::default());
+            let (mut renderer, mut display) = (Renderer::on(path), DisplayBuffer::default());
             renderer.set_integrator(Integrator::HalfResolution);
             pool.install(|| {
                 let mut other = scene.clone();
@@ -177,13 +177,13 @@ fn every_path_any_threads_and_any_past_give_the_same_bytes() {
                 other.tops.pop();
                 other.lamps[3].color = [0.0; 3];
                 other.glows.pop();
-                film.set_scissor(0, 0, 60, 60);
-                renderer.draw(&with_half(&other, &set.half), 1.5, &mut film);
-                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
-                film.set_scissor(0, 0, 251, 501);
-                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
+                display.set_scissor(0, 0, 60, 60);
+                renderer.draw(&with_half(&other, &set.half), 1.5, &mut display);
+                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut display);
+                display.set_scissor(0, 0, 251, 501);
+                renderer.draw(&with_half(&scene, &set.half), 1.0, &mut display);
             });
-            assert!(expected == *film.frame(), "{} with {threads} threads", path.name());
+            assert!(expected == *display.frame(), "{} with {threads} threads", path.name());
         }
     }
 }
@@ -194,7 +194,7 @@ fn drawing_is_rendering_and_tone_mapping() {
     let set = Set::new(65, 129);
     let mut scene = set.scene();
     let mut renderer = Renderer::with(Integrator::HalfResolution);
-    let (mut film, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
+    let (mut display, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
     for number in 0..6 {
         scenes::roll(&mut scene, DVec2::new(9.0, -14.0));
         scene.lamps[number].color = [0.1 * number as f32; 3];
@@ -204,8 +204,8 @@ fn drawing_is_rendering_and_tone_mapping() {
             assert!(frame == drawn_half(&scene, &set.half), "picture {number}");
         }
         if number % 3 != 2 {
-            renderer.draw(&with_half(&scene, &set.half), 1.0, &mut film);
-            assert!(*film.frame() == drawn_half(&scene, &set.half), "picture {number}");
+            renderer.draw(&with_half(&scene, &set.half), 1.0, &mut display);
+            assert!(*display.frame() == drawn_half(&scene, &set.half), "picture {number}");
         }
     }
 }

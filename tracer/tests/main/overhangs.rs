@@ -17,8 +17,9 @@ fn a_ball_below_an_opaque_veil_is_not_seen_and_one_above_it_is() {
     let view = View::fit(SIZE.0, SIZE.1, scenes::SIZE_MM);
     let props = scenes::props(&view);
     let mut scene = scenes::table(view, &props);
-    let veil = |ball: &tracer::Ball| Overhang { shape: Shape::disc(ball.center_mm, 3.0 * ball.radius_mm), passes: 0.0 };
-    scene.overhangs = scene.balls.iter().map(veil).collect();
+    let overhang =
+        |ball: &tracer::Ball| Overhang { shape: Shape::disc(ball.center_mm, 3.0 * ball.radius_mm), passes: 0.0 };
+    scene.overhangs = scene.balls.iter().map(overhang).collect();
     // What a ball shows of its scratches when it turns.
     let turned = |below: bool| {
         let mut scene = scene.clone();
@@ -28,7 +29,7 @@ fn a_ball_below_an_opaque_veil_is_not_seen_and_one_above_it_is() {
         (before.clone(), before == lit(&scene))
     };
     let ((above, above_same), (below, below_same)) = (turned(false), turned(true));
-    assert!(!above_same, "a ball above its veil is seen to turn");
+    assert!(!above_same, "a ball above its overhang is seen to turn");
     assert!(below_same, "one below it is not");
     assert!(above != below);
 }

@@ -106,16 +106,17 @@ fn drawing_is_rendering_and_developing() {
         pool.install(|| {
             let mut scene = scenes::table(view(), &props);
             let (mut drawing, mut rendering) = (Renderer::on(path), Renderer::on(path));
-            let (mut film, mut radiance, mut frame) = (DisplayBuffer::default(), Radiance::default(), Frame::default());
+            let (mut display, mut radiance, mut frame) =
+                (DisplayBuffer::default(), Radiance::default(), Frame::default());
             for number in 0..12 {
                 play(&mut scene, number);
                 let exposure = if number > 8 { 1.25 } else { 1.0 };
-                drawing.draw(&scene, exposure, &mut film);
+                drawing.draw(&scene, exposure, &mut display);
                 rendering.render(&scene, &mut radiance);
                 tone_map::map_on(path, &radiance, exposure, &mut frame);
-                assert!(*film.frame() == frame, "frame {number} on {} with {threads} threads", path.name());
-                drawing.draw(&scene, exposure, &mut film);
-                assert!(*film.frame() == frame, "frame {number} again");
+                assert!(*display.frame() == frame, "frame {number} on {} with {threads} threads", path.name());
+                drawing.draw(&scene, exposure, &mut display);
+                assert!(*display.frame() == frame, "frame {number} again");
             }
         });
     }
@@ -242,8 +243,8 @@ fn art_is_known_by_its_revision() {
     props.floor.floor.iter_mut().for_each(|pixel| pixel[0] = 255 - pixel[0]);
     props.floor.revision = Revision::fresh();
     twins.assert_same(&scenes::table(view(), &props), "other art in the same place");
-    props.inserts[1].0.coverage.iter_mut().for_each(|coverage| *coverage /= 2);
-    props.inserts[1].0.revision = Revision::fresh();
+    props.glows[1].0.coverage.iter_mut().for_each(|coverage| *coverage /= 2);
+    props.glows[1].0.revision = Revision::fresh();
     twins.assert_same(&scenes::table(view(), &props), "another mask in the same place");
     let mut copy = props.clone();
     copy.floor.floor.fill([9; 4]);

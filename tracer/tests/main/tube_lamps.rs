@@ -13,7 +13,7 @@ fn lone_tube(floor: &Floor) -> Scene<'_> {
     let lamp = Lamp {
         id: ItemId(0),
         center_mm: DVec2::new(0.0, -30.0),
-        emitter: Emitter::Segment { half_mm: DVec2::new(30.0, 0.0) },
+        emitter: Emitter::Tube { half_mm: DVec2::new(30.0, 0.0) },
         height_mm: 30.0,
         reach_mm: 140.0,
         color: [0.1, 0.2, 0.05],
@@ -37,7 +37,7 @@ fn cast(scene: &mut Scene, shape: Shape, group: u16) {
     scene.occluders.push(Occluder::opaque(id, shape, Group(group)));
 }
 
-/// The light of a segment, added up from many short pieces by the midpoint rule.
+/// The light of a tube, added up from many short pieces by the midpoint rule.
 fn added_up(lamp: &Lamp, half: DVec2, point: DVec2) -> f64 {
     let pieces = 40_000;
     let places = (0..pieces).map(|piece| 2.0 * (f64::from(piece) + 0.5) / f64::from(pieces) - 1.0);
@@ -57,7 +57,7 @@ fn the_closed_form_is_the_integral() {
     for _ in 0..40 {
         let half_mm = trig::direction(random.uniform(0.0, 7.0)) * random.uniform(0.02, 90.0);
         let height_mm = random.uniform(1.0, 40.0);
-        scene.lamps[0] = Lamp { emitter: Emitter::Segment { half_mm }, height_mm, ..scene.lamps[0] };
+        scene.lamps[0] = Lamp { emitter: Emitter::Tube { half_mm }, height_mm, ..scene.lamps[0] };
         let radiance = rendered(&scene);
         for _ in 0..8 {
             let (x, y) = ((random.unit() * SIDE as f64) as usize, (random.unit() * SIDE as f64) as usize);
@@ -80,7 +80,7 @@ fn a_short_segment_is_a_point() {
     let point = rendered(&scene);
     let mut last = f32::MAX;
     for length in [8.0, 2.0, 0.5, 0.1, 0.0] {
-        scene.lamps[0].emitter = Emitter::Segment { half_mm: DVec2::new(length * 0.6, length * 0.8) };
+        scene.lamps[0].emitter = Emitter::Tube { half_mm: DVec2::new(length * 0.6, length * 0.8) };
         let tube = rendered(&scene);
         let sum = |radiance: &Radiance| -> f32 {
             (0..SIDE * SIDE)
@@ -91,7 +91,7 @@ fn a_short_segment_is_a_point() {
         assert!(difference < last || difference == 0.0, "{difference} at {length}, {last} before");
         last = difference;
     }
-    assert_eq!(last, 0.0, "a segment of no length is the point itself");
+    assert_eq!(last, 0.0, "a tube of no length is the point itself");
 }
 
 /// The wall's edge is on the perpendicular bisector of the tube, and so is the point.
@@ -101,7 +101,7 @@ fn a_tube_that_is_half_hidden_by_symmetry_gives_half() {
     let mut scene = lone_tube(&floor);
     for emitter in [DVec2::new(30.0, 0.0), DVec2::new(3.0, 0.0), DVec2::new(0.2, 0.0)] {
         scene.occluders.clear();
-        scene.lamps[0].emitter = Emitter::Segment { half_mm: emitter };
+        scene.lamps[0].emitter = Emitter::Tube { half_mm: emitter };
         scene.lamps[0].center_mm = DVec2::new(0.5, -30.0);
         let (x, y) = (48, 80);
         let open = rendered(&scene).pixel(x, y);
@@ -169,7 +169,7 @@ fn points_on_the_line_of_a_tube_agree_with_double_precision() {
         let mut scene = lone_tube(&floor);
         let along = trig::direction(angle);
         scene.lamps[0].center_mm = DVec2::new(0.5, 0.5);
-        scene.lamps[0].emitter = Emitter::Segment { half_mm: along * 20.0 };
+        scene.lamps[0].emitter = Emitter::Tube { half_mm: along * 20.0 };
         cast(&mut scene, Shape::disc(along * 25.0 + along.perp() * 2.0, 3.0), 1);
         cast(&mut scene, Shape::capsule(along * -8.0 - along.perp() * 9.0, along * -9.0 + along.perp() * 2.0, 0.7), 2);
         let circle = Circle { center: along * 35.0, radius: 6.0 };

@@ -1,7 +1,7 @@
 //! The coverage player uses every button that there is: for demonstrations, and to find what nobody presses.
 
 use super::Bot;
-use super::playfield::Playfield;
+use super::flipper_zones::FlipperZones;
 use crate::{Buttons, Simulation};
 
 /// After so many ticks of a game the machine is shaken, whoever plays.
@@ -12,7 +12,7 @@ const LATEST_SHAKE_TICKS: u64 = 75_000;
 #[derive(Clone, Debug)]
 pub struct CoveragePlayer {
     bot: Bot,
-    playfield: Option<Playfield>,
+    zones: Option<FlipperZones>,
     plunges: u64,
     /// The plunger is held from the first to the second tick.
     pull: (u64, u64),
@@ -29,7 +29,7 @@ impl CoveragePlayer {
     pub fn new(seed: u64) -> CoveragePlayer {
         CoveragePlayer {
             bot: Bot::new(seed),
-            playfield: None,
+            zones: None,
             plunges: 0,
             pull: (0, 0),
             playing_since: None,
@@ -61,13 +61,13 @@ impl CoveragePlayer {
     /// Pulls a ball that waits by 30, 55, 80 and 100 % in turn: weak ones come back and are shot again.
     fn plunges(&mut self, simulation: &Simulation) -> bool {
         let tick = simulation.ticks();
-        let playfield = self.playfield.get_or_insert_with(|| Playfield::new(&simulation.table().layout));
+        let zones = self.zones.get_or_insert_with(|| FlipperZones::new(&simulation.table().layout));
         // The first ball waits until everybody has joined.
         let joined = self.playing_since.is_some_and(|began| tick > began + 2500);
-        if joined && tick > self.pull.1 + 600 && simulation.pose().balls.iter().any(|ball| playfield.waits(ball)) {
+        if joined && tick > self.pull.1 + 600 && simulation.pose().balls.iter().any(|ball| zones.waits(ball)) {
             let percent = [30, 55, 80, 100][(self.plunges % 4) as usize];
             self.plunges += 1;
-            self.pull = (tick + 200, tick + 200 + playfield.pull_ticks * percent / 100);
+            self.pull = (tick + 200, tick + 200 + zones.pull_ticks * percent / 100);
         }
         (self.pull.0..self.pull.1).contains(&tick)
     }
@@ -75,8 +75,8 @@ impl CoveragePlayer {
     /// A gentle push now and then; hard shaking in the third player's ball.
     fn pushes(&mut self, simulation: &Simulation) -> Buttons {
         let tick = simulation.ticks();
-        let Some(playfield) = &self.playfield else { return Buttons::NONE };
-        let free = simulation.pose().balls.iter().any(|ball| !ball.held && !playfield.in_lane(ball));
+        let Some(zones) = &self.zones else { return Buttons::NONE };
+        let free = simulation.pose().balls.iter().any(|ball| !ball.held && !zones.in_lane(ball));
         self.in_play_since = free.then(|| self.in_play_since.unwrap_or(tick));
         let Some(since) = self.in_play_since.map(|began| tick - began) else { return Buttons::NONE };
         let late = self.playing_since.is_some_and(|began| tick > began + LATEST_SHAKE_TICKS);

@@ -9,13 +9,13 @@
 
 pub mod anomaly;
 mod coverage_player;
+mod flipper_zones;
 mod game_result;
 mod input_queue;
-mod lookahead;
-mod plan;
-mod playfield;
+mod plan_search;
 mod random_player;
 mod rng;
+mod rollout;
 mod run_statistics;
 pub mod self_play;
 mod shot_value;
@@ -26,10 +26,10 @@ pub use random_player::RandomPlayer;
 pub use rng::BotRng;
 
 use crate::{Buttons, Simulation};
+use flipper_zones::FlipperZones;
 use input_queue::{ButtonChange, InputQueue};
-use lookahead::Lookahead;
 use physics::{BallPose, EventKind};
-use playfield::Playfield;
+use rollout::Rollout;
 use shot_value::ShotValues;
 
 /// Ticks from a decision to the first move of the fingers.
@@ -37,9 +37,9 @@ const REACTION_TICKS: u64 = 115;
 /// A ball that can be at the flippers within so many ticks calls for a decision.
 const ALERT_TICKS: u64 = 280;
 /// Ticks between two decisions about the same ball.
-const SECOND_THOUGHT_TICKS: u64 = 170;
-/// Ticks until another thought is given to a ball that seems lost.
-const RESIGNED_TICKS: u64 = 300;
+const REPLAN_TICKS: u64 = 170;
+/// Ticks between two decisions about a ball that seems lost.
+const REPLAN_LOST_TICKS: u64 = 300;
 /// A plan that is worth less loses a ball.
 const LOST_VALUE: f64 = -30.0;
 /// Ticks between two looks at the display.
@@ -47,7 +47,7 @@ const DISPLAY_TICKS: u64 = 100;
 /// Ticks before the first game.
 const WARM_UP_TICKS: u64 = 1500;
 /// Ticks between two games.
-const BREATHER_TICKS: u64 = 6000;
+const GAME_PAUSE_TICKS: u64 = 6000;
 /// Ticks between two pushes of the cabinet.
 const NUDGE_PAUSE_TICKS: u64 = 2500;
 /// Times that the tilt bob may touch in a ball before the bot pushes no more.
@@ -59,7 +59,7 @@ pub struct Bot {
     rng: BotRng,
     input_queue: InputQueue,
     /// What it knows of the table: seen when it plays the first tick.
-    knowledge: Option<(Playfield, ShotValues)>,
+    knowledge: Option<(FlipperZones, ShotValues)>,
     /// The next decision is due.
     think_at: u64,
     /// Since when a ball has been lying on a raised flipper.
@@ -91,17 +91,17 @@ impl Bot {
     /// What it presses in the next tick.
     pub fn buttons(&mut self, simulation: &Simulation) -> Buttons {
         let layout = &simulation.table().layout;
-        let (playfield, shot_values) = self.knowledge.take().unwrap_or_else(|| {
-            let playfield = Playfield::new(layout);
-            let shot_values = ShotValues::new(layout, playfield.line_m);
-            (playfield, shot_values)
+        let (zones, shot_values) = self.knowledge.take().unwrap_or_else(|| {
+            let zones = FlipperZones::new(layout);
+            let shot_values = ShotValues::new(layout, zones.line_m);
+            (zones, shot_values)
         });
         let shot_values = self.watch(simulation, shot_values);
         let tick = simulation.ticks();
         if tick >= self.think_at && !self.input_queue.is_pending() {
-            self.think(simulation, &playfield, &shot_values);
+            self.think(simulation, &zones, &shot_values);
         }
-        self.knowledge = Some((playfield, shot_values));
+        self.knowledge = Some((zones, shot_values));
         self.input_queue.at(tick)
     }
 
@@ -129,25 +129,25 @@ impl Bot {
     }
 
     /// Decides what to do next, if anything is to be done.
-    fn think(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues) {
+    fn think(&mut self, simulation: &Simulation, zones: &FlipperZones, shot_values: &ShotValues) {
         let tick = simulation.ticks();
         if !self.playing {
             return self.press_start(tick);
         }
         let balls = simulation.machine().balls();
-        if balls.iter().any(|ball| playfield.waits(ball)) {
-            return self.plunge(tick, playfield);
+        if balls.iter().any(|ball| zones.waits(ball)) {
+            return self.plunge(tick, zones);
         }
-        let playable = |ball: &&BallPose| !ball.held && !playfield.in_lane(ball) && !playfield.lost(ball.center);
+        let playable = |ball: &&BallPose| !ball.held && !zones.in_lane(ball) && !zones.lost(ball.center);
         let mut free = balls.iter().filter(playable);
-        let lying = free.clone().find(|ball| self.lies_on_raised(playfield, ball));
+        let lying = free.clone().find(|ball| self.lies_on_raised(zones, ball));
         match lying {
-            Some(_) => self.aim(simulation, playfield, shot_values),
+            Some(_) => self.aim(simulation, zones, shot_values),
             None => {
                 self.cradled_since = None;
-                let near = |ball: &BallPose| playfield.arrives_in(ball).is_some_and(|ticks| ticks < ALERT_TICKS);
+                let near = |ball: &BallPose| zones.arrives_in(ball).is_some_and(|ticks| ticks < ALERT_TICKS);
                 if free.any(near) {
-                    self.decide(simulation, playfield, shot_values, true);
+                    self.decide(simulation, zones, shot_values, true);
                 } else {
                     self.rest(tick);
                 }
@@ -155,13 +155,13 @@ impl Bot {
         }
     }
 
-    fn lies_on_raised(&self, playfield: &Playfield, ball: &BallPose) -> bool {
+    fn lies_on_raised(&self, zones: &FlipperZones, ball: &BallPose) -> bool {
         let side = |left| if left { Buttons::LEFT } else { Buttons::RIGHT };
-        playfield.cradle(ball).is_some_and(|flipper| self.input_queue.held().contains(side(flipper.left)))
+        zones.cradle(ball).is_some_and(|flipper| self.input_queue.held().contains(side(flipper.left)))
     }
 
     /// Waits a moment with a ball that lies still, then shoots it.
-    fn aim(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues) {
+    fn aim(&mut self, simulation: &Simulation, zones: &FlipperZones, shot_values: &ShotValues) {
         let tick = simulation.ticks();
         match self.cradled_since {
             None => {
@@ -170,27 +170,27 @@ impl Bot {
             }
             Some(_) => {
                 self.cradled_since = None;
-                self.decide(simulation, playfield, shot_values, false);
+                self.decide(simulation, zones, shot_values, false);
             }
         }
     }
 
-    /// Tries some plans in the mind and begins the best.
-    fn decide(&mut self, simulation: &Simulation, playfield: &Playfield, shot_values: &ShotValues, may_hold: bool) {
+    /// Tries some plans in rollouts and begins the best.
+    fn decide(&mut self, simulation: &Simulation, zones: &FlipperZones, shot_values: &ShotValues, may_hold: bool) {
         let tick = simulation.ticks();
         let reaction = self.rng.between(REACTION_TICKS - 20, REACTION_TICKS + 30);
-        let mut start = Lookahead::now(simulation.machine(), self.input_queue.held(), tick, playfield, shot_values);
+        let mut start = Rollout::now(simulation.machine(), self.input_queue.held(), tick, zones, shot_values);
         start.play(reaction, |_| false);
-        let mut plan = plan::best(&start, may_hold);
+        let mut plan = plan_search::best(&start, may_hold);
         if plan.value < LOST_VALUE
             && self.may_nudge(tick)
-            && let Some(save) = plan::best_nudge(&start)
+            && let Some(save) = plan_search::best_nudge(&start)
         {
             plan = save;
             self.nudged_at = Some(tick);
         }
         self.input_queue.replace(&plan.moves, tick, &mut self.rng);
-        self.think_at = tick + if plan.value < LOST_VALUE { RESIGNED_TICKS } else { SECOND_THOUGHT_TICKS };
+        self.think_at = tick + if plan.value < LOST_VALUE { REPLAN_LOST_TICKS } else { REPLAN_TICKS };
     }
 
     fn may_nudge(&self, tick: u64) -> bool {
@@ -207,10 +207,10 @@ impl Bot {
     }
 
     /// Pulls the plunger: all the way, or less on purpose.
-    fn plunge(&mut self, tick: u64, playfield: &Playfield) {
+    fn plunge(&mut self, tick: u64, zones: &FlipperZones) {
         let pull = 0.55 + 0.5 * self.rng.unit();
         let begin = tick + self.rng.between(300, 900);
-        let release = begin + (playfield.pull_ticks as f64 * pull) as u64;
+        let release = begin + (zones.pull_ticks as f64 * pull) as u64;
         let moves = [
             ButtonChange { tick: begin, buttons: Buttons::PLUNGER, down: true },
             ButtonChange { tick: release, buttons: Buttons::PLUNGER, down: false },
@@ -221,7 +221,7 @@ impl Bot {
 
     fn press_start(&mut self, tick: u64) {
         self.think_at = tick + 50;
-        let pause = if self.idle_since == 0 { WARM_UP_TICKS } else { BREATHER_TICKS };
+        let pause = if self.idle_since == 0 { WARM_UP_TICKS } else { GAME_PAUSE_TICKS };
         if tick < self.idle_since + pause {
             return;
         }

@@ -1,6 +1,6 @@
 //! A player who flips at random: what the bot is measured against.
 
-use super::playfield::Playfield;
+use super::flipper_zones::FlipperZones;
 use super::rng::BotRng;
 use crate::{Buttons, Simulation};
 
@@ -12,7 +12,7 @@ pub struct RandomPlayer {
     changes: [u64; 2],
     down: Buttons,
     starting: bool,
-    playfield: Option<Playfield>,
+    zones: Option<FlipperZones>,
 }
 
 impl RandomPlayer {
@@ -23,7 +23,7 @@ impl RandomPlayer {
             changes: [0; 2],
             down: Buttons::NONE,
             starting: false,
-            playfield: None,
+            zones: None,
         }
     }
 
@@ -43,9 +43,9 @@ impl RandomPlayer {
 
     /// Pulls the plunger for the first part of every third second, if a ball is there.
     fn plunges(&mut self, simulation: &Simulation) -> bool {
-        let playfield = self.playfield.get_or_insert_with(|| Playfield::new(&simulation.table().layout));
-        let pulled = simulation.ticks() % 3000 < playfield.pull_ticks.clamp(1, 2900);
-        pulled && simulation.pose().balls.iter().any(|ball| playfield.waits(ball) || playfield.in_lane(ball))
+        let zones = self.zones.get_or_insert_with(|| FlipperZones::new(&simulation.table().layout));
+        let pulled = simulation.ticks() % 3000 < zones.pull_ticks.clamp(1, 2900);
+        pulled && simulation.pose().balls.iter().any(|ball| zones.waits(ball) || zones.in_lane(ball))
     }
 
     /// Presses start for a moment every nine seconds while no game is on.

@@ -1,8 +1,8 @@
 //! Statistics of a self-play run: keeps count of what is played: games, balls, switches, and what went wrong.
 
 use super::anomaly::{Anomaly, AnomalyDetector};
+use super::flipper_zones::FlipperZones;
 use super::game_result::GameResult;
-use super::playfield::Playfield;
 use crate::recording::best_score;
 use crate::{Buttons, Simulation, Table};
 use physics::EventKind;
@@ -16,7 +16,7 @@ const PATIENCE_TICKS: u64 = 20_000;
 
 /// Statistics of a run, gathered from the machine's switching on.
 pub(super) struct RunStatistics {
-    playfield: Playfield,
+    zones: FlipperZones,
     anomalies: AnomalyDetector,
     hits: Vec<u64>,
     /// How long each ball was in play; the last one goes on.
@@ -43,7 +43,7 @@ pub(super) struct RunSummary {
 impl RunStatistics {
     pub fn new(table: &Table) -> RunStatistics {
         RunStatistics {
-            playfield: Playfield::new(&table.layout),
+            zones: FlipperZones::new(&table.layout),
             anomalies: AnomalyDetector::new(&table.layout),
             hits: vec![0; table.layout.parts.len()],
             balls: vec![0],
@@ -79,15 +79,15 @@ impl RunStatistics {
         }
         let pose = simulation.pose();
         if self.playing
-            && pose.balls.iter().any(|ball| !self.playfield.in_lane(ball))
+            && pose.balls.iter().any(|ball| !self.zones.in_lane(ball))
             && let Some(ticks) = self.balls.last_mut()
         {
             *ticks += 1;
         }
-        let (playfield, playing) = (&self.playfield, self.playing);
+        let (zones, playing) = (&self.zones, self.playing);
         self.anomalies.look(tick, &pose, |ball| {
-            let trapped = buttons != Buttons::NONE && playfield.in_reach(ball.center).is_some();
-            !playing || playfield.in_lane(ball) || trapped
+            let trapped = buttons != Buttons::NONE && zones.in_reach(ball.center).is_some();
+            !playing || zones.in_lane(ball) || trapped
         });
     }
 

@@ -33,7 +33,7 @@ impl Player {
         match self {
             Player::Bot(bot) => bot.buttons(simulation),
             Player::Random(random) => random.buttons(simulation),
-            Player::Coverage(tour) => tour.buttons(simulation),
+            Player::Coverage(coverage) => coverage.buttons(simulation),
         }
     }
 }

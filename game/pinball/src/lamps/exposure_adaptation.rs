@@ -1,7 +1,8 @@
 //! Exposure adaptation: the light that an eye at the table has adapted to, which pictures are exposed for.
 //!
-//! Integers only, like the lamps, so that a picture of a recording is the same everywhere. It changes nothing in a game:
-//! it is saved with one, for the sake of its pictures, and no part of a hash.
+//! It is state that follows the lamps tick by tick, so it is kept and saved where they are: a picture of a recording is the
+//! same after a seek, and everywhere, since all is integers. It changes nothing in a game and is no part of a hash. What a
+//! picture makes of it, the exposure, is found where pictures are made.
 
 use super::LampController;
 use crate::Table;

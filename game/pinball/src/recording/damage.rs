@@ -1,6 +1,6 @@
-//! What can be wrong with the bytes of a recording.
+//! Damage: what can be wrong with the bytes of a recording.
 
-use super::FORMAT_VERSION;
+use super::format::{FORMAT_1, FORMAT_VERSION};
 
 /// Why bytes are refused as a recording.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -9,10 +9,13 @@ pub enum Damage {
     #[error("this is not a Caustic recording: its first bytes are not the ones that every recording begins with")]
     NotARecording,
     /// They are written in another format.
-    #[error("it is written in format version {0}, this program reads version {FORMAT_VERSION}")]
+    #[error("it is written in format version {0}, this program reads versions {FORMAT_1} to {FORMAT_VERSION}")]
     FormatVersion(u16),
+    /// They are whole, but a later program has put something into them that this one must not leave out.
+    #[error("it was recorded with a chunk `{0}` that this program does not know; play it with a newer Caustic")]
+    UnknownChunk(char),
     /// The end is missing.
-    #[error("it is cut short: {left} of its {whole} bytes are left")]
+    #[error("it is cut short: {left} of its {whole} bytes are left; caustic verify --salvage OUT keeps what is sound")]
     CutShort {
         /// Bytes that are there.
         left: u64,

@@ -1,6 +1,6 @@
-//! What a recorded simulation was started with.
+//! Header: what a recorded simulation was started with.
 
-use super::format::{Bytes, FORMAT_VERSION, MAGIC, SEAL};
+use super::format::{Bytes, put_varint};
 use crate::simulation::SIMULATION_VERSION;
 use crate::{Failure, Table};
 
@@ -11,7 +11,7 @@ pub struct Header {
     pub simulation_version: u32,
     /// The table's name.
     pub table: String,
-    /// The table's folder, when it is not one of the tables that are found by name; else empty.
+    /// The folder that the table lay in, when it is not one of the built-in ones; else empty.
     pub folder: String,
     /// [`Table::hash`].
     pub table_hash: u64,
@@ -31,25 +31,29 @@ impl Header {
         }
     }
 
-    /// The file's beginning, with an open seal, and without its check.
-    pub(super) fn bytes(&self) -> Vec<u8> {
-        let name = cut(&self.table, usize::from(u8::MAX));
-        let folder = cut(&self.folder, usize::from(u16::MAX));
-        let mut bytes = MAGIC.to_vec();
-        bytes.extend(FORMAT_VERSION.to_le_bytes());
-        bytes.extend([0; SEAL.end - SEAL.start]);
-        bytes.extend(self.simulation_version.to_le_bytes());
+    /// The payload of the chunk that a recording begins with.
+    pub(super) fn payload(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        put_varint(&mut bytes, u64::from(self.simulation_version));
         bytes.extend(self.table_hash.to_le_bytes());
         bytes.extend(self.seed.to_le_bytes());
-        bytes.push(name.len() as u8);
-        bytes.extend(name.as_bytes());
-        bytes.extend((folder.len() as u16).to_le_bytes());
-        bytes.extend(folder.as_bytes());
+        for text in [&self.table, &self.folder] {
+            put_varint(&mut bytes, text.len() as u64);
+            bytes.extend(text.as_bytes());
+        }
         bytes
     }
 
-    /// What follows the seal.
+    /// What [`Header::payload`] wrote.
     pub(super) fn read(bytes: &mut Bytes) -> Option<Header> {
+        let simulation_version = bytes.varint()?.try_into().ok()?;
+        let (table_hash, seed) = (bytes.u64()?, bytes.u64()?);
+        let [table, folder] = [text(bytes)?, text(bytes)?];
+        Some(Header { simulation_version, table, folder, table_hash, seed })
+    }
+
+    /// What follows the seal in format 1.
+    pub(super) fn read_format_1(bytes: &mut Bytes) -> Option<Header> {
         let simulation_version = u32::from_le_bytes(bytes.array()?);
         let (table_hash, seed) = (bytes.u64()?, bytes.u64()?);
         let name = bytes.byte()?;
@@ -90,7 +94,7 @@ impl Header {
     }
 }
 
-/// The beginning of `text`, at most `longest` bytes of it.
-fn cut(text: &str, longest: usize) -> &str {
-    &text[..text.floor_char_boundary(longest)]
+fn text(bytes: &mut Bytes) -> Option<String> {
+    let length = bytes.varint()?.try_into().ok()?;
+    String::from_utf8(bytes.take(length)?.to_vec()).ok()
 }

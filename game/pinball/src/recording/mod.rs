@@ -1,28 +1,16 @@
 //! Recorded games: what was pressed, tick by tick, and what it must lead to.
 //!
-//! A `.caustic` file holds how the simulation was started, every change of the [`Buttons`], a short hash of each part of
-//! the state every [`CHECKPOINT_TICKS`] ticks and, when the game ended well, the final score and hashes. It is written
-//! as it is played, a chunk a second, so that a killed process leaves all but the last second.
-//!
-//! | bytes | what |
-//! |---|---|
-//! | 8 | magic `89 "CAUSTIC"` |
-//! | 2 | format version |
-//! | 16 | the seal: length of the finished file and its check; zeros while the game is played |
-//! | 4, 8, 8 | simulation version, table's hash, seed |
-//! | 1 + n, 2 + n | table's name, and its folder if the name does not find it |
-//! | 8 | check over all but the seal |
-//! | chunks | `P`, length (2), payload, check (4): play; or `E`, length (2), payload, check (8): the end, once, last |
-//!
-//! Numbers are little endian; in a payload most are LEB128 varints. A check is the XXH3 hash of every byte from the
-//! file's beginning (without seal and other checks) to here. A play chunk holds the number of its ticks, the changes of
-//! the buttons as (ticks since the one before, buttons), and four 16-bit hashes for each checkpoint.
+//! A `.caustic` file holds how the simulation was started, all of the table that decides the game, every change of the
+//! [`Buttons`], a short hash of each part of the state every [`CHECKPOINT_TICKS`] ticks and, when the game ended well, the
+//! final score and hashes. It is written as it is played, a chunk a second, so that a killed process leaves all but the
+//! last second. `docs/recording_format.md` says what each byte means, in this format and in the one before it.
 //!
 //! The format refuses to know what a button does or what a score means.
 
 mod damage;
 mod format;
 mod header;
+mod packed_text;
 mod reader;
 mod recorder;
 mod replay;
@@ -36,6 +24,7 @@ pub use replay::{Difference, Replay};
 pub use writer::Writer;
 
 use crate::simulation::Hashes;
+use crate::table::EmbeddedTable;
 use crate::{Buttons, Failure, Simulation, Table};
 use std::sync::Arc;
 
@@ -44,6 +33,8 @@ use std::sync::Arc;
 pub struct Recording {
     /// What the simulation was started with.
     pub header: Header,
+    /// The table that it carries; `None` in format 1, which names its table only.
+    pub table: Option<EmbeddedTable>,
     /// What the recorded states must be, one for each [`CHECKPOINT_TICKS`] ticks, in order.
     pub checkpoints: Vec<Checkpoint>,
     /// What the game ended with; `None` when the recording was never finished (the process was killed).
@@ -88,6 +79,23 @@ impl Recording {
     /// What is wrong with them.
     pub fn parse(bytes: &[u8]) -> Result<Recording, Damage> {
         reader::parse(bytes)
+    }
+
+    /// A damaged recording cut to its sound part: a recording of its own, with the end of the game if that is sound;
+    /// `None` if nothing was played in what is sound.
+    pub fn salvage(bytes: &[u8]) -> Option<Vec<u8>> {
+        let (length, ended) = reader::sound_part(bytes)?;
+        let mut sound = bytes[..length].to_vec();
+        sound[format::SEAL].copy_from_slice(&if ended { format::seal(length as u64) } else { [0; 16] });
+        Some(sound)
+    }
+
+    /// The table that it carries, without its art; `None` in format 1.
+    ///
+    /// # Errors
+    /// If the table cannot be read.
+    pub fn embedded_table(&self) -> Result<Option<Table>, Failure> {
+        self.table.as_ref().map(|table| table.table(&self.header.table)).transpose()
     }
 
     /// How many ticks were played.
@@ -140,4 +148,10 @@ impl Checkpoint {
 /// The best score of the players.
 pub fn best_score(simulation: &Simulation) -> i64 {
     simulation.display().scores.into_iter().max().unwrap_or(0)
+}
+
+/// How many bytes every recording of a game on `table` takes before its first tick: they are for the table.
+pub fn table_bytes(table: &Table) -> usize {
+    let start = Writer::new(std::io::Cursor::new(Vec::new()), &Header::new(table, 0), &EmbeddedTable::of(table));
+    start.map_or(0, |writer| writer.bytes() as usize)
 }

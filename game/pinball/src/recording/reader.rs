@@ -1,47 +1,29 @@
 //! Reads a recording's bytes; believes nothing that no check has confirmed.
 
-use super::format::{Bytes, CHECKPOINT_TICKS, CHUNK_HEAD, END, FORMAT_VERSION, MAGIC, PLAY, SEAL, seal};
-use super::{Change, Checkpoint, Damage, End, Header, Recording};
+use super::format::{self, Bytes, CHECKPOINT_TICKS, END, FORMAT_1, LOOK, PLAY, SEAL, START, TABLE};
+use super::{Change, Checkpoint, Damage, End, Header, Recording, packed_text};
 use crate::Buttons;
 use crate::simulation::Hashes;
+use crate::table::EmbeddedTable;
 use xxhash_rust::xxh3::Xxh3;
 
 /// The recording in `bytes`.
 pub(super) fn parse(bytes: &[u8]) -> Result<Recording, Damage> {
-    let sealed = read_seal(bytes)?;
-    let mut reader = Reader::open(bytes, sealed)?;
+    let version = format::read_version(bytes)?;
+    let mut reader = Reader::open(bytes, version, format::read_seal(bytes)?)?;
     while reader.chunk()? {}
     reader.close()
 }
 
-/// Checks the magic, the version and the seal; whether the file says that it is finished.
-fn read_seal(bytes: &[u8]) -> Result<bool, Damage> {
-    let mut front = Bytes(bytes);
-    if front.array() != Some(MAGIC) {
-        return Err(Damage::NotARecording);
+/// How many bytes of a damaged recording are sound, and whether its end is among them; `None` if nothing was played in
+/// them. Only what its seal says is not believed.
+pub(super) fn sound_part(bytes: &[u8]) -> Option<(usize, bool)> {
+    let mut reader = Reader::open(bytes, format::read_version(bytes).ok()?, false).ok()?;
+    let mut sound = reader.at();
+    while reader.chunk().is_ok_and(|more| more) {
+        sound = reader.at();
     }
-    let in_header = Damage::CutInHeader(bytes.len() as u64);
-    match front.u16() {
-        None => return Err(in_header),
-        Some(FORMAT_VERSION) => {}
-        Some(version) => return Err(Damage::FormatVersion(version)),
-    }
-    let found: [u8; SEAL.end - SEAL.start] = front.array().ok_or(in_header)?;
-    if found == [0; 16] {
-        return Ok(false);
-    }
-    let whole = Bytes(&found).u64().unwrap_or(0);
-    let left = bytes.len() as u64;
-    if found != seal(whole) {
-        Err(Damage::Changed { first: SEAL.start, last: SEAL.end - 1, what: "the seal", ticks: 0 })
-    } else if left < whole {
-        Err(Damage::CutShort { left, whole })
-    } else if left > whole {
-        let (first, last) = (whole as usize, bytes.len() - 1);
-        Err(Damage::Changed { first, last, what: "after the end", ticks: 0 })
-    } else {
-        Ok(true)
-    }
+    (reader.ticks > 0).then_some((sound, reader.ended))
 }
 
 /// A file that is being read.
@@ -50,36 +32,72 @@ struct Reader<'a> {
     /// What has not been read.
     rest: Bytes<'a>,
     hasher: Xxh3,
+    version: u16,
     sealed: bool,
     ended: bool,
-    recording: Recording,
+    header: Option<Header>,
+    game: Option<String>,
+    look: Option<String>,
+    changes: Vec<Change>,
+    checkpoints: Vec<Checkpoint>,
+    end: Option<End>,
+    ticks: u64,
+}
+
+/// Why a chunk is not taken.
+enum Refusal {
+    /// It makes no sense.
+    Nonsense,
+    /// It makes sense to a later program.
+    Unknown,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the header.
-    fn open(bytes: &'a [u8], sealed: bool) -> Result<Reader<'a>, Damage> {
-        let mut rest = Bytes(&bytes[SEAL.end..]);
-        let header = Header::read(&mut rest);
-        let body = &bytes[SEAL.end..bytes.len() - rest.0.len()];
-        let check = rest.u64();
+    /// Reads what comes before the chunks.
+    fn open(bytes: &'a [u8], version: u16, sealed: bool) -> Result<Reader<'a>, Damage> {
         let mut hasher = Xxh3::new();
         hasher.update(&bytes[..SEAL.start]);
-        hasher.update(body);
-        match (header, check) {
-            (Some(header), Some(check)) if check == hasher.digest() => {
-                let recording = Recording { header, checkpoints: vec![], end: None, changes: vec![], ticks: 0 };
-                Ok(Reader { bytes, rest, hasher, sealed, ended: false, recording })
-            }
-            (Some(_), Some(_)) => {
-                let last = bytes.len() - rest.0.len() - 1;
-                Err(Damage::Changed { first: SEAL.end, last, what: "the header", ticks: 0 })
-            }
-            _ if sealed => {
-                let last = bytes.len() - 1;
-                Err(Damage::Changed { first: SEAL.end, last, what: "the header", ticks: 0 })
-            }
-            _ => Err(Damage::CutInHeader(bytes.len() as u64)),
+        let rest = Bytes(bytes.get(SEAL.end..).ok_or(Damage::CutInHeader(bytes.len() as u64))?);
+        let mut reader = Reader {
+            bytes,
+            rest,
+            hasher,
+            version,
+            sealed,
+            ended: false,
+            header: None,
+            game: None,
+            look: None,
+            changes: Vec::new(),
+            checkpoints: Vec::new(),
+            end: None,
+            ticks: 0,
+        };
+        if version == FORMAT_1 {
+            reader.header_of_format_1()?;
         }
+        Ok(reader)
+    }
+
+    fn header_of_format_1(&mut self) -> Result<(), Damage> {
+        let before = self.rest.0;
+        let header = Header::read_format_1(&mut self.rest);
+        self.hasher.update(&before[..before.len() - self.rest.0.len()]);
+        let check = self.rest.u64();
+        match (header, check) {
+            (Some(header), Some(check)) if check == self.hasher.digest() => {
+                self.header = Some(header);
+                Ok(())
+            }
+            (Some(_), Some(_)) => Err(self.changed(SEAL.end, self.at() - 1, "the header")),
+            _ if self.sealed => Err(self.changed(SEAL.end, self.bytes.len() - 1, "the header")),
+            _ => Err(Damage::CutInHeader(self.bytes.len() as u64)),
+        }
+    }
+
+    /// The byte that is read next.
+    fn at(&self) -> usize {
+        self.bytes.len() - self.rest.0.len()
     }
 
     /// Reads the next chunk; whether there may be another.
@@ -87,47 +105,103 @@ impl<'a> Reader<'a> {
         if self.rest.0.is_empty() {
             return Ok(false);
         }
-        let first = self.bytes.len() - self.rest.0.len();
-        match take_chunk(&mut self.rest) {
-            Some(chunk) => {
-                let last = self.bytes.len() - self.rest.0.len() - 1;
-                let changed = Damage::Changed { first, last, what: "a chunk", ticks: self.recording.ticks };
-                self.hasher.update(chunk.hashed);
-                let known = chunk.check == self.hasher.digest() & chunk.check_mask && !self.ended;
-                if known && self.accept(&chunk).is_some() { Ok(true) } else { Err(changed) }
-            }
+        let first = self.at();
+        let Some(chunk) = take_chunk(&mut self.rest, self.version) else {
             // A file that was never sealed may end in the middle of a write.
-            None if !self.sealed => Ok(false),
-            None => Err(self.rest_changed(first)),
+            return if self.sealed { Err(self.rest_changed(first)) } else { Ok(false) };
+        };
+        self.hasher.update(chunk.hashed);
+        let confirmed = chunk.check == &self.hasher.digest().to_le_bytes()[..chunk.check.len()] && !self.ended;
+        match confirmed.then(|| self.accept(&chunk)) {
+            Some(Ok(())) => Ok(true),
+            Some(Err(Refusal::Unknown)) => Err(Damage::UnknownChunk(chunk.tag.into())),
+            Some(Err(Refusal::Nonsense)) | None => Err(self.changed(first, self.at() - 1, "a chunk")),
         }
     }
 
     fn rest_changed(&self, first: usize) -> Damage {
-        let first = first.min(self.bytes.len() - 1);
-        Damage::Changed { first, last: self.bytes.len() - 1, what: "a chunk", ticks: self.recording.ticks }
+        self.changed(first.min(self.bytes.len() - 1), self.bytes.len() - 1, "a chunk")
     }
 
-    /// Adds what a chunk holds to the recording; `None` if it makes no sense.
-    fn accept(&mut self, chunk: &Chunk) -> Option<()> {
+    fn changed(&self, first: usize, last: usize, what: &'static str) -> Damage {
+        Damage::Changed { first, last, what, ticks: self.ticks }
+    }
+
+    /// Adds what a chunk holds to the recording.
+    fn accept(&mut self, chunk: &Chunk) -> Result<(), Refusal> {
         let mut payload = Bytes(chunk.payload);
-        match chunk.tag {
-            PLAY => read_play(&mut payload, &mut self.recording)?,
+        // A recording begins with its start, once, and no game is played on a table that nobody knows.
+        let in_order = match (chunk.tag, self.version) {
+            (PLAY | END, FORMAT_1) => true,
+            (_, FORMAT_1) => false,
+            (START, _) => self.header.is_none(),
+            (TABLE, _) => self.header.is_some() && self.game.is_none(),
+            (PLAY | END, _) => self.game.is_some(),
+            _ => self.header.is_some(),
+        };
+        let taken = in_order.then_some(()).and_then(|()| match chunk.tag {
+            START => Header::read(&mut payload).map(|header| self.header = Some(header)),
+            TABLE => packed_text::unpack(payload.rest()).map(|game| self.game = Some(game)),
+            LOOK => packed_text::unpack(payload.rest()).map(|look| self.look = Some(look)),
+            PLAY => self.play(&mut payload),
+            END => self.read_end(&mut payload),
             _ => {
-                let end = read_end(&mut payload)?;
-                (end.tick == self.recording.ticks).then_some(())?;
-                self.ended = true;
-                // The end of a file that was never sealed is not believed: it was not quite finished.
-                self.recording.end = self.sealed.then_some(end);
+                payload.rest();
+                Some(())
             }
+        });
+        let is_known = matches!(chunk.tag, START | TABLE | LOOK | PLAY | END);
+        match taken.filter(|()| payload.0.is_empty()) {
+            Some(()) if is_known || format::may_be_skipped(chunk.tag) => Ok(()),
+            Some(()) => Err(Refusal::Unknown),
+            None => Err(Refusal::Nonsense),
         }
-        payload.0.is_empty().then_some(())
+    }
+
+    fn play(&mut self, payload: &mut Bytes) -> Option<()> {
+        let start = self.ticks;
+        let end = start.checked_add(payload.varint()?)?;
+        let mut tick = start;
+        for _ in 0..payload.varint()? {
+            tick = tick.checked_add(payload.varint()?)?;
+            let buttons = Buttons(payload.byte()?);
+            (tick < end && Buttons::ALL.contains(buttons)).then_some(())?;
+            self.changes.push(Change { tick, buttons });
+        }
+        let (before, after) = (start / CHECKPOINT_TICKS, end / CHECKPOINT_TICKS);
+        for number in before + 1..=after {
+            let hashes = [payload.u16()?, payload.u16()?, payload.u16()?, payload.u16()?];
+            self.checkpoints.push(Checkpoint { tick: number * CHECKPOINT_TICKS, hashes });
+        }
+        self.ticks = end;
+        Some(())
+    }
+
+    fn read_end(&mut self, payload: &mut Bytes) -> Option<()> {
+        let tick = payload.varint()?;
+        let score = payload.u64()?.cast_signed();
+        let [balls, mechanisms, rules, lamps] = [payload.u64()?, payload.u64()?, payload.u64()?, payload.u64()?];
+        let end = End { tick, score, hashes: Hashes { balls, mechanisms, rules, lamps }, hash: payload.u64()? };
+        (end.tick == self.ticks).then_some(())?;
+        self.ended = true;
+        // The end of a file that was never sealed is not believed: it was not quite finished.
+        self.end = self.sealed.then_some(end);
+        Some(())
     }
 
     fn close(self) -> Result<Recording, Damage> {
         if self.sealed && !self.ended {
             return Err(self.rest_changed(self.bytes.len()));
         }
-        Ok(self.recording)
+        let length = self.bytes.len() as u64;
+        let header = self.header.ok_or(Damage::CutInHeader(length))?;
+        if self.version != FORMAT_1 && self.game.is_none() {
+            return Err(Damage::CutInHeader(length));
+        }
+        let look = self.look;
+        let table = self.game.map(|game| EmbeddedTable { game, look });
+        let Reader { checkpoints, end, changes, ticks, .. } = self;
+        Ok(Recording { header, table, checkpoints, end, changes, ticks })
     }
 }
 
@@ -137,50 +211,24 @@ struct Chunk<'a> {
     /// Tag, length and payload.
     hashed: &'a [u8],
     payload: &'a [u8],
-    check: u64,
-    /// Which bits of the hash the check holds.
-    check_mask: u64,
+    /// The first bytes of the hash.
+    check: &'a [u8],
 }
 
 /// The next chunk; `None`, with nothing taken, if the bytes do not hold a whole one.
-fn take_chunk<'a>(rest: &mut Bytes<'a>) -> Option<Chunk<'a>> {
+fn take_chunk<'a>(rest: &mut Bytes<'a>, version: u16) -> Option<Chunk<'a>> {
     let all = rest.0;
     let mut ahead = Bytes(all);
     let tag = ahead.byte()?;
-    let length = usize::from(ahead.u16()?);
+    let length = if version == FORMAT_1 { usize::from(ahead.u16()?) } else { ahead.varint()?.try_into().ok()? };
     let payload = ahead.take(length)?;
-    let hashed = all.get(..CHUNK_HEAD + length)?;
-    let (check, check_mask) = match tag {
-        END => (ahead.u64()?, u64::MAX),
-        _ => (u64::from(u32::from_le_bytes(ahead.array()?)), u64::from(u32::MAX)),
+    let hashed = &all[..all.len() - ahead.0.len()];
+    let check = match (version, tag) {
+        (FORMAT_1, END) => 8,
+        (FORMAT_1, _) => 4,
+        _ => format::check_bytes(tag),
     };
+    let check = ahead.take(check)?;
     rest.0 = ahead.0;
-    Some(Chunk { tag, hashed, payload, check, check_mask })
-}
-
-fn read_play(payload: &mut Bytes, recording: &mut Recording) -> Option<()> {
-    let start = recording.ticks;
-    let end = start.checked_add(payload.varint()?)?;
-    let mut tick = start;
-    for _ in 0..payload.varint()? {
-        tick = tick.checked_add(payload.varint()?)?;
-        let buttons = Buttons(payload.byte()?);
-        (tick < end && Buttons::ALL.contains(buttons)).then_some(())?;
-        recording.changes.push(Change { tick, buttons });
-    }
-    let (before, after) = (start / CHECKPOINT_TICKS, end / CHECKPOINT_TICKS);
-    for number in before + 1..=after {
-        let hashes = [payload.u16()?, payload.u16()?, payload.u16()?, payload.u16()?];
-        recording.checkpoints.push(Checkpoint { tick: number * CHECKPOINT_TICKS, hashes });
-    }
-    recording.ticks = end;
-    Some(())
-}
-
-fn read_end(payload: &mut Bytes) -> Option<End> {
-    let tick = payload.varint()?;
-    let score = payload.u64()?.cast_signed();
-    let [balls, mechanisms, rules, lamps] = [payload.u64()?, payload.u64()?, payload.u64()?, payload.u64()?];
-    let hash = payload.u64()?;
-    Some(End { tick, score, hashes: Hashes { balls, mechanisms, rules, lamps }, hash })
+    Some(Chunk { tag, hashed, payload, check })
 }

@@ -1,23 +1,24 @@
 //! Records a simulation as it is played.
 
 use super::{Header, Writer, best_score};
+use crate::table::EmbeddedTable;
 use crate::{Buttons, Simulation};
 use std::io::{self, Seek, Write};
 
 /// A recording of a simulation in play: call [`Recorder::record`] after every tick.
 pub struct Recorder<W> {
     writer: Writer<W>,
-    started: bool,
 }
 
 impl<W: Write + Seek> Recorder<W> {
     /// Begins to record into `out` a simulation that was just started with `seed`.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If it cannot be written, or the table is too large to be carried.
     pub fn new(out: W, simulation: &Simulation, seed: u64) -> io::Result<Recorder<W>> {
-        let writer = Writer::new(out, &Header::new(simulation.table(), seed))?;
-        Ok(Recorder { writer, started: false })
+        let table = simulation.table();
+        let writer = Writer::new(out, &Header::new(table, seed), &EmbeddedTable::of(table))?;
+        Ok(Recorder { writer })
     }
 
     /// Ticks recorded so far.
@@ -25,9 +26,9 @@ impl<W: Write + Seek> Recorder<W> {
         self.writer.ticks()
     }
 
-    /// Whether anybody has pressed start since the recording began.
-    pub fn started(&self) -> bool {
-        self.started
+    /// Where it is written to.
+    pub fn get_mut(&mut self) -> &mut W {
+        self.writer.get_mut()
     }
 
     /// Records the tick that `simulation` has just played with `buttons`.
@@ -35,7 +36,6 @@ impl<W: Write + Seek> Recorder<W> {
     /// # Errors
     /// If `out` cannot be written; give up recording then, not the game.
     pub fn record(&mut self, simulation: &Simulation, buttons: Buttons) -> io::Result<()> {
-        self.started |= buttons.contains(Buttons::START);
         self.writer.record(buttons, || simulation.hashes())
     }
 

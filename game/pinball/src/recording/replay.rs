@@ -25,7 +25,7 @@ pub struct Replay {
 pub struct Difference {
     /// The first stored hash that differs: the number of ticks played.
     pub tick: u64,
-    /// What differs: `balls`, `mechanisms`, `rules`, `lamps`, `score`.
+    /// What differs: `balls`, `mechanisms`, `rules`, `lamps`, `score`, `state`.
     pub fields: Vec<&'static str>,
 }
 
@@ -37,7 +37,9 @@ impl Replay {
     pub fn new(recording: Recording, table: Arc<Table>) -> Result<Replay, Failure> {
         let simulation = recording.start(table)?;
         let kept = BTreeMap::from([(0, simulation.clone())]);
-        Ok(Replay { recording, simulation, kept, difference: None })
+        // What ended before its first tick has an end as well.
+        let difference = compare(&recording, &simulation, 0);
+        Ok(Replay { recording, simulation, kept, difference })
     }
 
     /// What is played.
@@ -113,7 +115,8 @@ impl TickSource for Replay {
 fn compare(recording: &Recording, simulation: &Simulation, tick: u64) -> Option<Difference> {
     let mut fields = Vec::new();
     if tick.is_multiple_of(CHECKPOINT_TICKS)
-        && let Some(stored) = recording.checkpoints.get((tick / CHECKPOINT_TICKS - 1) as usize)
+        && let Some(number) = (tick / CHECKPOINT_TICKS).checked_sub(1)
+        && let Some(stored) = recording.checkpoints.get(number as usize)
     {
         let found = Checkpoint::of(tick, simulation.hashes());
         let names = ["balls", "mechanisms", "rules", "lamps"];

@@ -1,9 +1,13 @@
 //! Writes a recording while it is played.
 
-use super::format::{CHECKPOINT_TICKS, END, FLUSH_TICKS, PLAY, SEAL, put_varint, seal};
-use super::{Checkpoint, End, Header};
+use super::format::{
+    CHECKPOINT_TICKS, END, FLUSH_TICKS, FORMAT_VERSION, LOOK, MAGIC, PLAY, SEAL, START, TABLE, check_bytes, put_varint,
+    seal,
+};
+use super::{Checkpoint, End, Header, packed_text};
 use crate::Buttons;
 use crate::simulation::Hashes;
+use crate::table::EmbeddedTable;
 use std::io::{self, Seek, SeekFrom, Write};
 use xxhash_rust::xxh3::Xxh3;
 
@@ -30,20 +34,25 @@ struct Pending {
 }
 
 impl<W: Write + Seek> Writer<W> {
-    /// Begins a recording at the beginning of `out`.
+    /// Begins a recording at the beginning of `out`, of a game on the table that it will carry.
     ///
     /// # Errors
-    /// If `out` cannot be written.
-    pub fn new(mut out: W, header: &Header) -> io::Result<Writer<W>> {
-        let mut bytes = header.bytes();
+    /// If `out` cannot be written, or the table is too large to be carried.
+    pub fn new(mut out: W, header: &Header, table: &EmbeddedTable) -> io::Result<Writer<W>> {
+        let mut front = MAGIC.to_vec();
+        front.extend(FORMAT_VERSION.to_le_bytes());
         let mut hasher = Xxh3::new();
-        hasher.update(&bytes[..SEAL.start]);
-        hasher.update(&bytes[SEAL.end..]);
-        bytes.extend(hasher.digest().to_le_bytes());
-        out.write_all(&bytes)?;
-        out.flush()?;
-        let length = bytes.len() as u64;
-        Ok(Writer { out, hasher, length, ticks: 0, down: Buttons::NONE, pending: Pending::default() })
+        hasher.update(&front);
+        front.resize(SEAL.end, 0);
+        out.write_all(&front)?;
+        let length = front.len() as u64;
+        let mut writer = Writer { out, hasher, length, ticks: 0, down: Buttons::NONE, pending: Pending::default() };
+        writer.chunk(START, &header.payload())?;
+        writer.chunk(TABLE, &packed(&table.game)?)?;
+        if let Some(look) = &table.look {
+            writer.chunk(LOOK, &packed(look)?)?;
+        }
+        Ok(writer)
     }
 
     /// Ticks recorded so far.
@@ -54,6 +63,11 @@ impl<W: Write + Seek> Writer<W> {
     /// Bytes written so far.
     pub fn bytes(&self) -> u64 {
         self.length
+    }
+
+    /// Where it is written to.
+    pub fn get_mut(&mut self) -> &mut W {
+        &mut self.out
     }
 
     /// Records one tick: what was down in it, and (asked only when it is a checkpoint) the hashes after it.
@@ -93,8 +107,7 @@ impl<W: Write + Seek> Writer<W> {
         put_varint(&mut payload, pending.changes);
         payload.extend(pending.encoded_changes);
         payload.extend(pending.encoded_hashes);
-        let check_bytes = 4;
-        self.chunk(PLAY, &payload, check_bytes)
+        self.chunk(PLAY, &payload)
     }
 
     /// Writes the rest, the end and the seal, and gives the file back.
@@ -110,24 +123,30 @@ impl<W: Write + Seek> Writer<W> {
         for part in [hashes.balls, hashes.mechanisms, hashes.rules, hashes.lamps, hash] {
             payload.extend(part.to_le_bytes());
         }
-        let check_bytes = 8;
-        self.chunk(END, &payload, check_bytes)?;
+        self.chunk(END, &payload)?;
         self.out.seek(SeekFrom::Start(SEAL.start as u64))?;
         self.out.write_all(&seal(self.length))?;
         self.out.flush()?;
         Ok(self.out)
     }
 
-    fn chunk(&mut self, tag: u8, payload: &[u8], check_bytes: usize) -> io::Result<()> {
-        let length = u16::try_from(payload.len()).map_err(io::Error::other)?;
+    fn chunk(&mut self, tag: u8, payload: &[u8]) -> io::Result<()> {
         let mut bytes = vec![tag];
-        bytes.extend(length.to_le_bytes());
+        put_varint(&mut bytes, payload.len() as u64);
         bytes.extend(payload);
         self.hasher.update(&bytes);
-        bytes.extend(&self.hasher.digest().to_le_bytes()[..check_bytes]);
+        bytes.extend(&self.hasher.digest().to_le_bytes()[..check_bytes(tag)]);
         self.out.write_all(&bytes)?;
         self.out.flush()?;
         self.length += bytes.len() as u64;
         Ok(())
     }
+}
+
+fn packed(text: &str) -> io::Result<Vec<u8>> {
+    let too_large = || {
+        let most = packed_text::MAX_BYTES >> 20;
+        io::Error::other(format!("its table takes more than {most} MB, the most that a recording carries"))
+    };
+    packed_text::pack(text).ok_or_else(too_large)
 }

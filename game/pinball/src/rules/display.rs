@@ -1,4 +1,4 @@
-//! What the rules show on the display.
+//! Display: what the rules show on the display.
 
 /// What the display shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

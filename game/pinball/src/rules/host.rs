@@ -354,7 +354,7 @@ fn power(context: &mut ScriptContext, flippers: Option<bool>, kickers: Option<bo
     }
     if let Some(on) = kickers {
         context.script.kickers = on;
-        ordered(context.script.order(Command::SetKickers(on)))?;
+        ordered(context.script.order(Command::SetCoils(on)))?;
     }
     Ok(Data::Unit)
 }

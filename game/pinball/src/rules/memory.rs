@@ -1,4 +1,5 @@
-//! What a script remembers, with its bytes: every tick is hashed, and a script is called a few times a second.
+//! Script memory: what a script remembers, with its bytes: every tick is hashed, and a script is called a few times a
+//! second.
 
 use super::value::Value;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

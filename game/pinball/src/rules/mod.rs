@@ -112,7 +112,7 @@ impl Rules {
         rules.state.work.end_tick();
         match rules.complaints.is_empty() {
             true => Ok(rules),
-            false => Err(Failure::new(rules.complaints.join("\n"))),
+            false => Err(Failure::of_many(rules.complaints.into_iter().map(Failure::new).collect())),
         }
     }
 

@@ -66,8 +66,8 @@ impl Program {
         mistakes.extend(literals::unknown_names(&table.rules, &names));
         if !mistakes.is_empty() {
             mistakes.sort();
-            let lines: Vec<String> = mistakes.iter().map(|(line, what)| format!("{file}:{line}: {what}")).collect();
-            return Err(Failure::new(lines.join("\n")));
+            let mistakes = mistakes.iter().map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
+            return Err(Failure::of_many(mistakes.collect()));
         }
         let numbered = script.functions().zip(0..).filter(|(function, _)| is_call(&function.name));
         let call = |name: &str, number| (name.to_string(), (number, line_of(name, &table.rules)));

@@ -1,4 +1,4 @@
-//! What the rules want to be told later.
+//! Timers: what the rules want to be told later.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! What the rules remember: plain data with one order, so that it can be saved, hashed and cloned.
+//! Values: what the rules remember: plain data with one order, so that it can be saved, hashed and cloned.
 //!
 //! A script's own values may be functions or ranges; none of that survives an event. What does is this.
 

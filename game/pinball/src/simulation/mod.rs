@@ -115,7 +115,7 @@ impl Simulation {
         self.tick
     }
 
-    /// The stream of the last tick: its events and contacts in order. Rules, bot, debug overlay and sound listen to it.
+    /// The stream of the last tick: its events and contacts in order. Rules, bot and debug overlay listen to it.
     pub fn tick_events(&self) -> &[TickEvent] {
         &self.tick_events
     }
@@ -200,7 +200,7 @@ impl Simulation {
     }
 
     /// As [`Simulation::restore`], on this one's table: much faster, because what follows from the table alone is shared:
-    /// the compiled rules, the machine's plan, how much light each lamp gives. All else comes from the bytes.
+    /// the compiled rules, the machine's model, how much light each lamp gives. All else comes from the bytes.
     ///
     /// # Errors
     /// If the bytes are not what `save` writes for this table.

@@ -1,4 +1,4 @@
-//! What a picture needs to know of a moment: plain data, independent of the simulation it came from.
+//! Snapshot: what a picture needs to know of a moment: plain data, independent of the simulation it came from.
 
 use crate::lamps::{ExposureAdaptation, LampLight};
 use crate::rules::Display;

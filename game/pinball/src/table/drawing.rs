@@ -30,7 +30,7 @@ pub(super) const SVG: &str = "http://www.w3.org/2000/svg";
 /// Reads the XML, and nothing that could grow without end.
 pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    Document::parse_with_options(&source.text, options).map_err(|error| match error {
+    let document = Document::parse_with_options(&source.text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => {
             Diagnostic::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
         }
@@ -38,7 +38,27 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
         }
         error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
-    })
+    })?;
+    match too_deep(&document) {
+        Some(at) => {
+            let what = format!("more than {MAX_DEPTH} elements lie inside each other; take some out");
+            Err(source.diagnostic(at, what))
+        }
+        None => Ok(document),
+    }
+}
+
+/// Where the first element begins that lies too deep in others for what walks through them, shown or not.
+fn too_deep(document: &Document) -> Option<usize> {
+    let mut depths = vec![0; document.descendants().count()];
+    for node in document.descendants().filter(Node::is_element) {
+        let depth = node.parent_element().map_or(0, |parent| depths[parent.id().get_usize()] + 1);
+        if depth > MAX_DEPTH {
+            return Some(node.range().start);
+        }
+        depths[node.id().get_usize()] = depth;
+    }
+    None
 }
 
 /// One element of the table.
@@ -107,7 +127,7 @@ impl Drawing {
             pieces: 0,
             too_many: false,
         };
-        reader.children(root, Inherited { transform: Ok(Transform::IDENTITY), depth: 1, drawn: Ok(()) });
+        reader.children(root, Inherited { transform: Ok(Transform::IDENTITY), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
         let ids = ids.into_iter().map(|(id, (class, _))| (id, class)).collect();
         Drawing { size_mm, elements, ids, drawn }
@@ -137,7 +157,6 @@ fn size(root: Node) -> Result<DVec2, String> {
 #[derive(Clone)]
 struct Inherited {
     transform: Result<Transform, String>,
-    depth: usize,
     /// Or the name of an ancestor that is not drawn where it stands.
     drawn: Result<(), String>,
 }
@@ -178,10 +197,6 @@ impl Reader<'_> {
     }
 
     fn visit(&mut self, node: Node, inherited: &Inherited) {
-        if inherited.depth >= MAX_DEPTH {
-            return self
-                .diagnostic(node, format!("more than {MAX_DEPTH} elements lie inside each other; take some out"));
-        }
         let transform = match (&inherited.transform, node.attribute("transform")) {
             (Ok(transform), Some(attribute)) => transform.transformed(attribute),
             (transform, _) => transform.clone(),
@@ -195,7 +210,7 @@ impl Reader<'_> {
             "g" | "a" => inherited.drawn.clone(),
             other => inherited.drawn.clone().and(Err(other.to_string())),
         };
-        self.children(node, Inherited { transform, depth: inherited.depth + 1, drawn });
+        self.children(node, Inherited { transform, drawn });
     }
 
     /// Whatever is no element of the table must be art that can be printed.

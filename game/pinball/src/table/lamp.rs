@@ -1,9 +1,10 @@
 //! Lamps above the floor and lit windows in it.
 
 use geometry::DVec2;
+use serde::{Deserialize, Serialize};
 
 /// A lamp or a lit insert.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Lamp {
     /// Its id in the drawing.
     pub name: String,
@@ -16,7 +17,7 @@ pub struct Lamp {
 }
 
 /// What a lamp is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LampKind {
     /// A disc or a line above the floor that lights the table and casts shadows.
     Bulb {
@@ -39,7 +40,7 @@ pub enum LampKind {
 }
 
 /// What of a bulb shines, seen from above; it lies parallel to the floor.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Emitter {
     /// A disc.
     Disc {

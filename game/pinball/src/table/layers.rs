@@ -2,7 +2,7 @@
 //! both is wood, and how high the floor is.
 //!
 //! The text is cut by byte range and everything else is left as it was, so the art stays what its maker wrote: its
-//! gradients, its sheets, its transforms.
+//! gradients, its sheets, its transforms, and the lines on which they stand.
 
 use super::drawing::element_class;
 use super::element_class::ElementClass;
@@ -214,6 +214,8 @@ fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     for (range, new) in edits {
         result.push_str(&text[from..range.start]);
         result.push_str(&new);
+        let lines = |text: &str| text.matches('\n').count();
+        result.extend(std::iter::repeat_n('\n', lines(&text[range.clone()]).saturating_sub(lines(&new))));
         from = range.end;
     }
     result.push_str(&text[from..]);

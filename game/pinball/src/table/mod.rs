@@ -2,9 +2,11 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
+mod captives;
 mod config;
 mod drawing;
 mod element_class;
+mod embedded;
 mod hash;
 mod lamp;
 mod lamps;
@@ -24,6 +26,7 @@ mod style;
 pub(crate) mod tests;
 mod transform;
 
+pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};
@@ -62,8 +65,10 @@ pub struct Table {
     pub normal_map: NormalMapInputs,
     /// The rules' text.
     pub rules: String,
-    /// Light from everywhere: linear, red, green, blue.
-    pub ambient: [f32; 3],
+    /// Light from everywhere, sRGB.
+    pub ambient: [u8; 3],
+    /// What that light is multiplied by.
+    pub ambient_power: f32,
     /// Of all that a game depends on (layout, rules, the lamps' names), and of nothing that only changes the picture.
     pub hash: u64,
 }

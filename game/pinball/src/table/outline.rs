@@ -1,4 +1,4 @@
-//! What one element draws, on the table, in millimetres.
+//! Outlines: what one element draws, on the table, in millimetres.
 
 use super::path_data;
 use super::path_flattening::{self, Ellipse, PathFlattener, Piece, Subpath};

@@ -5,7 +5,7 @@ use super::drawing::{self, Drawing, Element};
 use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
-use super::{Lamp, NormalMapInputs, Solid, Table, lamps, layers, parts};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -47,7 +47,8 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let drawing =
         svg.as_ref().zip(document.as_ref()).map(|(svg, document)| Drawing::read(svg, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
-    let toml = toml.unwrap_or_else(|| Source::new(String::new(), String::new()));
+    // Without its numbers a drawing has mistakes that it does not have.
+    let Some(toml) = toml else { return Err(failures(diagnostics)) };
     let config = &config::parse(&toml, ids, &mut diagnostics);
     let (Some(svg), Some(document), Some(drawing)) = (&svg, &document, &drawing) else {
         return Err(failures(diagnostics));
@@ -82,9 +83,15 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             ..config.normal_map.clone()
         },
         rules: rules.map_or_else(String::new, |rules| rules.text),
-        ambient: ambient(config),
+        ambient: config.ambient,
+        ambient_power: config.ambient_power as f32,
         hash: 0,
     };
+    if let Err((part, why)) = captives::check(&table.layout) {
+        let name = &table.layout.parts[part].name;
+        let at = drawing.elements.iter().find(|element| element.name == *name).map_or(0, |element| element.at);
+        return Err(failures(vec![svg.diagnostic(at, format!("{name}: {why}"))]));
+    }
     table.hash = super::hash::of(&table);
     Ok(table)
 }
@@ -99,10 +106,6 @@ fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
         failures.push(Failure::new(format!("and {} more mistakes", diagnostics.len() - MAX_REPORTED)));
     }
     failures
-}
-
-fn ambient(config: &Config) -> [f32; 3] {
-    solids::linear(config.ambient).map(|light| light * config.ambient_power as f32)
 }
 
 /// What every table must have.

@@ -1,4 +1,4 @@
-//! What the ball can meet: elements and numbers become [`physics::Part`]s, in SI units.
+//! Parts: what the ball can meet: elements and numbers become [`physics::Part`]s, in SI units.
 
 mod coils;
 mod ramp;

@@ -2,9 +2,10 @@
 
 use geometry::{DVec2, Shape};
 use physics::PartId;
+use serde::{Deserialize, Serialize};
 
 /// A drawn element that casts a shadow, has a top, or both.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solid {
     /// The part that moves it or is hit with it, if any.
     pub part: Option<PartId>,
@@ -21,18 +22,20 @@ pub struct Solid {
 }
 
 /// How a solid's top looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finish {
-    /// Reflectance, linear red, green, blue, 0 to 1. With `art` it multiplies the art.
-    pub albedo: [f32; 3],
+    /// Reflectance, sRGB. With `art` it multiplies the art.
+    pub albedo: [u8; 3],
     /// Its form.
     pub profile: Profile,
     /// Strength of its highlights: 0 is matt, 1 is polished metal.
     pub gloss: f32,
     /// Takes its colour from the plastics' art where that is opaque.
     pub art: bool,
-    /// Light of its own, linear.
-    pub emission: [f32; 3],
+    /// Light of its own, sRGB.
+    pub emission: [u8; 3],
+    /// What that light is multiplied by.
+    pub emission_power: f32,
     /// How much of it there is: 1 is solid, 0 is not there.
     pub opacity: f32,
     /// How much of the light below it comes through, in the colour of its albedo.
@@ -40,7 +43,7 @@ pub struct Finish {
 }
 
 /// A top's form in cross section.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Profile {
     /// Flat, with an edge rounded over this width, mm.
     Bevel(f32),

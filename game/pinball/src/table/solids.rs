@@ -1,4 +1,4 @@
-//! What casts shadows and has a top that can be seen.
+//! Solids: what casts shadows and has a top that can be seen.
 
 mod ramp;
 
@@ -115,13 +115,13 @@ fn finish(element: &Element, config: &Config) -> Result<Finish, String> {
     let art = element.class == ElementClass::Plastic;
     // A plastic's colours are in its art, which the albedo multiplies.
     let drawn = if art { Some([255; 3]) } else { element.color() };
-    let power = emission_power.unwrap_or(1.0);
     Ok(Finish {
-        albedo: linear(albedo.or(drawn).unwrap_or([160; 3])),
+        albedo: albedo.or(drawn).unwrap_or([160; 3]),
         profile: profile.unwrap_or(usual_profile),
         gloss: gloss.unwrap_or(usual_gloss),
         art,
-        emission: emission.map_or([0.0; 3], |color| linear(color).map(|light| light * power)),
+        emission: emission.unwrap_or_default(),
+        emission_power: emission_power.unwrap_or(1.0),
         opacity: opacity.unwrap_or(1.0),
         translucency: translucency.unwrap_or(0.0),
     })
@@ -141,12 +141,4 @@ fn default_look(class: ElementClass) -> (Profile, f32) {
         ElementClass::Plastic => (Profile::Bevel(1.2), 0.5),
         _ => (Profile::Bevel(0.8), 0.3),
     }
-}
-
-/// Linear light from an sRGB colour (IEC 61966-2-1).
-pub(super) fn linear(color: [u8; 3]) -> [f32; 3] {
-    color.map(|channel| {
-        let value = f32::from(channel) / 255.0;
-        if value <= 0.04045 { value / 12.92 } else { libm::powf((value + 0.055) / 1.055, 2.4) }
-    })
 }

@@ -1,6 +1,7 @@
 //! What is printed where.
 
 mod normal_map;
+mod refusals;
 
 use crate::art;
 use crate::small_table::{read, table};

@@ -96,9 +96,9 @@ fn view(size: Size) -> View {
 fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPool) -> Vec<Row> {
     let mut scene = scenes::table(view(size), props);
     change(&mut scene);
-    let (mut renderer, mut film) = (Renderer::new(), DisplayBuffer::default());
+    let (mut renderer, mut display) = (Renderer::new(), DisplayBuffer::default());
     let row = |state: State| {
-        let ms = pool.install(|| median_ms(&mut scene, state, &mut renderer, &mut film));
+        let ms = pool.install(|| median_ms(&mut scene, state, &mut renderer, &mut display));
         Row {
             bench: "growth",
             variant: format!("{name}, {}", state.name()),
@@ -113,7 +113,7 @@ fn states(name: &str, size: Size, props: &Props, change: Change, pool: &ThreadPo
 }
 
 /// Draws frames of a scene in one state, the first ones to warm up.
-fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mut DisplayBuffer) -> f64 {
+fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, display: &mut DisplayBuffer) -> f64 {
     let colors: Vec<Rgb> = scene.lamps.iter().map(|lamp| lamp.color).collect();
     let mut times_ms = Vec::new();
     for frame in 0..WARM_UP + FRAMES {
@@ -126,7 +126,7 @@ fn median_ms(scene: &mut Scene, state: State, renderer: &mut Renderer, film: &mu
             }
             State::FromNothing => renderer.invalidate(),
         }
-        let ms = time_ms(|| renderer.draw(scene, 1.0, film));
+        let ms = time_ms(|| renderer.draw(scene, 1.0, display));
         if frame >= WARM_UP {
             times_ms.push(ms);
         }

@@ -3,8 +3,9 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod clock;
-mod cone;
+mod friction_cone;
 mod growth;
+mod heap;
 mod physics;
 mod quality;
 mod room;
@@ -13,7 +14,7 @@ mod shots;
 mod table;
 mod tick;
 
-use super::print::print;
+use super::print::print_lines;
 use crate::Failure;
 use crate::cli::{Bench, BenchArgs};
 use serde::Serialize;
@@ -79,7 +80,8 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Rules | Bench::All) {
         rows.extend(rules::rows()?);
     }
-    print(&if args.json { json(&rows) } else { table(&rows) })
+    let text = if args.json { json(&rows) } else { table(&rows) };
+    print_lines(text.lines())
 }
 
 fn json(rows: &[Row]) -> String {

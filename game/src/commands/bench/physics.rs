@@ -2,7 +2,7 @@
 
 use super::Row;
 use super::clock::{quantile, time_ms};
-use super::cone::Cone;
+use super::friction_cone::FrictionCone;
 use super::shots::{Aim, Tally, shoot_all};
 use crate::bot::BotRng;
 use crate::commands::parallel;
@@ -30,7 +30,7 @@ pub fn rows(shots: u64, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let pool = parallel::pool(threads)?;
     let flips = shots / FLIPPERS_PART;
     let mut rows = Vec::new();
-    let mut cone = Cone::default();
+    let mut cone = FrictionCone::default();
     let mut shooting_ms = 0.0;
     for (name, count, aim) in
         [("shots at everything", shots, Aim::Everything), ("shots at moving flippers", flips, Aim::Flippers)]
@@ -65,13 +65,14 @@ pub fn rows(shots: u64, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
         return Err(Failure::new(format!("{} of {} impacts rubbed too hard", cone.outside, cone.impacts)));
     }
     rows.push(crowd(&fresh));
+    rows.extend(super::heap::rows()?);
     Ok(rows)
 }
 
 fn live(table: &Table) -> Result<Machine, Failure> {
     let refused = |error| Failure::new(format!("the physics refuses this table: {error:?}"));
     let mut machine = Machine::new(Arc::new(table.layout.clone())).map_err(refused)?;
-    machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetKickers(true)]);
+    machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
     Ok(machine)
 }
 

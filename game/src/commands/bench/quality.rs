@@ -3,8 +3,8 @@
 use super::table;
 use crate::Failure;
 use crate::commands::parallel;
-use crate::commands::print::print;
-use crate::scene_builder::{Printed, SceneBuilder};
+use crate::commands::print::print_lines;
+use crate::scene_builder::{RasterizedArt, SceneBuilder};
 use crate::storage::tables;
 use serde::Serialize;
 use std::sync::Arc;
@@ -41,7 +41,8 @@ impl Row {
 /// If the table cannot be read, or a scene does not pass.
 pub fn run(threads: Option<usize>, json: bool) -> Result<(), Failure> {
     let rows = parallel::pool(threads)?.install(rows)?;
-    print(&if json { serde_json::to_string_pretty(&rows).expect("plain numbers are JSON") } else { text(&rows) })?;
+    let text = if json { serde_json::to_string_pretty(&rows).expect("plain numbers are JSON") } else { text(&rows) };
+    print_lines(text.lines())?;
     let failed: Vec<&str> = rows.iter().filter(|row| !row.passes).map(|row| row.scene.as_str()).collect();
     if failed.is_empty() { Ok(()) } else { Err(Failure::new(format!("not exact enough: {}", failed.join(", ")))) }
 }
@@ -75,12 +76,12 @@ fn made_up_table() -> Row {
 
 fn played_table() -> Result<Row, Failure> {
     let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
-    let moment = table::moments(&table, 1)?.pop().ok_or_else(|| Failure::new("the bot has not played"))?;
+    let snapshot = table::snapshots(&table, 1)?.pop().ok_or_else(|| Failure::new("the bot has not played"))?;
     let builder = SceneBuilder::new(&table);
     let [view, small] = views(table.size_mm);
-    let (printed, small_printed) = (Printed::new(&table, &view)?, Printed::new(&table, &small)?);
-    let scene = builder.scene(&table, &moment, view, &printed);
-    let small = builder.scene(&table, &moment, small, &small_printed);
+    let (art, small_art) = (RasterizedArt::new(&table, &view)?, RasterizedArt::new(&table, &small)?);
+    let scene = builder.scene(&table, &snapshot, view, &art);
+    let small = builder.scene(&table, &snapshot, small, &small_art);
     Ok(Row::new("spectrum in play".to_string(), judge(&scene, Some(&small), MANY, 1)))
 }
 

@@ -3,7 +3,7 @@
 //! Nothing comes through unseen: to a ball's centre every wall is 27 mm thick and every flipper 40, and a ball and a flipper
 //! together go 21 mm in a tick at most, so what comes through is deep inside at the end of some tick.
 
-use super::cone::{Cone, Frictions};
+use super::friction_cone::{FrictionCone, Frictions};
 use crate::bot::BotRng;
 use geometry::{DVec2, trig};
 use indicatif::ProgressBar;
@@ -43,7 +43,7 @@ pub struct Tally {
     /// Deepest overlap at the end of a tick, m.
     pub deepest_m: f64,
     /// Their impacts.
-    pub cone: Cone,
+    pub cone: FrictionCone,
 }
 
 impl Tally {

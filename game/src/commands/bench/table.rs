@@ -30,31 +30,31 @@ const SEEDS: [u64; 3] = [1, 2, 3];
 /// Times the frames of a game at each size.
 pub fn rows(size: Option<Size>, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let table = Arc::new(tables::load("spectrum").map_err(Failure::of_many)?);
-    let moments = moments(&table, FRAMES)?;
+    let snapshots = snapshots(&table, FRAMES)?;
     let sizes = size.map_or(SIZES.to_vec(), |size| vec![size]);
     let mut rows = Vec::new();
     for size in sizes {
-        rows.extend(frames(&table, &moments, size, threads)?);
+        rows.extend(frames(&table, &snapshots, size, threads)?);
     }
     Ok(rows)
 }
 
-/// The hard case that figures are quoted for: a bot's game, a 60th of a second from moment to moment, with the balls of
+/// The hard case that figures are quoted for: a bot's game, a 60th of a second from snapshot to snapshot, with the balls of
 /// two other games on the table as well, and every lamp and insert flashing in a rhythm of its own, so that no lamp
 /// gives in one frame what it gave in the last.
-pub(super) fn moments(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>, Failure> {
-    let mut moments = game(table, SEEDS[0], count)?;
+pub(super) fn snapshots(table: &Arc<Table>, count: usize) -> Result<Vec<Snapshot>, Failure> {
+    let mut snapshots = game(table, SEEDS[0], count)?;
     for seed in &SEEDS[1..] {
-        for (moment, other) in moments.iter_mut().zip(game(table, *seed, count)?) {
-            moment.pose.balls.extend(other.pose.balls.into_iter().take(1));
+        for (snapshot, other) in snapshots.iter_mut().zip(game(table, *seed, count)?) {
+            snapshot.pose.balls.extend(other.pose.balls.into_iter().take(1));
         }
     }
-    for (number, moment) in moments.iter_mut().enumerate() {
-        for (lamp, light) in moment.lamps.iter_mut().enumerate() {
+    for (number, snapshot) in snapshots.iter_mut().enumerate() {
+        for (lamp, light) in snapshot.lamps.iter_mut().enumerate() {
             light.level = 250 + ((number * 97 + lamp * 331) % 750) as u16;
         }
     }
-    Ok(moments)
+    Ok(snapshots)
 }
 
 /// What the bot's game looks like, a 60th of a second apart, while a ball is in play.
@@ -72,14 +72,14 @@ fn game(table: &Arc<Table>, seed: u64, count: usize) -> Result<Vec<Snapshot>, Fa
     Ok(snapshots)
 }
 
-fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
+fn frames(table: &Arc<Table>, snapshots: &[Snapshot], size: Size, threads: Option<usize>) -> Result<Vec<Row>, Failure> {
     let pool = parallel::pool(threads)?;
     let threads = pool.current_num_threads();
     let mut composer = FrameComposer::new(table.clone(), pool)?;
-    let draw = |composer: &mut FrameComposer, moment: &Snapshot| -> Result<f64, Failure> {
+    let draw = |composer: &mut FrameComposer, snapshot: &Snapshot| -> Result<f64, Failure> {
         let mut drawn = Ok(());
         let ms = time_ms(|| {
-            drawn = composer.draw(Interpolation::at(moment), size, &UiState::default()).map(|_| ());
+            drawn = composer.draw(Interpolation::at(snapshot), size, &UiState::default()).map(|_| ());
         });
         drawn.map(|()| ms)
     };
@@ -98,13 +98,13 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
     };
     let mut rows = Vec::new();
     for (light, names) in [(LightResolution::Full, &FULL), (LightResolution::Half, &HALF)] {
-        composer.set_light(light);
-        for moment in moments {
-            draw(&mut composer, moment)?;
+        composer.set_light_resolution(light);
+        for snapshot in snapshots {
+            draw(&mut composer, snapshot)?;
         }
         let mut columns: [Vec<f64>; 8] = Default::default();
-        for moment in moments {
-            let whole_ms = draw(&mut composer, moment)?;
+        for snapshot in snapshots {
+            let whole_ms = draw(&mut composer, snapshot)?;
             let times = composer.times();
             let parts = [
                 whole_ms,
@@ -121,7 +121,7 @@ fn frames(table: &Arc<Table>, moments: &[Snapshot], size: Size, threads: Option<
         rows.extend(names.iter().zip(columns).map(|(name, column)| row(name, column)));
     }
     composer.use_reference(Sampling { samples: REFERENCE_SAMPLES, seed: 0, stratified: true });
-    let slow_ms = draw(&mut composer, &moments[0])?;
+    let slow_ms = draw(&mut composer, &snapshots[0])?;
     rows.push(row(&format!("(reference, {REFERENCE_SAMPLES} rays a lamp)"), vec![slow_ms]));
     Ok(rows)
 }
@@ -133,7 +133,7 @@ const FULL: [&str; 8] = [
     "- what is new in it",
     "- shadows and surfaces anew",
     "- balls",
-    "- glare",
+    "- bloom",
     "- sum of all lamps, tone map",
     "- display",
 ];
@@ -145,8 +145,8 @@ const HALF: [&str; 8] = [
     "- guides, what glows",
     "- lamps at half the resolution",
     "- balls",
-    "- glare",
-    "- upscale, tone map",
+    "- bloom",
+    "- upsampling, tone map",
     "- display",
 ];
 

@@ -1,4 +1,4 @@
-//! What becomes of the energy of balls that nothing drives.
+//! Energy: what becomes of the energy of balls that nothing drives.
 
 use super::panel::{Axis, Panel};
 use super::sheet::{self, Sheet, Words};

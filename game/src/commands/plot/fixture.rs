@@ -1,4 +1,4 @@
-//! What the experiments are set up on: the chosen table, or only those of its parts that are asked about.
+//! Fixtures: what the experiments are set up on: the chosen table, or only those of its parts that are asked about.
 
 use crate::{Failure, Table};
 use geometry::{Circle, Taper, trig};

@@ -1,4 +1,5 @@
-//! What plots are drawn with: the night, brass and ivory of the game's display, and colours that keep apart on them.
+//! Ink: what plots are drawn with: the night, brass and ivory of the game's display, and colours that keep apart on
+//! them.
 
 use plotters::style::RGBColor;
 

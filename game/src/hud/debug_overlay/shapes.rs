@@ -66,7 +66,7 @@ pub(super) fn moving(index: usize, part: &Part, pose: &Pose) -> Vec<(Shape, u32)
             vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]
         }
         Kind::Kickback(kickback) => {
-            let out = value(&pose.kickers).unwrap_or_default();
+            let out = value(&pose.extensions).unwrap_or_default();
             let tip = kickback.tip + kickback.direction * (kickback.stroke_m * out);
             let half = kickback.direction.perp() * kickback.half_width_m;
             vec![(Shape::capsule(tip - half, tip + half, 0.0), SOLID)]

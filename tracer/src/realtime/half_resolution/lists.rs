@@ -1,4 +1,4 @@
-//! The scenes of the half renderer's layers: copies of parts of the caller's scene, in lists that are kept from frame to
+//! The scenes of the half renderer's images: copies of parts of the caller's scene, in lists that are kept from frame to
 //! frame, so that nothing is allocated once they are long enough.
 
 use crate::{Ball, Glow, Lamp, Occluder, Outline, Overhang, Scene, Top};
@@ -22,7 +22,7 @@ impl Lists {
         let (mut tops, mut glows) = (take(&mut self.tops), emptied(take(&mut self.glows)));
         copy_tops(&scene.tops, &mut tops);
         glows.extend_from_slice(&scene.glows);
-        let mut layer = Scene {
+        let mut part = Scene {
             view: scene.view,
             lamps: take(&mut self.lamps),
             occluders: take(&mut self.occluders),
@@ -34,11 +34,11 @@ impl Lists {
             half_floor: None,
             ambient: [0.0; 3],
         };
-        layer.lamps.clear();
-        layer.occluders.clear();
-        layer.overhangs.clear();
-        layer.balls.clear();
-        layer
+        part.lamps.clear();
+        part.occluders.clear();
+        part.overhangs.clear();
+        part.balls.clear();
+        part
     }
 
     /// Takes the lists of a scene.
@@ -49,12 +49,12 @@ impl Lists {
 }
 
 /// Adds to a scene of surfaces what lights them and what is in the way.
-pub(super) fn add_lamps<'a>(scene: &Scene<'a>, layer: &mut Scene<'a>) {
-    layer.lamps.extend_from_slice(&scene.lamps);
-    layer.occluders.extend_from_slice(&scene.occluders);
-    layer.overhangs.extend_from_slice(&scene.overhangs);
-    layer.balls.extend_from_slice(&scene.balls);
-    layer.ambient = scene.ambient;
+pub(super) fn add_lamps<'a>(scene: &Scene<'a>, part: &mut Scene<'a>) {
+    part.lamps.extend_from_slice(&scene.lamps);
+    part.occluders.extend_from_slice(&scene.occluders);
+    part.overhangs.extend_from_slice(&scene.overhangs);
+    part.balls.extend_from_slice(&scene.balls);
+    part.ambient = scene.ambient;
 }
 
 /// Makes `copies` the same as `tops`: an outline that is there already is not copied again.

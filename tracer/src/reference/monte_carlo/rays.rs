@@ -128,7 +128,7 @@ impl Rays {
         there.extend(near.iter().copied().filter(|shape| triangle.may_meet(shape)));
     }
 
-    /// What is sampled: a segment is its own chord, a disc's is the diameter that faces the point.
+    /// What is sampled: a tube is its own chord, a disc's is the diameter that faces the point.
     fn chord(&self, lamp: &Lamp) -> Segment {
         let half = lamp.tube().unwrap_or_else(|| {
             let way = lamp.center_mm - self.point;

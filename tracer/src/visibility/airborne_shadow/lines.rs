@@ -1,4 +1,4 @@
-//! Lines in a lamp's plane, and which part of each a ball hides, for a block of points.
+//! Lines in a lamp's plane, and which part of each a ball hides, for a block of samples.
 
 use super::Sizes;
 use crate::simd::atan2::angle;
@@ -13,7 +13,7 @@ const CULL_MARGIN_MM: f32 = 0.05;
 /// An end that no line has.
 const FAR: f32 = 1e30;
 
-/// A lamp and a ball seen from a block of points. The first axis goes from the point to below the ball's middle.
+/// A lamp and a ball seen from a block of samples. The first axis goes from the point to below the ball's middle.
 pub(super) struct View {
     /// How far that is.
     off: Lanes,
@@ -55,7 +55,7 @@ impl View {
         View { off, axis_x, axis_y, lamp_x, lamp_y, from_x, round, touch }
     }
 
-    /// Whether anything of the lamp may be hidden from any of the points: whether it comes into the ellipse's box,
+    /// Whether anything of the lamp may be hidden from any of the samples: whether it comes into the ellipse's box,
     /// beyond what is nearest of the ball.
     #[inline(always)]
     pub fn may_hide(&self, sizes: &Sizes) -> bool {
@@ -190,7 +190,7 @@ impl Lines {
         }
     }
 
-    /// Weighs what is hidden of a segment by what arrives: a stretch counts the angle that it is seen under.
+    /// Weighs what is hidden of a tube by what arrives: a stretch counts the angle that it is seen under.
     #[inline(always)]
     pub fn weigh(&self, view: &View, low: &Lanes, high: &Lanes, half: f32, height_square: f32, hidden: &mut Lanes) {
         for i in 0..LANES {

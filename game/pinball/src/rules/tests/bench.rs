@@ -35,7 +35,8 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
         tops_svg: String::new(),
         normal_map: crate::table::NormalMapInputs::default(),
         rules: rules.into(),
-        ambient: [0.0; 3],
+        ambient: [0; 3],
+        ambient_power: 0.0,
         hash: 7,
     }
 }

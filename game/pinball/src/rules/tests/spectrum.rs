@@ -181,7 +181,7 @@ fn the_third_ball_ends_the_game() {
     }
     assert!(!bench.display().playing);
     assert_eq!(bench.balls.len(), 0);
-    assert_eq!(bench.orders.last(), Some(&Command::SetKickers(false)));
+    assert_eq!(bench.orders.last(), Some(&Command::SetCoils(false)));
     bench.press(Buttons::START);
     bench.wait(10);
     assert_eq!((bench.display().ball, bench.score(), bench.balls.len()), (1, 0, 1), "and another one begins");
@@ -223,7 +223,7 @@ fn the_third_swing_of_the_bob_tilts() {
     bench.bob();
     bench.wait(1);
     assert!(bench.display().tilted);
-    assert!(bench.ordered(Command::SetFlippers(false)) && bench.ordered(Command::SetKickers(false)));
+    assert!(bench.ordered(Command::SetFlippers(false)) && bench.ordered(Command::SetCoils(false)));
     let before = bench.score();
     bench.hit("bumper-low");
     bench.drain();
@@ -232,7 +232,7 @@ fn the_third_swing_of_the_bob_tilts() {
     bench.wait(3000);
     let display = bench.display();
     assert_eq!((display.ball, display.tilted, bench.score()), (2, false, before), "no bonus");
-    assert!(bench.ordered(Command::SetFlippers(true)) && bench.ordered(Command::SetKickers(true)));
+    assert!(bench.ordered(Command::SetFlippers(true)) && bench.ordered(Command::SetCoils(true)));
     sound(&mut bench);
 }
 
@@ -249,7 +249,7 @@ fn a_slam_ends_the_game_for_everybody_at_once() {
     let display = bench.display();
     assert!(!display.playing && display.progress.is_empty());
     assert_eq!((display.message[0].as_str(), display.scores), ("SLAM TILT", scores));
-    assert!(bench.ordered(Command::SetFlippers(false)) && bench.ordered(Command::SetKickers(false)));
+    assert!(bench.ordered(Command::SetFlippers(false)) && bench.ordered(Command::SetCoils(false)));
     bench.wait(1000);
     bench.drain();
     bench.wait(10_000);

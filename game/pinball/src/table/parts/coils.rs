@@ -1,4 +1,4 @@
-//! What the rules move by coils: kickbacks and diverters.
+//! Coils: what the rules move by coils: kickbacks and diverters.
 
 use super::{M_PER_MM, data};
 use crate::table::drawing::Element;

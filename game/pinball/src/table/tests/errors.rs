@@ -201,6 +201,9 @@ fn mistakes_of_the_whole_drawing_are_told() {
 fn drawings_without_end_are_refused() {
     let deep = format!("{}{}", "<g>".repeat(100_000), "</g>".repeat(100_000));
     says(drawn(&deep), &["elements lie inside each other"]);
+    // What is hidden was not counted, and the stack ran over when the layers were cut apart.
+    let hidden = format!(r#"<g display="none">{}{}</g>"#, "<g>".repeat(30_000), "</g>".repeat(30_000));
+    says(drawn(&hidden), &["5: more than 64 elements lie inside each other"]);
     says(one(read(&"<g/>".repeat(250_000), ""), "table.svg: "), &["more than 200000 nodes"]);
     let many = format!("M0 0{}", "h1h-1".repeat(20_000));
     says(drawn(&format!(r#"<path id="w" class="wall" d="{many}"/>"#)), &["5: w: it has more than 10000 pieces"]);

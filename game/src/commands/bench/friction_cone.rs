@@ -33,14 +33,14 @@ impl Frictions {
 
 /// Impacts, judged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cone {
+pub struct FrictionCone {
     /// Impacts on parts whose friction is known.
     pub impacts: u64,
     /// Those of them whose impulse along the surface is more than its friction times that across it.
     pub outside: u64,
 }
 
-impl Cone {
+impl FrictionCone {
     /// Judges an impact.
     pub fn add(&mut self, contact: &Contact, frictions: &Frictions) {
         let Some(friction) = frictions.at(contact.part) else { return };
@@ -53,8 +53,8 @@ impl Cone {
     }
 
     /// Both together.
-    pub fn and(self, other: Cone) -> Cone {
-        Cone { impacts: self.impacts + other.impacts, outside: self.outside + other.outside }
+    pub fn and(self, other: FrictionCone) -> FrictionCone {
+        FrictionCone { impacts: self.impacts + other.impacts, outside: self.outside + other.outside }
     }
 }
 
@@ -72,7 +72,7 @@ mod tests {
         let layout = Layout { size_m: DVec2::ONE, slope_rad: 0.1, playfield_friction: 0.1, parts };
         let frictions = Frictions::of(&layout);
         let judge = |part: Option<PartId>, impulse_n_s: DVec2| {
-            let mut cone = Cone::default();
+            let mut cone = FrictionCone::default();
             let (point, normal) = (DVec2::ONE, DVec2::Y);
             cone.add(
                 &Contact { time_s: 0.0, part, point, normal, speed_m_s: 1.0, impulse_n_s, events_before: 0 },

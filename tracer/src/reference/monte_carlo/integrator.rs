@@ -65,7 +65,7 @@ fn light_sampled(
     }
     for top in g_buffer.tops() {
         let own = frame.tops.top(top.slot).group;
-        for (fraction, channels) in view.seen(&top.points, Some(own)).planes() {
+        for (fraction, channels) in view.seen(&top.samples, Some(own)).planes() {
             light.radiance = BLACK;
             on_tile.light_top(top, ALL_ROWS, fraction, &mut scratch.packed, &mut light.radiance);
             add(&light.radiance, channels, sum);
@@ -73,7 +73,7 @@ fn light_sampled(
     }
 }
 
-/// The fraction of a lamp that each of some points sees.
+/// The fraction of a lamp that each of some samples sees.
 #[expect(
     clippy::large_enum_variant,
     reason = "lives on the stack for one surface of one tile; the reference may be slow"
@@ -105,22 +105,22 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// The fraction of the lamp that some points see, which are of the group `own`. Points beyond the picture's edge see
+    /// The fraction of the lamp that some samples see, which are of the group `own`. Samples beyond the picture's edge see
     /// nothing: nobody looks at them.
-    fn seen(&self, points: &PackedSamples, own: Option<Group>) -> Seen {
+    fn seen(&self, samples: &PackedSamples, own: Option<Group>) -> Seen {
         let (scene, lamp) = (self.frame.scene, &self.lamp.lamp);
         let of_lamp = Key::new(self.sampling.seed, 0).with_point(lamp.center_mm);
         let mut near = Near::default();
         let mut seen = [[[0.0; LANES]; TILE]; 3];
         let mut tinted = false;
-        for point in 0..points.count {
-            let pixel = usize::from(points.pixel[point]);
+        for sample in 0..samples.count {
+            let pixel = usize::from(samples.pixel[sample]);
             let (x, y) = (self.rect.x + pixel % TILE, self.rect.y + pixel / TILE);
             if x >= scene.view.width || y >= scene.view.height {
                 continue;
             }
-            let (block, lane) = (point / LANES, point % LANES);
-            let offset = DVec2::new(f64::from(points.x[block][lane]), f64::from(points.y[block][lane]));
+            let (block, lane) = (sample / LANES, sample % LANES);
+            let offset = DVec2::new(f64::from(samples.x[block][lane]), f64::from(samples.y[block][lane]));
             let key = of_lamp.with((y as u64) << 32 | x as u64);
             let rays = Rays { sampling: self.sampling, key, point: self.rect.middle_mm + offset };
             let arriving = rays.arriving(scene, lamp, own, &mut near);

@@ -1,19 +1,38 @@
-//! The moment between two ticks.
+//! Interpolation: the snapshot between those of two ticks.
 
 use crate::simulation::{LampLight, Snapshot};
 use physics::{BallPose, PartId, Pose};
 use std::f64::consts::{PI, TAU};
 
-/// The moment `alpha` of the way from `previous` (0) to `current` (1). What only one of them knows, and what cannot be
-/// between (the display, the tick), is as in `current`.
-pub fn blend(previous: &Snapshot, current: &Snapshot, alpha: f64) -> Snapshot {
-    let pose = blend_pose(&previous.pose, &current.pose, alpha);
-    let lamps = if previous.lamps.len() == current.lamps.len() {
-        previous.lamps.iter().zip(&current.lamps).map(|(a, b)| blend_lamp(*a, *b, alpha)).collect()
-    } else {
-        current.lamps.clone()
-    };
-    Snapshot { pose, lamps, ..current.clone() }
+/// Two snapshots and a point between them: play goes in ticks, frames are shown in between.
+#[derive(Clone, Copy)]
+pub struct Interpolation<'a> {
+    /// The snapshot of the earlier tick.
+    pub previous: &'a Snapshot,
+    /// The snapshot of the later tick.
+    pub current: &'a Snapshot,
+    /// How far from the earlier to the later snapshot, 0 to 1.
+    pub alpha: f64,
+}
+
+impl<'a> Interpolation<'a> {
+    /// A snapshot itself.
+    pub fn at(snapshot: &'a Snapshot) -> Interpolation<'a> {
+        Interpolation { previous: snapshot, current: snapshot, alpha: 1.0 }
+    }
+
+    /// The snapshot at that point. What only one of the two knows, and what cannot be between (the display, the tick), is
+    /// as in the later.
+    pub fn snapshot(&self) -> Snapshot {
+        let Interpolation { previous, current, alpha } = *self;
+        let pose = blend_pose(&previous.pose, &current.pose, alpha);
+        let lamps = if previous.lamps.len() == current.lamps.len() {
+            previous.lamps.iter().zip(&current.lamps).map(|(a, b)| blend_lamp(*a, *b, alpha)).collect()
+        } else {
+            current.lamps.clone()
+        };
+        Snapshot { pose, lamps, ..current.clone() }
+    }
 }
 
 fn blend_pose(a: &Pose, b: &Pose, alpha: f64) -> Pose {
@@ -32,7 +51,7 @@ fn blend_pose(a: &Pose, b: &Pose, alpha: f64) -> Pose {
         drop_targets: blend_parts(&a.drop_targets, &b.drop_targets, |x, y| mix(x, y, alpha)),
         spinners_rad: blend_parts(&a.spinners_rad, &b.spinners_rad, |x, y| mix_angle(x, y, alpha)),
         gates_rad: blend_parts(&a.gates_rad, &b.gates_rad, |x, y| mix(x, y, alpha)),
-        kickers: blend_parts(&a.kickers, &b.kickers, |x, y| mix(x, y, alpha)),
+        extensions: blend_parts(&a.extensions, &b.extensions, |x, y| mix(x, y, alpha)),
         plunger: mix(a.plunger, b.plunger, alpha),
         cabinet_m: a.cabinet_m.lerp(b.cabinet_m, alpha),
         ..b.clone()
@@ -108,7 +127,7 @@ mod tests {
     fn a_ball_is_followed_by_its_id_not_by_its_place_in_the_list() {
         let before = with_balls(vec![ball(1, 0.0), ball(2, 1.0)]);
         let after = with_balls(vec![ball(2, 2.0), ball(3, 9.0)]);
-        let halfway = blend(&before, &after, 0.5);
+        let halfway = Interpolation { previous: &before, current: &after, alpha: 0.5 }.snapshot();
         assert_eq!(halfway.pose.balls[0].center.x, 1.5);
         assert_eq!(halfway.pose.balls[1].center.x, 9.0, "a new ball does not fly in from another one's place");
     }
@@ -117,8 +136,9 @@ mod tests {
     fn the_ends_of_a_blend_are_the_ticks_themselves() {
         let a = with_balls(vec![ball(1, 0.25)]);
         let b = with_balls(vec![ball(1, 0.5)]);
-        assert_eq!(blend(&a, &b, 0.0).pose, a.pose);
-        assert_eq!(blend(&a, &b, 1.0).pose, b.pose);
+        let at = |alpha: f64| Interpolation { previous: &a, current: &b, alpha }.snapshot();
+        assert_eq!(at(0.0).pose, a.pose);
+        assert_eq!(at(1.0).pose, b.pose);
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! What a tile shows, kept from picture to picture: which pixels of the floor and of every top, how much of them, and
-//! which way they lean. It holds until a top moves in the tile.
+//! The cached G-buffer of one tile: which pixels of the floor and of every top are seen, how much of them, and their
+//! normals. It is valid until a top moves in the tile.
 
 use crate::cache::validity::Validity;
 use crate::shading::surface::{Normals, Surface};
@@ -12,7 +12,7 @@ use crate::tile::planes::{Plane, TILE};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CachedGBuffer {
     pub validity: Validity,
-    /// Whether the floor's points are every pixel of the tile.
+    /// Whether the floor's samples are every pixel of the tile.
     pub is_dense: bool,
     /// The floor's pixels, if they are not all.
     pub floor: Vec<u8>,
@@ -35,8 +35,8 @@ impl CachedGBuffer {
         if self.tops.len() < layers.len() {
             self.tops.resize_with(layers.len(), CachedTop::empty);
         }
-        for (patch, layer) in self.tops.iter_mut().zip(layers) {
-            patch.keep(layer);
+        for (top, layer) in self.tops.iter_mut().zip(layers) {
+            top.keep(layer);
         }
     }
 }
@@ -67,24 +67,24 @@ impl CachedTop {
 
     /// Keeps what a layer shows.
     fn keep(&mut self, layer: &TopLayer) {
-        let TopLayer { slot, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
+        let TopLayer { slot, samples, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
         self.slot = *slot;
-        refill(&mut self.pixel, &points.pixel[..points.count]);
+        refill(&mut self.pixel, &samples.pixel[..samples.count]);
         let planes: [&Plane; 4] = [weight, &normals.x, &normals.y, &normals.z];
         for (kept, plane) in [&mut self.weight].into_iter().chain(&mut self.normals).zip(planes) {
-            refill(kept, &plane[..points.blocks()]);
+            refill(kept, &plane[..samples.blocks()]);
         }
         for (kept, plane) in self.print.iter_mut().zip(albedo) {
-            refill(kept, &plane[..if *printed { points.blocks() } else { 0 }]);
+            refill(kept, &plane[..if *printed { samples.blocks() } else { 0 }]);
         }
     }
 
     /// Makes a layer show it again.
     pub fn unpack(&self, mm_per_px: f32, layer: &mut TopLayer) {
-        let TopLayer { slot, points, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
+        let TopLayer { slot, samples, printed, surface: Surface { weight, normals, albedo, .. } } = layer;
         let Normals { x, y, z } = normals;
         *slot = self.slot;
-        points.take(&self.pixel, mm_per_px);
+        samples.take(&self.pixel, mm_per_px);
         for (plane, packed) in [weight, x, y, z].into_iter().zip([&self.weight].into_iter().chain(&self.normals)) {
             plane[..packed.len()].copy_from_slice(packed);
         }
@@ -92,7 +92,7 @@ impl CachedTop {
         for (plane, packed) in albedo.iter_mut().zip(&self.print) {
             match *printed {
                 true => plane[..packed.len()].copy_from_slice(packed),
-                false => plane[..points.blocks()].fill([1.0; LANES]),
+                false => plane[..samples.blocks()].fill([1.0; LANES]),
             }
         }
     }

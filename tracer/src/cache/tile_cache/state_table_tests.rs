@@ -13,9 +13,9 @@ const EVENTS: [(&str, Event); 12] = [
     ("ambient changed", Event::AmbientChanged),
     ("occluder moved", Event::OccluderMoved(MOVED_ROWS)),
     ("lamp lost", Event::LampLost),
-    ("lamp flashed", Event::LampFlashed),
+    ("lamp colour changed", Event::LampColorChanged),
     ("glow changed", Event::GlowChanged),
-    ("ball moved", Event::BallMoved),
+    ("reflection changed", Event::ReflectionChanged),
     ("buffer replaced", Event::BufferReplaced),
     ("bloom changed", Event::BloomChanged),
 ];
@@ -24,7 +24,7 @@ const ITEMS: [(&str, CachedItem); 5] = [
     ("G-buffer", CachedItem::GBuffer),
     ("base layer", CachedItem::Base),
     ("lamp layer", CachedItem::LampLayer),
-    ("insert layer", CachedItem::GlowLayer),
+    ("glow layer", CachedItem::GlowLayer),
     ("display", CachedItem::Display),
 ];
 

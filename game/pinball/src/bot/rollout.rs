@@ -1,19 +1,19 @@
-//! What would happen: a copy of the machine, played on without the rules.
+//! Rollout: one possible future: a copy of the machine, played on without the rules.
 
-use super::playfield::Playfield;
+use super::flipper_zones::FlipperZones;
 use super::shot_value::ShotValues;
 use crate::Buttons;
 use crate::simulation::controls;
 use physics::{EventKind, Kind, Machine};
 
-/// Ticks between two looks at where the balls are.
-const GLANCE_TICKS: u64 = 10;
+/// Ticks between two evaluations of where the balls are.
+const EVALUATION_PERIOD_TICKS: u64 = 10;
 
-/// A lookahead: a possible future. A clone can be played on in another way.
+/// A possible future. A clone can be played on in another way.
 #[derive(Clone)]
-pub(super) struct Lookahead<'a> {
+pub(super) struct Rollout<'a> {
     machine: Machine,
-    playfield: &'a Playfield,
+    zones: &'a FlipperZones,
     shot_values: &'a ShotValues,
     held: Buttons,
     /// The tick that has been reached.
@@ -35,17 +35,17 @@ const CONTROL: f64 = 15.0;
 /// What it costs when a ball comes down between the flippers.
 const GAP: f64 = 25.0;
 
-impl<'a> Lookahead<'a> {
+impl<'a> Rollout<'a> {
     /// The present.
     pub fn now(
         machine: &Machine,
         held: Buttons,
         tick: u64,
-        playfield: &'a Playfield,
+        zones: &'a FlipperZones,
         shot_values: &'a ShotValues,
-    ) -> Lookahead<'a> {
+    ) -> Rollout<'a> {
         let machine = machine.clone();
-        Lookahead { machine, playfield, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
+        Rollout { machine, zones, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
     }
 
     /// Presses or lets go.
@@ -54,12 +54,12 @@ impl<'a> Lookahead<'a> {
     }
 
     /// Plays on for so many ticks, or until `enough`, which is asked now and then.
-    pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Lookahead) -> bool) {
+    pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Rollout) -> bool) {
         let end = self.tick + ticks;
         while self.tick < end {
             self.play_tick();
-            if self.tick.is_multiple_of(GLANCE_TICKS) {
-                self.glance();
+            if self.tick.is_multiple_of(EVALUATION_PERIOD_TICKS) {
+                self.evaluate();
                 if enough(self) {
                     return;
                 }
@@ -70,26 +70,26 @@ impl<'a> Lookahead<'a> {
     /// Where the balls are that can still be played.
     pub fn balls(&self) -> Vec<physics::BallPose> {
         let mut balls = self.machine.balls();
-        balls.retain(|ball| !ball.held && !self.playfield.in_lane(ball));
+        balls.retain(|ball| !ball.held && !self.zones.in_lane(ball));
         balls
     }
 
     /// Where the flippers are.
-    pub fn playfield(&self) -> &'a Playfield {
-        self.playfield
+    pub fn zones(&self) -> &'a FlipperZones {
+        self.zones
     }
 
-    /// Counts the balls that nothing can save any more, at the end of a look ahead.
+    /// Counts the balls that nothing can save any more, at the end of a rollout.
     pub fn mark_lost(&mut self) {
-        self.lost += self.balls().iter().filter(|ball| self.playfield.lost(ball.center)).count();
+        self.lost += self.balls().iter().filter(|ball| self.zones.lost(ball.center)).count();
     }
 
     /// Whether it is clear what becomes of every ball: gone, in reach of a flipper, or on its way up.
     pub fn settled(&self) -> bool {
         let clear = |ball: &physics::BallPose| {
-            self.playfield.lost(ball.center)
-                || self.playfield.in_reach(ball.center).is_some()
-                || self.playfield.arrives_in(ball).is_none()
+            self.zones.lost(ball.center)
+                || self.zones.in_reach(ball.center).is_some()
+                || self.zones.arrives_in(ball).is_none()
         };
         self.lost > 0 || self.balls().iter().all(clear)
     }
@@ -115,23 +115,23 @@ impl<'a> Lookahead<'a> {
         }
     }
 
-    fn glance(&mut self) {
+    fn evaluate(&mut self) {
         let balls = self.balls();
         self.cradled = balls.iter().any(|ball| {
             let side = |left| if left { Buttons::LEFT } else { Buttons::RIGHT };
-            self.playfield.cradle(ball).is_some_and(|flipper| self.held.contains(side(flipper.left)))
+            self.zones.cradle(ball).is_some_and(|flipper| self.held.contains(side(flipper.left)))
         });
     }
 
     /// A ball that comes down between the flippers, if nothing is in its way.
     fn falls_into_gap(&self, ball: &physics::BallPose) -> bool {
-        let below_m = self.playfield.line_m - ball.center.y;
+        let below_m = self.zones.line_m - ball.center.y;
         if ball.velocity.y < 0.1 || below_m > 0.3 * ball.velocity.y {
             return false;
         }
         let x = ball.center.x + ball.velocity.x * (below_m / ball.velocity.y).max(0.0);
         let tips = |left: bool| {
-            let side = self.playfield.flippers.iter().filter(move |flipper| flipper.left == left);
+            let side = self.zones.flippers.iter().filter(move |flipper| flipper.left == left);
             side.map(|flipper| flipper.tip.x)
         };
         let left = tips(true).fold(f64::MIN, f64::max);

@@ -1,4 +1,4 @@
-//! What a player sees at a glance: where the flippers are, and whether a ball is safe, in reach or lost.
+//! Flipper zones: what a player sees at a glance: where the flippers are, and whether a ball is safe, in reach or lost.
 
 use geometry::{DVec2, trig};
 use physics::{BALL_RADIUS_M, BallPose, FlipperControl, Kind, Layout};
@@ -10,7 +10,7 @@ const REACH_MARGIN_M: f64 = 0.012;
 
 /// The parts of a layout that decide how it is played.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Playfield {
+pub(super) struct FlipperZones {
     /// The flippers.
     pub flippers: Vec<Flipper>,
     /// The line of the lowest pivots, m: below it a ball that no flipper reaches is lost.
@@ -36,10 +36,10 @@ pub(super) struct Flipper {
     pub length_m: f64,
 }
 
-impl Playfield {
+impl FlipperZones {
     /// What there is to see of `layout`.
-    pub fn new(layout: &Layout) -> Playfield {
-        let mut seen = Playfield::default();
+    pub fn new(layout: &Layout) -> FlipperZones {
+        let mut seen = FlipperZones::default();
         for part in &layout.parts {
             match &part.kind {
                 Kind::Flipper(flipper) => seen.flippers.extend(Flipper::new(flipper)),
@@ -134,7 +134,7 @@ mod tests {
     use physics::{Material, Part};
 
     /// Two flippers with a gap of 50 mm between their tips.
-    fn playfield() -> Playfield {
+    fn zones() -> FlipperZones {
         let flipper = |x: f64, rest_deg: f64, up_deg: f64, control| {
             let rubber = Material { restitution: 0.8, falloff_s_per_m: 0.1, friction: 0.5 };
             Kind::Flipper(physics::Flipper {
@@ -159,12 +159,12 @@ mod tests {
         ];
         let parts = kinds.map(|kind| Part { name: "flipper".into(), kind }).to_vec();
         let size_m = DVec2::new(0.5, 1.0);
-        Playfield::new(&Layout { size_m, slope_rad: 0.1, playfield_friction: 0.1, parts })
+        FlipperZones::new(&Layout { size_m, slope_rad: 0.1, playfield_friction: 0.1, parts })
     }
 
     #[test]
     fn a_ball_over_a_flipper_is_in_reach_and_one_below_or_between_is_lost() {
-        let seen = playfield();
+        let seen = zones();
         let side = |x, y| seen.in_reach(DVec2::new(x, y)).map(|flipper| flipper.left);
         assert_eq!(side(0.18, 0.88), Some(true));
         assert_eq!(side(0.29, 0.88), Some(false));
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn a_falling_ball_arrives_and_a_rising_one_does_not() {
-        let seen = playfield();
+        let seen = zones();
         let mut ball = BallPose {
             id: 1,
             center: DVec2::new(0.2, 0.43),

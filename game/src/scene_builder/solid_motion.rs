@@ -1,10 +1,10 @@
 //! Where a solid is in a pose, and how it looks there.
 
 use super::{MM_PER_M, mm, outlines};
-use crate::table::{Finish, Solid};
+use crate::table::Solid;
 use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, Taper, trig};
 use physics::{Kind, Layout, PartId, Pose};
-use tracer::Outline;
+use tracer::{Finish, Outline};
 
 /// From the axle of a gate or spinner to the edge of its plate, mm: where a ball hits it.
 const FLAP_MM: f64 = physics::AXLE_TO_EDGE_M * MM_PER_M;
@@ -18,7 +18,7 @@ const RING_PULL: f64 = 0.07;
 const SHADOW_ENDS: f64 = 0.08;
 
 /// What moves a solid.
-pub enum Motion {
+pub enum SolidMotion {
     /// Nothing.
     Still,
     /// It turns with a flipper, round this point, from the angle at which it is drawn.
@@ -45,22 +45,22 @@ pub struct Placed {
     pub finish: Finish,
 }
 
-impl Motion {
+impl SolidMotion {
     /// What moves `solid`; `None` where the scene builder draws the part in its own way.
-    pub fn of(layout: &Layout, solid: &Solid) -> Option<Motion> {
-        let Some(id) = solid.part else { return Some(Motion::Still) };
-        let Some(part) = layout.parts.get(usize::from(id.0)) else { return Some(Motion::Still) };
+    pub fn of(layout: &Layout, solid: &Solid) -> Option<SolidMotion> {
+        let Some(id) = solid.part else { return Some(SolidMotion::Still) };
+        let Some(part) = layout.parts.get(usize::from(id.0)) else { return Some(SolidMotion::Still) };
         Some(match &part.kind {
             Kind::Plunger(_) => return None,
             Kind::Flipper(flipper) => {
-                Motion::Turns { flipper: id, pivot_mm: mm(flipper.base.center), drawn_rad: flipper.rest_rad }
+                SolidMotion::Turns { flipper: id, pivot_mm: mm(flipper.base.center), drawn_rad: flipper.rest_rad }
             }
-            Kind::DropTarget(_) => Motion::Sinks(id),
-            Kind::Gate(gate) => Motion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.direction },
-            Kind::Spinner(spinner) => Motion::Spins { spinner: id, axle: in_mm(spinner.segment) },
-            Kind::Bumper(bumper) => Motion::Pulled { bumper: id, center_mm: mm(bumper.circle.center) },
-            Kind::Slingshot(sling) => Motion::Bends { slingshot: id, out: into_play(layout, sling.segment) },
-            _ => Motion::Still,
+            Kind::DropTarget(_) => SolidMotion::Sinks(id),
+            Kind::Gate(gate) => SolidMotion::Swings { gate: id, axle: in_mm(gate.segment), way: gate.direction },
+            Kind::Spinner(spinner) => SolidMotion::Spins { spinner: id, axle: in_mm(spinner.segment) },
+            Kind::Bumper(bumper) => SolidMotion::Pulled { bumper: id, center_mm: mm(bumper.circle.center) },
+            Kind::Slingshot(sling) => SolidMotion::Bends { slingshot: id, out: into_play(layout, sling.segment) },
+            _ => SolidMotion::Still,
         })
     }
 
@@ -70,31 +70,33 @@ impl Motion {
         let drawn = if solid.plastic_mm.is_some() { 1 } else { shapes };
         match self {
             // The plate and the two pins of its axle.
-            Motion::Swings { .. } | Motion::Spins { .. } => (1, 3),
-            Motion::Bends { .. } if solid.plastic_mm.is_none() => (2 * shapes, 2 * shapes),
+            SolidMotion::Swings { .. } | SolidMotion::Spins { .. } => (1, 3),
+            SolidMotion::Bends { .. } if solid.plastic_mm.is_none() => (2 * shapes, 2 * shapes),
             _ => (shapes, drawn),
         }
     }
 
-    /// `solid` in this pose.
-    pub fn place(&self, solid: &Solid, pose: &Pose) -> Placed {
+    /// `solid` in this pose; `finish` is how it looks as it is drawn.
+    pub fn place(&self, solid: &Solid, finish: Finish, pose: &Pose) -> Placed {
         match *self {
-            Motion::Still => as_drawn(solid),
-            Motion::Turns { flipper, pivot_mm, drawn_rad } => match value(&pose.flippers_rad, flipper) {
-                Some(angle) => Turn { pivot: pivot_mm, by_rad: angle - drawn_rad, scale: 1.0 }.place(solid),
-                None => as_drawn(solid),
+            SolidMotion::Still => as_drawn(solid, finish),
+            SolidMotion::Turns { flipper, pivot_mm, drawn_rad } => match value(&pose.flippers_rad, flipper) {
+                Some(angle) => Turn { pivot: pivot_mm, by_rad: angle - drawn_rad, scale: 1.0 }.place(solid, finish),
+                None => as_drawn(solid, finish),
             },
-            Motion::Sinks(target) => sunk(solid, value(&pose.drop_targets, target).unwrap_or(1.0)),
-            Motion::Swings { gate, axle, way } => {
-                swung(solid, axle, way, value(&pose.gates_rad, gate).unwrap_or_default())
+            SolidMotion::Sinks(target) => sunk(solid, finish, value(&pose.drop_targets, target).unwrap_or(1.0)),
+            SolidMotion::Swings { gate, axle, way } => {
+                swung(solid, finish, axle, way, value(&pose.gates_rad, gate).unwrap_or_default())
             }
-            Motion::Spins { spinner, axle } => {
-                spun(solid, axle, value(&pose.spinners_rad, spinner).unwrap_or_default())
+            SolidMotion::Spins { spinner, axle } => {
+                spun(solid, finish, axle, value(&pose.spinners_rad, spinner).unwrap_or_default())
             }
-            Motion::Pulled { bumper, center_mm } => {
-                pulled(solid, center_mm, value(&pose.kickers, bumper).unwrap_or_default())
+            SolidMotion::Pulled { bumper, center_mm } => {
+                pulled(solid, finish, center_mm, value(&pose.extensions, bumper).unwrap_or_default())
             }
-            Motion::Bends { slingshot, out } => bent(solid, out, value(&pose.kickers, slingshot).unwrap_or_default()),
+            SolidMotion::Bends { slingshot, out } => {
+                bent(solid, finish, out, value(&pose.extensions, slingshot).unwrap_or_default())
+            }
         }
     }
 }
@@ -115,8 +117,8 @@ fn into_play(layout: &Layout, rubber: Segment) -> DVec2 {
     if normal.dot(inwards) < 0.0 { -normal } else { normal }
 }
 
-fn as_drawn(solid: &Solid) -> Placed {
-    Placed { shadows: shadows(solid), outlines: numbered(outlines(solid)), finish: solid.finish }
+fn as_drawn(solid: &Solid, finish: Finish) -> Placed {
+    Placed { shadows: shadows(solid), outlines: numbered(outlines(solid)), finish }
 }
 
 /// What casts a solid's shadow as it is drawn.
@@ -159,19 +161,19 @@ impl Turn {
         Shape { core, radius: shape.radius * self.scale }
     }
 
-    fn place(&self, solid: &Solid) -> Placed {
+    fn place(&self, solid: &Solid, finish: Finish) -> Placed {
         let outline = |outline| match outline {
             Outline::Shape(shape) => Outline::Shape(self.shape(shape)),
             Outline::Polygon(points) => Outline::Polygon(points.into_iter().map(|p| self.point(p)).collect()),
         };
         let shadows = numbered(solid.shapes_mm.iter().map(|&shape| self.shape(shape)));
-        Placed { shadows, outlines: numbered(outlines(solid).into_iter().map(outline)), finish: solid.finish }
+        Placed { shadows, outlines: numbered(outlines(solid).into_iter().map(outline)), finish }
     }
 }
 
 /// A drop target at `height` of its stand: darker as it sinks into its slot, then gone.
-fn sunk(solid: &Solid, height: f64) -> Placed {
-    let mut placed = as_drawn(solid);
+fn sunk(solid: &Solid, finish: Finish, height: f64) -> Placed {
+    let mut placed = as_drawn(solid, finish);
     let height = height.clamp(0.0, 1.0);
     if height < SHADOW_ENDS {
         placed.shadows.clear();
@@ -183,19 +185,18 @@ fn sunk(solid: &Solid, height: f64) -> Placed {
 
 /// A flap that hangs from its axle and is pushed up: seen from above it grows out of its line, and less and less of it
 /// stands in the light's way.
-fn swung(solid: &Solid, axle: Segment, way: DVec2, angle_rad: f64) -> Placed {
+fn swung(solid: &Solid, finish: Finish, axle: Segment, way: DVec2, angle_rad: f64) -> Placed {
     let (sin, cos) = trig::sin_cos(angle_rad.clamp(0.0, std::f64::consts::FRAC_PI_2));
     let lean = way * (FLAP_MM * sin);
     let mut outlines = vec![plate(axle, -way * FLAP_EDGE_MM, lean + way * FLAP_EDGE_MM)];
     outlines.extend(axle_pins(solid, axle));
-    Placed { shadows: shortened(solid, axle, cos), outlines: numbered(outlines), finish: solid.finish }
+    Placed { shadows: shortened(solid, axle, cos), outlines: numbered(outlines), finish }
 }
 
 /// A plate that turns with its middle on its axle: broad and bright when it lies flat, a line when it hangs.
-fn spun(solid: &Solid, axle: Segment, angle_rad: f64) -> Placed {
+fn spun(solid: &Solid, mut finish: Finish, axle: Segment, angle_rad: f64) -> Placed {
     let (sin, cos) = trig::sin_cos(angle_rad);
     let across = axle.left_normal().unwrap_or(DVec2::Y) * (FLAP_MM * sin.abs() + FLAP_EDGE_MM);
-    let mut finish = solid.finish;
     // Its back is darker than its face, and both catch the light best when they lie flat.
     let face = if sin >= 0.0 { 1.0 } else { 0.55 };
     finish.albedo = finish.albedo.map(|channel| channel * (0.45 + 0.55 * sin.abs() as f32) * face);
@@ -223,19 +224,19 @@ fn shortened(solid: &Solid, axle: Segment, part: f64) -> Vec<(u32, Shape)> {
 }
 
 /// A bumper's ring, `pull` of the way down: further from the eye, so smaller, and in the skirt's shade.
-fn pulled(solid: &Solid, center: DVec2, pull: f64) -> Placed {
+fn pulled(solid: &Solid, finish: Finish, center: DVec2, pull: f64) -> Placed {
     if pull <= 0.0 {
-        return as_drawn(solid);
+        return as_drawn(solid, finish);
     }
     let turn = Turn { pivot: center, by_rad: 0.0, scale: 1.0 - RING_PULL * pull.min(1.0) };
-    Placed { shadows: shadows(solid), ..turn.place(solid) }
+    Placed { shadows: shadows(solid), ..turn.place(solid, finish) }
 }
 
 /// A slingshot's rubber with its arm `out` by `kick` of its reach: the band's line breaks in the middle. The second
 /// half has a number of its own, which is free while the band does not break.
-fn bent(solid: &Solid, out: DVec2, kick: f64) -> Placed {
+fn bent(solid: &Solid, finish: Finish, out: DVec2, kick: f64) -> Placed {
     if solid.plastic_mm.is_some() {
-        return as_drawn(solid);
+        return as_drawn(solid, finish);
     }
     let mut shadows = Vec::with_capacity(2 * solid.shapes_mm.len());
     for (first, shape) in (0..).step_by(2).zip(&solid.shapes_mm) {
@@ -249,5 +250,5 @@ fn bent(solid: &Solid, out: DVec2, kick: f64) -> Placed {
         }
     }
     let outlines = shadows.iter().map(|&(number, shape)| (number, Outline::Shape(shape))).collect();
-    Placed { outlines, shadows, finish: solid.finish }
+    Placed { outlines, shadows, finish }
 }

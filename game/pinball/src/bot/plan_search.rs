@@ -1,7 +1,7 @@
-//! Chooses what to do with the flippers: tries a few plans in the mind and takes the best.
+//! Plan search: what to do with the flippers: a few plans are tried in rollouts, and the best is taken.
 
 use super::input_queue::ButtonChange;
-use super::lookahead::Lookahead;
+use super::rollout::Rollout;
 use crate::Buttons;
 use physics::BallPose;
 use std::cmp::Ordering;
@@ -20,8 +20,8 @@ const SECOND_LOOKS: usize = 2;
 const MOMENTS: usize = 90;
 /// How long the ball's way to the flippers and over them is followed.
 const APPROACH_TICKS: u64 = 650;
-/// How much longer a ball is followed that comes near no flipper on its way down.
-const FATE_TICKS: u64 = 900;
+/// How much longer a ball that comes near no flipper on its way down is followed, until it is settled what becomes of it.
+const SETTLE_TICKS: u64 = 900;
 /// How long a stroke's result is followed.
 const RESULT_TICKS: u64 = 520;
 /// How long it is followed to see whether a ball comes to rest on a raised flipper.
@@ -39,7 +39,7 @@ pub(super) struct Plan {
 
 /// The best plan that begins at `start`, the earliest moment at which the hands can obey. `may_hold`: waiting with a raised
 /// flipper is a plan.
-pub(super) fn best(start: &Lookahead, may_hold: bool) -> Plan {
+pub(super) fn best(start: &Rollout, may_hold: bool) -> Plan {
     let mut plans = Vec::new();
     let (release, branches) = release(start);
     plans.push(release);
@@ -52,7 +52,7 @@ pub(super) fn best(start: &Lookahead, may_hold: bool) -> Plan {
 }
 
 /// The best push of the cabinet that saves a ball that is lost otherwise, if any does.
-pub(super) fn best_nudge(start: &Lookahead) -> Option<Plan> {
+pub(super) fn best_nudge(start: &Rollout) -> Option<Plan> {
     let pushes = [Buttons::NUDGE_LEFT, Buttons::NUDGE_RIGHT, Buttons::NUDGE_UP, Buttons::NUDGE_DOWN];
     let plans = pushes.into_iter().flat_map(|push| [0, 50, 110].map(|wait| nudge(start, push, wait)));
     plans.filter(|plan| plan.value > 0.0).reduce(|best, plan| if plan.value > best.value { plan } else { best })
@@ -62,32 +62,32 @@ pub(super) fn best_nudge(start: &Lookahead) -> Option<Plan> {
 const BOTH: Buttons = Buttons(Buttons::LEFT.0 | Buttons::RIGHT.0);
 
 /// Lets go of both flippers; also gives the moments on the way at which a stroke would meet a ball.
-fn release<'a>(start: &Lookahead<'a>) -> (Plan, Vec<(Buttons, Lookahead<'a>)>) {
-    let mut lookahead = start.clone();
-    lookahead.set(BOTH, false);
+fn release<'a>(start: &Rollout<'a>) -> (Plan, Vec<(Buttons, Rollout<'a>)>) {
+    let mut rollout = start.clone();
+    rollout.set(BOTH, false);
     let mut branches = Vec::new();
-    while lookahead.tick < start.tick + APPROACH_TICKS && lookahead.lost == 0 && branches.len() < MOMENTS {
-        let balls = lookahead.balls();
-        for side in sides_in_reach(&lookahead, &balls) {
-            branches.push((side, lookahead.clone()));
+    while rollout.tick < start.tick + APPROACH_TICKS && rollout.lost == 0 && branches.len() < MOMENTS {
+        let balls = rollout.balls();
+        for side in sides_in_reach(&rollout, &balls) {
+            branches.push((side, rollout.clone()));
         }
-        if !branches.is_empty() && balls.iter().all(|ball| leaves(&lookahead, ball)) {
+        if !branches.is_empty() && balls.iter().all(|ball| leaves(&rollout, ball)) {
             break;
         }
-        lookahead.play(TRY_TICKS, |_| false);
+        rollout.play(TRY_TICKS, |_| false);
     }
     if branches.is_empty() {
-        lookahead.play(FATE_TICKS, |lookahead| lookahead.settled());
+        rollout.play(SETTLE_TICKS, |rollout| rollout.settled());
     }
-    lookahead.mark_lost();
+    rollout.mark_lost();
     let moves = vec![ButtonChange { tick: start.tick, buttons: BOTH, down: false }];
-    (Plan { moves, value: lookahead.value() }, branches)
+    (Plan { moves, value: rollout.value() }, branches)
 }
 
 /// The sides whose flippers could strike a ball now.
-fn sides_in_reach(lookahead: &Lookahead, balls: &[BallPose]) -> impl Iterator<Item = Buttons> {
+fn sides_in_reach(rollout: &Rollout, balls: &[BallPose]) -> impl Iterator<Item = Buttons> {
     let reach = |left| {
-        let mut flippers = lookahead.playfield().flippers.iter().filter(move |flipper| flipper.left == left);
+        let mut flippers = rollout.zones().flippers.iter().filter(move |flipper| flipper.left == left);
         flippers.any(|flipper| balls.iter().any(|ball| flipper.reaches(ball.center)))
     };
     let sides = [(Buttons::LEFT, reach(true)), (Buttons::RIGHT, reach(false))];
@@ -95,16 +95,16 @@ fn sides_in_reach(lookahead: &Lookahead, balls: &[BallPose]) -> impl Iterator<It
 }
 
 /// A ball that goes up again and is out of reach.
-fn leaves(lookahead: &Lookahead, ball: &BallPose) -> bool {
-    ball.velocity.y < -0.3 && lookahead.playfield().in_reach(ball.center).is_none()
+fn leaves(rollout: &Rollout, ball: &BallPose) -> bool {
+    ball.velocity.y < -0.3 && rollout.zones().in_reach(ball.center).is_none()
 }
 
 /// The most promising strokes at these moments.
-fn strokes(start: &Lookahead, branches: &[(Buttons, Lookahead)], tries: usize) -> Vec<Plan> {
+fn strokes(start: &Rollout, branches: &[(Buttons, Rollout)], tries: usize) -> Vec<Plan> {
     let mut plans = Vec::new();
     for side in [Buttons::LEFT, Buttons::RIGHT] {
-        let moments: Vec<&Lookahead> =
-            branches.iter().filter(|(of, _)| *of == side).map(|(_, lookahead)| lookahead).collect();
+        let moments: Vec<&Rollout> =
+            branches.iter().filter(|(of, _)| *of == side).map(|(_, rollout)| rollout).collect();
         let step = moments.len().div_ceil(tries).max(1);
         let mut values: Vec<Option<f64>> = vec![None; moments.len()];
         for index in (0..moments.len()).step_by(step) {
@@ -121,7 +121,7 @@ fn strokes(start: &Lookahead, branches: &[(Buttons, Lookahead)], tries: usize) -
 }
 
 /// What a stroke at this moment is worth to a hand that is not exact: its neighbours count, too.
-fn steady_value(moments: &[&Lookahead], values: &mut [Option<f64>], index: usize, side: Buttons) -> f64 {
+fn steady_value(moments: &[&Rollout], values: &mut [Option<f64>], index: usize, side: Buttons) -> f64 {
     let mut value = |at: Option<usize>| {
         let at = at.filter(|at| *at < moments.len())?;
         Some(*values[at].get_or_insert_with(|| stroke_value(moments[at], side)))
@@ -135,20 +135,20 @@ fn steady_value(moments: &[&Lookahead], values: &mut [Option<f64>], index: usize
 }
 
 /// What comes of a stroke that begins here.
-fn stroke_value(moment: &Lookahead, side: Buttons) -> f64 {
-    let mut lookahead = moment.clone();
-    lookahead.set(side, true);
-    lookahead.play(STROKE_TICKS, |lookahead| lookahead.lost > 0);
-    lookahead.set(side, false);
+fn stroke_value(moment: &Rollout, side: Buttons) -> f64 {
+    let mut rollout = moment.clone();
+    rollout.set(side, true);
+    rollout.play(STROKE_TICKS, |rollout| rollout.lost > 0);
+    rollout.set(side, false);
     let mut enough_at = None;
-    lookahead.play(RESULT_TICKS, |lookahead| {
-        if lookahead.gained > 0.0 && enough_at.is_none() {
-            enough_at = Some(lookahead.tick + AFTER_HIT_TICKS);
+    rollout.play(RESULT_TICKS, |rollout| {
+        if rollout.gained > 0.0 && enough_at.is_none() {
+            enough_at = Some(rollout.tick + AFTER_HIT_TICKS);
         }
-        lookahead.lost > 0 || lookahead.caught || enough_at.is_some_and(|tick| lookahead.tick >= tick)
+        rollout.lost > 0 || rollout.caught || enough_at.is_some_and(|tick| rollout.tick >= tick)
     });
-    lookahead.mark_lost();
-    lookahead.value()
+    rollout.mark_lost();
+    rollout.value()
 }
 
 /// Lets go of both flippers at `from`, strikes with one at `at`, and lets go again.
@@ -161,32 +161,32 @@ fn stroke(from: u64, at: u64, side: Buttons) -> Vec<ButtonChange> {
 }
 
 /// Holds one flipper up, to trap the ball.
-fn hold(start: &Lookahead, side: Buttons) -> Plan {
-    let mut lookahead = start.clone();
-    lookahead.set(BOTH, false);
-    lookahead.set(side, true);
-    lookahead.play(TRAP_TICKS, |lookahead| lookahead.lost > 0 || lookahead.cradled || lookahead.caught);
-    lookahead.mark_lost();
+fn hold(start: &Rollout, side: Buttons) -> Plan {
+    let mut rollout = start.clone();
+    rollout.set(BOTH, false);
+    rollout.set(side, true);
+    rollout.play(TRAP_TICKS, |rollout| rollout.lost > 0 || rollout.cradled || rollout.caught);
+    rollout.mark_lost();
     let other = Buttons(BOTH.0 & !side.0);
     let moves = vec![
         ButtonChange { tick: start.tick, buttons: other, down: false },
         ButtonChange { tick: start.tick, buttons: side, down: true },
     ];
-    Plan { moves, value: lookahead.value() }
+    Plan { moves, value: rollout.value() }
 }
 
 /// Pushes the cabinet after `wait` ticks.
-fn nudge(start: &Lookahead, push: Buttons, wait: u64) -> Plan {
+fn nudge(start: &Rollout, push: Buttons, wait: u64) -> Plan {
     const PUSH_TICKS: u64 = 40;
-    let mut lookahead = start.clone();
-    lookahead.play(wait, |_| false);
-    let at = lookahead.tick;
-    lookahead.set(push, true);
-    lookahead.play(PUSH_TICKS, |_| false);
-    lookahead.set(push, false);
-    lookahead.play(TRAP_TICKS + FATE_TICKS, |lookahead| lookahead.settled());
-    lookahead.mark_lost();
-    let value = if lookahead.lost > 0 { -1.0 } else { 1.0 + lookahead.value() };
+    let mut rollout = start.clone();
+    rollout.play(wait, |_| false);
+    let at = rollout.tick;
+    rollout.set(push, true);
+    rollout.play(PUSH_TICKS, |_| false);
+    rollout.set(push, false);
+    rollout.play(TRAP_TICKS + SETTLE_TICKS, |rollout| rollout.settled());
+    rollout.mark_lost();
+    let value = if rollout.lost > 0 { -1.0 } else { 1.0 + rollout.value() };
     let moves = vec![
         ButtonChange { tick: at, buttons: push, down: true },
         ButtonChange { tick: at + PUSH_TICKS, buttons: push, down: false },

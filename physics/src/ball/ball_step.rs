@@ -1,4 +1,4 @@
-//! Motion of a ball within a step: the external accelerations, the floor, and what the step's solver gives it.
+//! Ball step: how a ball moves within a step: the external accelerations, the floor, and what the step's solver gives it.
 
 use crate::ball::floor::Floor;
 use crate::ball::step_acceleration::StepAcceleration;
@@ -6,7 +6,7 @@ use geometry::DVec2;
 
 /// How a ball moves in what is left of a step.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion {
+pub(crate) struct BallStep {
     /// How velocity and spin change until the step's end.
     pub acceleration: StepAcceleration,
     /// Gravity and everything else that acts from afar, m/s^2.
@@ -21,10 +21,10 @@ pub(crate) struct Motion {
     pub floor_impulse: DVec2,
 }
 
-impl Motion {
-    /// Of a ball on which this external acceleration acts, m/s^2.
-    pub fn new(external: DVec2, floor: Floor) -> Motion {
-        Motion {
+impl BallStep {
+    /// A free ball on which this external acceleration acts, m/s^2.
+    pub fn new(external: DVec2, floor: Floor) -> BallStep {
+        BallStep {
             acceleration: StepAcceleration::default(),
             external,
             floor,

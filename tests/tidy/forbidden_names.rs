@@ -75,16 +75,6 @@ fn pinball_names_no_file_and_no_stream() {
 }
 
 #[test]
-fn the_bans_of_the_workspace_hold_in_pinball_too() {
-    let bans = read("clippy.toml");
-    let bans: Vec<_> = bans.lines().filter(|line| line.contains("{ path = ")).collect();
-    assert!(bans.len() > 30, "{} bans", bans.len());
-    let repeated = read("game/pinball/clippy.toml");
-    let forgotten: Vec<_> = bans.into_iter().filter(|ban| !repeated.lines().any(|line| line == *ban)).collect();
-    assert!(forgotten.is_empty(), "clippy.toml files are not merged; game/pinball/clippy.toml lacks {forgotten:#?}");
-}
-
-#[test]
 fn a_file_is_one_noun() {
     for source in everything() {
         let lines = source.text.lines().count();

@@ -14,7 +14,7 @@ use geometry::{DVec2, Shape};
 /// Pixels along the picture's side, a millimetre each.
 const SIDE_PX: usize = 96;
 
-/// Two lamps, a post, a bumper's cap, an insert and a ball in the first tile, and an insert far from it.
+/// Two lamps, a post, a bumper's cap, a glow and a ball in the first tile, and a glow far from it.
 fn scene<'a>(floor: &'a Floor, masks: &'a [Mask; 2]) -> Scene<'a> {
     let lamp = |id: u32, x: f64| Lamp {
         id: ItemId(id),
@@ -46,7 +46,7 @@ fn scene<'a>(floor: &'a Floor, masks: &'a [Mask; 2]) -> Scene<'a> {
     let glow = |(id, mask)| Glow { id: ItemId(id), mask, color: [0.3, 0.2, 0.1] };
     Scene {
         lamps: vec![lamp(0, 14.0), lamp(1, 20.0)],
-        occluders: vec![Occluder::opaque(ItemId(0), Shape::disc(POST_MM, 2.0), Group(1))],
+        occluders: vec![Occluder::opaque(ItemId(0), Shape::disc(POST_CENTER_MM, 2.0), Group(1))],
         tops: vec![Top { id: ItemId(0), outline: disc(8.0), group: Group(2), finish }],
         balls: vec![ball],
         glows: (0..).zip(masks).map(glow).collect(),
@@ -55,7 +55,7 @@ fn scene<'a>(floor: &'a Floor, masks: &'a [Mask; 2]) -> Scene<'a> {
     }
 }
 
-const POST_MM: DVec2 = DVec2::new(10.0, 12.0);
+const POST_CENTER_MM: DVec2 = DVec2::new(10.0, 12.0);
 
 fn disc(x: f64) -> Outline {
     Outline::Shape(Shape::disc(DVec2::new(x, 8.0), 4.0))
@@ -66,7 +66,7 @@ fn draw(renderer: &mut ExactRenderer, scene: &Scene, exposure: f32, display: &mu
 }
 
 fn move_post(scene: &mut Scene, by_mm: f64) {
-    scene.occluders[0].shape = Shape::disc(POST_MM + DVec2::new(by_mm, 0.0), 2.0);
+    scene.occluders[0].shape = Shape::disc(POST_CENTER_MM + DVec2::new(by_mm, 0.0), 2.0);
 }
 
 /// The caches of a frame's first band when its events have met them, and before anything is made anew.
@@ -85,7 +85,7 @@ fn after_events(renderer: &mut ExactRenderer, scene: &Scene, buffer_is_last: boo
 
 /// What is left of the items of a tile, of which the first lamp's layer is one.
 fn states(cache: &mut TileCache, renderer: &ExactRenderer, scene: &Scene) -> [(CachedItem, Validity); 5] {
-    let lamp = renderer.frame.lamps.list[0].number;
+    let lamp = renderer.frame.lamps.list[0].slot;
     [
         (CachedItem::GBuffer, cache.g_buffer.validity),
         (CachedItem::Base, cache.base()),
@@ -146,9 +146,9 @@ fn a_change_of_a_scene_leaves_valid_what_the_state_table_says() {
     check(Event::EmissionChanged, &[&|scene| scene.tops[0].finish.emission = [0.2; 3]], 1.0);
     check(Event::AmbientChanged, &[&|scene| scene.ambient = [0.2; 3]], 1.0);
     check(Event::OccluderMoved(0), &[&|scene| move_post(scene, 1.0)], 1.0);
-    check(Event::LampFlashed, &[&|scene| scene.lamps[0].color = [0.4; 3]], 1.0);
+    check(Event::LampColorChanged, &[&|scene| scene.lamps[0].color = [0.4; 3]], 1.0);
     check(Event::GlowChanged, &[&|scene| scene.glows[0].color = [0.9; 3]], 1.0);
-    check(Event::BallMoved, &[&|scene| scene.balls[0].center_mm.x += 1.0], 1.0);
+    check(Event::ReflectionChanged, &[&|scene| scene.balls[0].center_mm.x += 1.0], 1.0);
     check(Event::BufferReplaced, &[&|_| {}], 2.0);
 }
 
@@ -179,7 +179,7 @@ fn bloom_from_afar_clears_the_display_alone() {
     display.set_scissor(SIDE_PX - 16, SIDE_PX - 16, 16, 16);
     draw(&mut renderer, &scene, 1.0, &mut display);
     let cache = &renderer.history.bands[0][0];
-    assert!(!cache.redrawn, "the insert is far away");
+    assert!(!cache.redrawn, "the glow is far away");
     assert_as_told(Event::BloomChanged, states(&mut cache.clone(), &renderer, &scene));
     display.set_scissor(0, 0, SIDE_PX, SIDE_PX);
     draw(&mut renderer, &scene, 1.0, &mut display);

@@ -1,0 +1,67 @@
+//! Reading: the one way by which a file of the user's comes into the program.
+//!
+//! A file may be a pipe that nobody writes to, a device that never ends, or larger than the memory, and what its metadata
+//! say of its length need not be so. So only what is a plain file is opened, and no more of it is read than a limit.
+
+use std::fs::{self, File, FileType};
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+/// The largest recording, bytes: four days of play.
+pub(super) const RECORDING_LIMIT_BYTES: u64 = 32 << 20;
+
+/// The bytes of the plain file `path`.
+///
+/// # Errors
+/// If it cannot be read, is no plain file, or has more than `limit_bytes`.
+pub(super) fn read(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
+    let file = open(path)?;
+    if file.metadata()?.len() > limit_bytes {
+        return Err(too_large(limit_bytes));
+    }
+    let mut bytes = Vec::new();
+    file.take(limit_bytes + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit_bytes { Err(too_large(limit_bytes)) } else { Ok(bytes) }
+}
+
+/// The plain file `path`, opened.
+///
+/// # Errors
+/// If it cannot be opened or is no plain file.
+#[expect(clippy::disallowed_methods, reason = "this is the function that the others are to use")]
+pub(super) fn open(path: &Path) -> io::Result<File> {
+    check_kind(fs::metadata(path)?.file_type())?;
+    File::open(path)
+}
+
+fn too_large(limit_bytes: u64) -> io::Error {
+    io::Error::new(ErrorKind::FileTooLarge, format!("it is larger than {} kB", limit_bytes >> 10))
+}
+
+/// A pipe, a socket or a device is never opened: that alone could wait for ever.
+fn check_kind(kind: FileType) -> io::Result<()> {
+    if kind.is_file() {
+        return Ok(());
+    }
+    if kind.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    Err(io::Error::new(ErrorKind::InvalidInput, format!("it is {} and no file; name a file", special(kind))))
+}
+
+#[cfg(unix)]
+fn special(kind: FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+    if kind.is_fifo() {
+        "a pipe"
+    } else if kind.is_socket() {
+        "a socket"
+    } else {
+        "a device"
+    }
+}
+
+#[cfg(not(unix))]
+fn special(_: FileType) -> &'static str {
+    "a device"
+}
