@@ -167,3 +167,39 @@ fn the_film_follows_the_light_that_eyes_have_got_used_to() {
     let mut composer = composer_on(2);
     assert!(sum(pixels(&mut composer, &adapted, 90, 180)) > sum(pixels(&mut composer, &plain, 90, 180)));
 }
+
+/// At another resolution of light the picture stood still for 0.4 s, in which the art was printed anew.
+#[test]
+fn no_picture_waits_for_what_is_prepared_beside_it() {
+    let (moment, other) = (moment(), Snapshot::default());
+    let size = |width, height| Size { width, height };
+    let looks = [
+        (size(150, 300), 1.0, LightResolution::Half),
+        (size(150, 300), 1.0, LightResolution::Full),
+        (size(200, 330), 1.0, LightResolution::Full),
+        (size(200, 330), 1.5, LightResolution::Half),
+    ];
+    let mut before = (size(150, 300), 1.0, LightResolution::Full);
+    let mut composer = composer_on(1);
+    composer.prepare_beside();
+    assert!(drawn(&mut composer, &moment, before) == drawn(&mut composer_on(2), &moment, before));
+    for look in looks {
+        let (old, new) = (drawn(&mut composer_on(2), &moment, before), drawn(&mut composer_on(2), &moment, look));
+        assert!(drawn(&mut composer, &moment, look) == old, "the first picture does not wait");
+        while composer.is_preparing() {
+            drawn(&mut composer, &other, look);
+            std::thread::yield_now();
+        }
+        assert_eq!(composer.drawn_light(), Some(look.2));
+        assert!(drawn(&mut composer, &moment, look) == new, "the new ones are as if they had always been there");
+        before = look;
+    }
+}
+
+/// The frame of a moment, whatever size it has, where a size, a zoom and a resolution of light are asked for.
+fn drawn(composer: &mut FrameComposer, snapshot: &Snapshot, look: (Size, f64, LightResolution)) -> tracer::Frame {
+    let (size, zoom, light) = look;
+    composer.set_zoom(zoom);
+    composer.set_light_resolution(light);
+    composer.draw(Interpolation::at(snapshot), size, &UiState::default()).expect("it can be drawn").clone()
+}

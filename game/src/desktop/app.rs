@@ -51,6 +51,8 @@ pub enum Event<R> {
 /// When a frame came into the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameTiming {
+    /// When it was there, the time since the shell was started.
+    pub shown_at: Duration,
     /// Handing the frame to the window, ms.
     pub present_ms: f64,
     /// From the frame before to this one, ms.

@@ -2,7 +2,7 @@
 
 use super::FrameTiming;
 use super::painter_thread::{Painted, PainterThread};
-use super::surface::Surface;
+use super::shell_window::ShellWindow;
 use crate::screen::Size;
 use std::time::{Duration, Instant};
 use tracer::Frame;
@@ -13,6 +13,8 @@ pub struct FramePipeline<I, R> {
     /// The frame in the window.
     shown: Frame,
     shown_at: Instant,
+    /// When the shell was started.
+    started: Instant,
     /// The memory of the frame before that, for the next.
     spare: Frame,
     /// From one frame of the monitor to the next.
@@ -26,12 +28,14 @@ pub struct FramePipeline<I, R> {
 }
 
 impl<I: Send + 'static, R: Send + 'static> FramePipeline<I, R> {
-    /// A pipeline for a monitor that shows a frame every `interval`.
-    pub fn new(thread: PainterThread<I, R>, interval: Duration, now: Instant) -> FramePipeline<I, R> {
+    /// A pipeline for a monitor that shows a frame every `interval`, of a shell that was started then.
+    pub fn new(thread: PainterThread<I, R>, interval: Duration, started: Instant) -> FramePipeline<I, R> {
+        let now = now();
         FramePipeline {
             thread,
             shown: Frame::default(),
             shown_at: now,
+            started,
             spare: Frame::default(),
             interval,
             next_frame: now,
@@ -62,15 +66,16 @@ impl<I: Send + 'static, R: Send + 'static> FramePipeline<I, R> {
     }
 
     /// Shows a frame in the window.
-    pub fn show(&mut self, frame: Frame, surface: &mut Surface) -> FrameTiming {
+    pub fn show(&mut self, frame: Frame, window: &mut ShellWindow) -> FrameTiming {
         self.spare = std::mem::replace(&mut self.shown, frame);
         let start = now();
-        surface.present(&self.shown);
+        window.present(&self.shown);
         let end = now();
         let between = end.duration_since(self.shown_at);
         self.shown_at = end;
         let ms = |duration: Duration| duration.as_secs_f64() * 1000.0;
         FrameTiming {
+            shown_at: end.duration_since(self.started),
             present_ms: ms(end.duration_since(start)),
             between_ms: ms(between),
             monitor_ms: ms(self.interval),

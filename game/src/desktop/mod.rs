@@ -13,6 +13,7 @@ mod frame_pipeline;
 mod icon;
 mod key_codes;
 mod painter_thread;
+mod scale_factor;
 mod screenshot;
 mod shell;
 mod shell_window;
@@ -24,6 +25,7 @@ pub use shell_window::WindowOptions;
 use crate::Failure;
 use app::Wake;
 use shell::Shell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use tracer::Frame;
 use winit::event_loop::EventLoop;
 
@@ -34,8 +36,9 @@ impl Display {
     /// Connects to the display of this session.
     ///
     /// # Errors
-    /// If there is none.
+    /// If there is none, or what the environment says of its scale is no scale.
     pub fn open() -> Result<Display, Failure> {
+        scale_factor::check(std::env::var_os(scale_factor::VARIABLE).as_deref())?;
         let events = EventLoop::with_user_event().build().map_err(|error| {
             Failure::new(format!(
                 "there is no display to open a window on ({}); caustic frame, caustic dump and caustic simulate work without one",
@@ -56,8 +59,11 @@ impl Display {
         P: FnMut(A::FrameInput, &mut Frame) -> Result<A::FrameReport, Failure> + Send + 'static,
     {
         let mut shell = Shell::new(app, options, Box::new(painter), self.0.create_proxy());
-        let ended = self.0.run_app(&mut shell);
+        let events = self.0;
+        // winit panics where the display hangs up on it: what was played must not be lost with the window.
+        let ended = catch_unwind(AssertUnwindSafe(|| events.run_app(&mut shell)));
         shell.failure().map_or(Ok(()), Err)?;
+        let ended = ended.map_err(|_| Failure::new("the display hung up; what was played until then is kept"))?;
         ended.map_err(|error| Failure::new(format!("the window failed: {}", reason(&error.to_string()))))
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Waker;
 use crate::Failure;
-use crate::storage::save_png;
-use std::path::PathBuf;
+use crate::storage::{library, save_png};
+use std::path::{Path, PathBuf};
 use std::thread::{Builder, JoinHandle};
 use std::time::SystemTime;
 use tracer::Frame;
@@ -57,5 +57,30 @@ fn path() -> Result<PathBuf, Failure> {
     let wrong = |error| Failure::new(format!("cannot make the folder {}: {error}", folder.display()));
     std::fs::create_dir_all(&folder).map_err(wrong)?;
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-    Ok(folder.join(format!("caustic-{}-{:03}.png", since.as_secs(), since.subsec_millis())))
+    Ok(free_path(&folder, &library::moment(since.as_secs())))
+}
+
+/// The picture of a moment, with a number if that name is taken.
+fn free_path(folder: &Path, moment: &str) -> PathBuf {
+    let numbered = |number: u64| folder.join(format!("Caustic {moment} {number}.png"));
+    let first = folder.join(format!("Caustic {moment}.png"));
+    std::iter::once(first).chain((2..).map(numbered)).find(|path| !path.exists()).unwrap_or_else(|| numbered(u64::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_named_after_its_moment_and_takes_no_other_pictures_place() {
+        let folder = std::env::temp_dir().join(format!("caustic-screenshots-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let names = ["Caustic 2026-11-29 22.46.05.png", "Caustic 2026-11-29 22.46.05 2.png"];
+        for name in names {
+            let path = free_path(&folder, "2026-11-29 22.46.05");
+            assert_eq!(path, folder.join(name));
+            std::fs::write(path, "a picture").expect("a file");
+        }
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
 }

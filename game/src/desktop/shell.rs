@@ -70,7 +70,7 @@ impl<'a, A: App> Shell<'a, A> {
         let window = ShellWindow::open(events, &self.options)?;
         if let Some(painter) = self.painter.take() {
             let thread = PainterThread::start(painter, self.commands.waker())?;
-            let frames = FramePipeline::new(thread, window.frame_interval(), now());
+            let frames = FramePipeline::new(thread, window.frame_interval(), self.started);
             self.opened = Some(Opened { window, frames });
         }
         Ok(())
@@ -96,6 +96,13 @@ impl<'a, A: App> Shell<'a, A> {
         if had && !focused {
             self.hand_on(events, Event::FocusLost);
         }
+    }
+
+    /// Another program has destroyed the window: the application comes up to now, and there is nothing more to show.
+    fn lose_window(&mut self, events: &ActiveEventLoop) {
+        self.update();
+        self.opened = None;
+        events.exit();
     }
 
     /// Does what the application has asked for.
@@ -125,7 +132,7 @@ impl<'a, A: App> Shell<'a, A> {
             && let Some(painted) = frames.take()
         {
             news.push(match painted {
-                Ok((frame, report)) => Event::FrameShown { report, timing: frames.show(frame, window.surface()) },
+                Ok((frame, report)) => Event::FrameShown { report, timing: frames.show(frame, window) },
                 Err(failure) => Event::Message(failure.to_string()),
             });
         }
@@ -163,8 +170,15 @@ impl<A: App> ApplicationHandler<Wake> for Shell<'_, A> {
         let Some(Opened { window, frames }) = &mut self.opened else { return };
         match event {
             WindowEvent::CloseRequested => events.exit(),
-            WindowEvent::RedrawRequested => window.surface().present(frames.shown()),
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => frames.mark_dirty(),
+            WindowEvent::Destroyed => self.lose_window(events),
+            WindowEvent::RedrawRequested => window.present(frames.shown()),
+            WindowEvent::Resized(inner) => {
+                window.set_size(inner);
+                frames.mark_dirty();
+                // The frame that is there is of another size: it stands for the new one, until that is painted.
+                window.present(frames.shown());
+            }
+            WindowEvent::ScaleFactorChanged { .. } => frames.mark_dirty(),
             WindowEvent::Occluded(hidden) => frames.set_hidden(hidden),
             WindowEvent::Focused(focused) => self.focus(events, focused),
             WindowEvent::KeyboardInput {

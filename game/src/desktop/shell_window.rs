@@ -6,6 +6,7 @@ use crate::Failure;
 use crate::screen::Size;
 use std::sync::Arc;
 use std::time::Duration;
+use tracer::Frame;
 use winit::dpi::PhysicalSize;
 use winit::event_loop::ActiveEventLoop;
 use winit::monitor::MonitorHandle;
@@ -35,6 +36,8 @@ pub struct WindowOptions {
 pub struct ShellWindow {
     window: Arc<Window>,
     surface: Surface,
+    /// As the window's last event has told it: a window that another program has destroyed cannot be asked any more.
+    size: Size,
 }
 
 impl ShellWindow {
@@ -45,18 +48,23 @@ impl ShellWindow {
     pub fn open(events: &ActiveEventLoop, options: &WindowOptions) -> Result<ShellWindow, Failure> {
         let window = Arc::new(open(events, options)?);
         let surface = Surface::new(events.owned_display_handle(), window.clone())?;
-        Ok(ShellWindow { window, surface })
+        let size = pixels(window.inner_size());
+        Ok(ShellWindow { window, surface, size })
     }
 
-    /// The window's pixels.
-    pub fn surface(&mut self) -> &mut Surface {
-        &mut self.surface
+    /// Shows a frame in the window.
+    pub fn present(&mut self, frame: &Frame) {
+        self.surface.present(frame, self.size);
     }
 
     /// The window's size in pixels.
     pub fn size(&self) -> Size {
-        let PhysicalSize { width, height } = self.window.inner_size();
-        Size { width: width as usize, height: height as usize }
+        self.size
+    }
+
+    /// The window has another size now.
+    pub fn set_size(&mut self, inner: PhysicalSize<u32>) {
+        self.size = pixels(inner);
     }
 
     /// From one frame of the window's monitor to the next.
@@ -70,6 +78,10 @@ impl ShellWindow {
         self.window.set_fullscreen((!fills).then_some(Fullscreen::Borderless(None)));
         self.window.set_cursor_visible(fills);
     }
+}
+
+fn pixels(inner: PhysicalSize<u32>) -> Size {
+    Size { width: inner.width as usize, height: inner.height as usize }
 }
 
 fn open(events: &ActiveEventLoop, options: &WindowOptions) -> Result<Window, Failure> {

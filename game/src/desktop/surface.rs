@@ -14,6 +14,7 @@ const BLACK: u32 = 0x05_070c;
 /// The pixels of a window.
 pub struct Surface {
     surface: softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>,
+    window: Arc<Window>,
 }
 
 impl Surface {
@@ -26,16 +27,16 @@ impl Surface {
             Failure::new(format!("the window takes no pixels ({error}); `caustic dump` writes a game as pictures"))
         };
         let context = softbuffer::Context::new(display).map_err(wrong)?;
-        Ok(Surface { surface: softbuffer::Surface::new(&context, window).map_err(wrong)? })
+        let surface = softbuffer::Surface::new(&context, window.clone()).map_err(wrong)?;
+        Ok(Surface { surface, window })
     }
 
-    /// Shows a frame. One of another size than the window's is shown in its middle; a window that is larger than any
-    /// screen is left as it is.
-    pub fn present(&mut self, frame: &Frame) {
-        let window = self.surface.window().clone();
-        let size = window.inner_size();
-        let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else { return };
-        if !(Size { width: size.width as usize, height: size.height as usize }).is_drawable() {
+    /// Shows a frame in the window, which has this size now. A frame of another size is scaled to it, all of it in the
+    /// window's middle; a window that is larger than any screen is left as it is.
+    pub fn present(&mut self, frame: &Frame, size: Size) {
+        let side = |side: usize| NonZeroU32::new(side as u32);
+        let (Some(width), Some(height)) = (side(size.width), side(size.height)) else { return };
+        if !size.is_drawable() {
             return;
         }
         // A window that is just being closed or hidden takes no pixels; the next frame finds out whether it is back.
@@ -43,29 +44,36 @@ impl Surface {
             return;
         }
         let Ok(mut buffer) = self.surface.buffer_mut() else { return };
-        if (frame.width, frame.height) == (size.width as usize, size.height as usize) {
+        if (frame.width, frame.height) == (size.width, size.height) {
             buffer.copy_from_slice(&frame.pixels);
         } else {
-            centre(frame, &mut buffer, size.width as usize, size.height as usize);
+            scale(frame, &mut buffer, size);
         }
-        window.pre_present_notify();
+        self.window.pre_present_notify();
         let _ = buffer.present();
     }
 }
 
-/// Puts `frame` into the middle of a buffer of another size, cut where it is too large.
-fn centre(frame: &Frame, buffer: &mut [u32], width: usize, height: usize) {
+/// Scales `frame` into the middle of a buffer of another size, as large as all of it fits: each pixel shows the frame's
+/// pixel that its middle falls on. It stands for a moment, until a frame of the buffer's size has been painted.
+fn scale(frame: &Frame, buffer: &mut [u32], size: Size) {
     buffer.fill(BLACK);
-    let place = |inner: usize, outer: usize| {
-        let shown = inner.min(outer);
-        ((inner - shown) / 2, (outer - shown) / 2, shown)
+    if frame.pixels.is_empty() {
+        return;
+    }
+    let wide = size.width * frame.height > size.height * frame.width;
+    let shown = if wide {
+        Size { width: (frame.width * size.height / frame.height).max(1), height: size.height }
+    } else {
+        Size { width: size.width, height: (frame.height * size.width / frame.width).max(1) }
     };
-    let (from_x, to_x, columns) = place(frame.width, width);
-    let (from_y, to_y, rows) = place(frame.height, height);
-    for row in 0..rows {
-        let from = (from_y + row) * frame.width + from_x;
-        let to = (to_y + row) * width + to_x;
-        buffer[to..to + columns].copy_from_slice(&frame.pixels[from..from + columns]);
+    let (left, top) = ((size.width - shown.width) / 2, (size.height - shown.height) / 2);
+    let from = |to: usize, shown: usize, all: usize| (2 * to + 1) * all / (2 * shown);
+    let columns: Vec<usize> = (0..shown.width).map(|x| from(x, shown.width, frame.width)).collect();
+    for y in 0..shown.height {
+        let row = &frame.pixels[from(y, shown.height, frame.height) * frame.width..][..frame.width];
+        let to = &mut buffer[(top + y) * size.width + left..][..shown.width];
+        to.iter_mut().zip(&columns).for_each(|(pixel, x)| *pixel = row[*x]);
     }
 }
 
@@ -74,13 +82,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_of_another_size_is_shown_in_the_middle() {
+    fn a_picture_of_another_size_is_shown_whole_in_the_middle() {
         let frame = Frame { width: 2, height: 1, pixels: vec![1, 2] };
         let mut larger = [9; 12];
-        centre(&frame, &mut larger, 4, 3);
-        assert_eq!(larger[4..8], [BLACK, 1, 2, BLACK]);
-        let mut smaller = [9; 2];
-        centre(&frame, &mut smaller, 1, 2);
-        assert_eq!(smaller, [1, BLACK]);
+        scale(&frame, &mut larger, Size { width: 4, height: 3 });
+        assert_eq!(larger, [1, 1, 2, 2, 1, 1, 2, 2, BLACK, BLACK, BLACK, BLACK]);
+        let mut flat = [9; 5];
+        scale(&frame, &mut flat, Size { width: 5, height: 1 });
+        assert_eq!(flat, [BLACK, 1, 2, BLACK, BLACK]);
+    }
+
+    #[test]
+    fn no_size_is_too_odd_to_scale_to() {
+        for (width, height) in [(1, 1), (1, 700), (900, 1), (3, 7)] {
+            let frame = Frame { width, height, pixels: vec![7; width * height] };
+            for (width, height) in [(1, 1), (2, 999), (999, 2), (640, 480)] {
+                let mut buffer = vec![9; width * height];
+                scale(&frame, &mut buffer, Size { width, height });
+                assert!(buffer.contains(&7) && !buffer.contains(&9), "{frame:?} in {width} x {height}");
+            }
+        }
+        let mut buffer = [9; 2];
+        scale(&Frame::default(), &mut buffer, Size { width: 2, height: 1 });
+        assert_eq!(buffer, [BLACK, BLACK], "before the first frame");
     }
 }

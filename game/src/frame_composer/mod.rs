@@ -7,23 +7,25 @@ mod camera;
 mod dynamic_resolution;
 mod exposure;
 mod interpolation;
+mod playfield;
+mod preparation;
 mod size_dependent_assets;
 
 pub use dynamic_resolution::DynamicResolution;
 pub use interpolation::Interpolation;
 
 use crate::hud::{FrameTimes, Hud, UiState};
-use crate::scene_builder::SceneBuilder;
 use crate::screen::{Canvas, Rect, Size};
 use crate::simulation::Snapshot;
 use crate::{Failure, Table};
 use camera::Camera;
+use playfield::{Aspect, Playfield, Stage};
+use preparation::{Moment, Preparation};
 use rayon::ThreadPool;
-use size_dependent_assets::SizeDependentAssets;
 use std::sync::Arc;
 use std::time::Instant;
 use tracer::monte_carlo::Sampling;
-use tracer::{Frame, Integrator, RenderStage, Renderer, Scene};
+use tracer::{Frame, RenderStage};
 
 /// At which resolution the lamps' light is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,22 +37,25 @@ pub enum LightResolution {
     Half,
 }
 
-/// The renderers, the HUD, and everything else that is kept from one frame to the next.
+/// The playfield, the HUD, and everything else that is kept from one frame to the next.
 pub struct FrameComposer {
     pool: ThreadPool,
-    table: Arc<Table>,
-    scene_builder: SceneBuilder,
+    stage: Stage,
     hud: Hud,
     frame: Frame,
-    renderer: Renderer,
     light: LightResolution,
     zoom: f64,
     camera: Camera,
-    /// The first column and row of the playfield that are shown.
-    corner: (usize, usize),
+    /// The zoom that the camera was last aimed at.
+    aimed_zoom: f64,
     /// Monte Carlo shadows instead of exact ones: the slow reference.
     reference: Option<Sampling>,
-    assets: Option<SizeDependentAssets>,
+    playfield: Option<Playfield>,
+    /// Another aspect is prepared beside the frames, which go on with the one that is there.
+    prepares_beside: bool,
+    preparation: Option<Preparation>,
+    /// What could not be prepared, and is not tried again.
+    refused: Option<Aspect>,
     times: FrameTimes,
 }
 
@@ -60,34 +65,33 @@ impl FrameComposer {
     /// # Errors
     /// If a font in the program is damaged.
     pub fn new(table: Arc<Table>, pool: ThreadPool) -> Result<FrameComposer, Failure> {
-        let (scene_builder, hud, frame) = (SceneBuilder::new(&table), Hud::new()?, Frame::default());
         Ok(FrameComposer {
             pool,
-            table,
-            scene_builder,
-            hud,
-            frame,
-            renderer: Renderer::new(),
+            stage: Stage::new(table),
+            hud: Hud::new()?,
+            frame: Frame::default(),
             light: LightResolution::Full,
             zoom: 1.0,
             camera: Camera::default(),
-            corner: (0, 0),
+            aimed_zoom: 1.0,
             reference: None,
-            assets: None,
+            playfield: None,
+            prepares_beside: false,
+            preparation: None,
+            refused: None,
             times: FrameTimes::default(),
         })
     }
 
     /// The table that is drawn.
     pub fn table(&self) -> &Arc<Table> {
-        &self.table
+        &self.stage.table
     }
 
     /// Draws another table, or the same one after its files have changed.
     pub fn set_table(&mut self, table: Arc<Table>) {
-        self.scene_builder = SceneBuilder::new(&table);
-        self.table = table;
-        self.assets = None;
+        self.stage = Stage::new(table);
+        (self.playfield, self.preparation, self.refused) = (None, None, None);
     }
 
     /// From now on, takes shadows from random points on the lamps: the slow reference.
@@ -95,17 +99,31 @@ impl FrameComposer {
         self.reference = Some(sampling);
     }
 
+    /// From now on, no frame waits for another size, zoom or resolution of light: it is prepared on a thread of its own,
+    /// and until it is ready, frames are as they were (of the old size). Which frame is the first of the new ones
+    /// depends on the machine; without this call every frame is as it was asked for.
+    pub fn prepare_beside(&mut self) {
+        self.prepares_beside = true;
+    }
+
+    /// Whether frames are not yet as they were asked for.
+    pub fn is_preparing(&self) -> bool {
+        self.preparation.is_some()
+    }
+
     /// From now on, finds the lamps' light at this resolution.
     pub fn set_light_resolution(&mut self, light: LightResolution) {
         self.light = light;
     }
 
+    /// The resolution at which the last frame's light was found.
+    pub fn drawn_light(&self) -> Option<LightResolution> {
+        self.playfield.as_ref().map(|playfield| playfield.aspect.light)
+    }
+
     /// From now on, shows the table this many times (1 to 4) as large as fits into the frame, around the ball.
     pub fn set_zoom(&mut self, zoom: f64) {
-        if self.zoom != zoom {
-            self.zoom = zoom;
-            self.camera.reset();
-        }
+        self.zoom = zoom;
     }
 
     /// What the last frame cost.
@@ -120,7 +138,13 @@ impl FrameComposer {
     pub fn draw(&mut self, interpolation: Interpolation, size: Size, ui_state: &UiState) -> Result<&Frame, Failure> {
         let start = now();
         let snapshot = interpolation.snapshot();
-        self.fit(size.width.max(1), size.height.max(1))?;
+        let size = Size { width: size.width.max(1), height: size.height.max(1) };
+        let aspect = Aspect { size, zoom: self.zoom, light: self.light };
+        if self.prepares_beside && self.playfield.is_some() {
+            self.prepare(aspect, &snapshot)?;
+        } else {
+            self.fit(aspect)?;
+        }
         self.aim(&snapshot);
         self.render(&snapshot, start);
         let rendered = now();
@@ -129,40 +153,82 @@ impl FrameComposer {
         Ok(&self.frame)
     }
 
-    /// Makes the size-dependent assets anew if the size or the zoom has changed.
-    fn fit(&mut self, width: usize, height: usize) -> Result<(), Failure> {
-        if !self.assets.as_ref().is_some_and(|assets| assets.fits(width, height, self.zoom)) {
-            let assets = SizeDependentAssets::new(&self.table, width, height, self.zoom)?;
-            self.hud.fit(assets.placement, &mut self.frame);
-            self.assets = Some(assets);
+    /// Makes what the aspect needs and is not there.
+    fn fit(&mut self, aspect: Aspect) -> Result<(), Failure> {
+        if self.playfield.as_ref().is_some_and(|playfield| playfield.aspect == aspect) {
+            return Ok(());
         }
-        match (&mut self.assets, self.light) {
-            (Some(assets), LightResolution::Half) => assets.rasterize_half(&self.table),
-            _ => Ok(()),
-        }
+        let table = &self.stage.table;
+        let playfield = match self.playfield.take() {
+            Some(playfield) => playfield.refit(table, aspect)?,
+            None => Playfield::new(table, aspect, None)?,
+        };
+        self.show(playfield);
+        Ok(())
     }
 
-    /// Finds which part of the playfield is shown.
-    fn aim(&mut self, snapshot: &Snapshot) {
-        let Some(assets) = &mut self.assets else { return };
-        let rect = assets.placement.table;
-        let shown_mm = assets.shown_mm();
-        self.corner = assets.corner(self.camera.follow(snapshot, self.table.size_mm, shown_mm));
-        let (width, height) = (rect.width as usize, rect.height as usize);
-        if (width, height) != (assets.view.width, assets.view.height) {
-            assets.display_buffer.set_scissor(self.corner.0, self.corner.1, width, height);
+    /// Takes what has been prepared, or begins to prepare what is asked for.
+    fn prepare(&mut self, aspect: Aspect, snapshot: &Snapshot) -> Result<(), Failure> {
+        let Some(preparation) = self.preparation.take() else { return self.begin(aspect, snapshot) };
+        match preparation.take() {
+            Some(Ok(prepared)) if prepared.aspect == aspect => {
+                if let Some(old) = self.show(prepared) {
+                    preparation.retire(old);
+                }
+            }
+            // What is no longer asked for is not shown; the next frame begins with what is.
+            Some(Ok(_)) => {}
+            Some(Err(failure)) => {
+                self.refused = Some(preparation.aspect());
+                return Err(failure);
+            }
+            None => {
+                preparation.follow(self.moment(preparation.aspect(), snapshot));
+                self.preparation = Some(preparation);
+            }
         }
+        Ok(())
+    }
+
+    /// Begins to prepare an aspect, if it is another one.
+    fn begin(&mut self, aspect: Aspect, snapshot: &Snapshot) -> Result<(), Failure> {
+        let Some(playfield) = &self.playfield else { return Ok(()) };
+        if playfield.aspect != aspect && self.refused != Some(aspect) {
+            let (known, moment) = (playfield.assets.undrawn(), self.moment(aspect, snapshot));
+            self.preparation = Some(Preparation::begin(self.stage.clone(), aspect, known, moment)?);
+        }
+        Ok(())
+    }
+
+    /// What a playfield of this aspect draws to be as warm as the one that is drawn.
+    fn moment(&self, aspect: Aspect, snapshot: &Snapshot) -> Moment {
+        let stays = self.playfield.as_ref().is_some_and(|playfield| playfield.aspect.zoom == aspect.zoom);
+        let camera = if stays { self.camera.clone() } else { Camera::default() };
+        Moment { snapshot: snapshot.clone(), camera }
+    }
+
+    /// From now on draws this playfield; gives the one before.
+    fn show(&mut self, playfield: Playfield) -> Option<Playfield> {
+        let placement = playfield.assets.placement;
+        self.hud.fit(placement, &mut self.frame);
+        // What a push has uncovered around the old one is covered again.
+        self.hud.restore(&mut self.frame, placement.well);
+        self.playfield.replace(playfield)
+    }
+
+    /// Finds which part of the playfield is shown: at another zoom, the camera goes to the ball at once.
+    fn aim(&mut self, snapshot: &Snapshot) {
+        let Some(playfield) = &mut self.playfield else { return };
+        if self.aimed_zoom != playfield.aspect.zoom {
+            self.aimed_zoom = playfield.aspect.zoom;
+            self.camera.reset();
+        }
+        playfield.aim(&mut self.camera, snapshot, &self.stage.table);
     }
 
     /// Renders the playfield into its display buffer.
     fn render(&mut self, snapshot: &Snapshot, start: Instant) {
-        let Some(assets) = &mut self.assets else { return };
-        let exposure = exposure::exposure(snapshot.adaptation.light());
-        let integrator = match (self.reference, self.light) {
-            (Some(sampling), _) => Integrator::MonteCarlo(sampling),
-            (None, LightResolution::Full) => Integrator::Exact,
-            (None, LightResolution::Half) => Integrator::HalfResolution,
-        };
+        let Some(playfield) = &mut self.playfield else { return };
         let times = &mut self.times;
         let mut last = start;
         let mut clock = |step: Option<RenderStage>| {
@@ -178,18 +244,13 @@ impl FrameComposer {
             *time_ms = ms(last, now);
             last = now;
         };
-        let half_floor = assets.half_floor.as_deref();
-        let scene = self.scene_builder.scene(&self.table, snapshot, assets.view, &assets.art);
-        let scene = Scene { half_floor, ..scene };
-        clock(None);
-        self.renderer.set_integrator(integrator);
-        let (renderer, display) = (&mut self.renderer, &mut assets.display_buffer);
-        self.pool.install(|| renderer.draw_timed(&scene, exposure, display, &mut |step| clock(Some(step))));
+        let (stage, reference) = (&self.stage, self.reference);
+        self.pool.install(|| playfield.render(stage, snapshot, reference, &mut clock));
     }
 
     /// Puts the playfield into its well, and the HUD around and over it.
     fn compose(&mut self, snapshot: &Snapshot, ui_state: &UiState) {
-        let Some(assets) = &mut self.assets else { return };
+        let Some(Playfield { assets, corner, .. }) = &mut self.playfield else { return };
         let push = snapshot.pose.cabinet_m * 1000.0 / assets.view.mm_per_px;
         let shift = (push.x.round() as i32, push.y.round() as i32);
         if shift != assets.shift {
@@ -199,11 +260,12 @@ impl FrameComposer {
         let rect: Rect = assets.placement.table.moved(shift.0, shift.1);
         let mut canvas = Canvas::new(&mut self.frame);
         let mut well = canvas.within(assets.placement.well);
-        let corner = (self.corner.0 as i32, self.corner.1 as i32);
-        self.pool.install(|| well.copy(assets.display_buffer.frame(), rect, corner));
-        let screen_from_table = assets.screen_from_table(self.corner);
-        self.hud.draw_around(&self.table, snapshot, ui_state, &mut self.frame);
-        self.hud.draw_over(&self.table, snapshot, ui_state, screen_from_table, &mut self.frame);
+        let first = (corner.0 as i32, corner.1 as i32);
+        self.pool.install(|| well.copy(assets.display_buffer.frame(), rect, first));
+        let screen_from_table = assets.screen_from_table(*corner);
+        let table = &self.stage.table;
+        self.hud.draw_around(table, snapshot, ui_state, &mut self.frame);
+        self.hud.draw_over(table, snapshot, ui_state, screen_from_table, &mut self.frame);
     }
 }
 

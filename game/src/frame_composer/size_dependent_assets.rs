@@ -4,6 +4,7 @@ use crate::scene_builder::{RasterizedArt, rasterize_floor};
 use crate::screen::{Placement, Rect, ScreenFromTable, Size};
 use crate::{Failure, Table};
 use geometry::DVec2;
+use std::sync::Arc;
 use tracer::{DisplayBuffer, Floor, View};
 
 /// What depends on the size of the frame and on the zoom.
@@ -12,9 +13,9 @@ pub struct SizeDependentAssets {
     pub zoom: f64,
     /// All of the playfield, of which the window may show a part.
     pub view: View,
-    pub art: RasterizedArt,
+    pub art: Arc<RasterizedArt>,
     /// The floor's art at half the resolution, once it has been asked for.
-    pub half_floor: Option<Box<Floor>>,
+    pub half_floor: Option<Arc<Floor>>,
     /// The playfield's pixels.
     pub display_buffer: DisplayBuffer,
     /// How far the playfield was moved by a push when it was last drawn, pixels.
@@ -30,7 +31,7 @@ impl SizeDependentAssets {
         let placement = Placement::new(width, height, table.size_mm);
         let canvas = canvas(&placement.table, zoom);
         let view = View::fit(canvas.width, canvas.height, table.size_mm);
-        let art = RasterizedArt::new(table, &view)?;
+        let art = Arc::new(RasterizedArt::new(table, &view)?);
         Ok(SizeDependentAssets {
             placement,
             zoom,
@@ -40,6 +41,17 @@ impl SizeDependentAssets {
             display_buffer: DisplayBuffer::default(),
             shift: (0, 0),
         })
+    }
+
+    /// The same assets, with nothing drawn from them.
+    pub fn undrawn(&self) -> SizeDependentAssets {
+        SizeDependentAssets {
+            art: self.art.clone(),
+            half_floor: self.half_floor.clone(),
+            display_buffer: DisplayBuffer::default(),
+            shift: (0, 0),
+            ..*self
+        }
     }
 
     /// Whether they are for a frame of this size.
@@ -53,7 +65,7 @@ impl SizeDependentAssets {
     /// If it cannot be rasterized at this size.
     pub fn rasterize_half(&mut self, table: &Table) -> Result<(), Failure> {
         if self.half_floor.is_none() {
-            self.half_floor = Some(Box::new(rasterize_floor(table, &self.view.halved())?));
+            self.half_floor = Some(Arc::new(rasterize_floor(table, &self.view.halved())?));
         }
         Ok(())
     }

@@ -1,7 +1,8 @@
 //! The game's application: a session, and what the window has to know beside it.
 
 use super::DisplayOptions;
-use super::painter::FrameInput;
+use super::frame_statistics::FrameStatistics;
+use super::painter::{FrameInput, FrameReport};
 use super::table_reload::TableReload;
 use crate::desktop::{App, Commands, Event, FrameTiming};
 use crate::frame_composer::{DynamicResolution, LightResolution};
@@ -56,6 +57,7 @@ struct Notice {
 #[derive(Default)]
 struct FrameCost {
     times: FrameTimes,
+    statistics: FrameStatistics,
     resolution: DynamicResolution,
 }
 
@@ -166,18 +168,33 @@ impl GameApp {
         }
     }
 
-    fn frame_shown(&mut self, times: FrameTimes, timing: FrameTiming) {
-        self.cost.times = FrameTimes { present_ms: timing.present_ms, between_ms: timing.between_ms, ..times };
-        // While nothing moves, a frame costs next to nothing, and says as much.
-        if self.is_running() {
-            self.cost.resolution.judge(times.drawn_ms(), timing.monitor_ms);
+    fn frame_shown(&mut self, report: FrameReport, timing: FrameTiming, commands: &mut Commands) {
+        let FrameReport { times, tick, as_asked, preparing } = report;
+        let FrameTiming { shown_at, present_ms, between_ms, monitor_ms } = timing;
+        self.cost.statistics.shown(shown_at, tick);
+        self.cost.times = FrameTimes { present_ms, between_ms, rates: self.cost.statistics.rates(), ..times };
+        // While nothing moves, a frame costs next to nothing, and says as much; one of another resolution says nothing.
+        if self.is_running() && as_asked {
+            self.cost.resolution.judge(times.drawn_ms(), monitor_ms);
+        }
+        commands.redraw |= preparing;
+    }
+
+    /// A button went down or came up: its picture is waited for, if it changes what is seen.
+    pub(super) fn await_picture(&mut self) {
+        match &self.session {
+            Session::Live(game) if self.is_running() && !game.is_watching() => {
+                let next = game.snapshots().1.tick + 1;
+                self.cost.statistics.input(self.clock.now, next);
+            }
+            _ => self.cost.statistics.forget_inputs(),
         }
     }
 }
 
 impl App for GameApp {
     type FrameInput = FrameInput;
-    type FrameReport = FrameTimes;
+    type FrameReport = FrameReport;
 
     fn update(&mut self, now: Duration, commands: &mut Commands) {
         self.play(now, commands);
@@ -185,12 +202,11 @@ impl App for GameApp {
         self.update_table(commands);
     }
 
-    fn event(&mut self, event: Event<FrameTimes>, commands: &mut Commands) {
+    fn event(&mut self, event: Event<FrameReport>, commands: &mut Commands) {
         match event {
-            Event::Key { key, down: true } => self.press(key, commands),
-            Event::Key { key, down: false } => self.held.release(key),
+            Event::Key { key, down } => self.key(key, down, commands),
             Event::FocusLost => self.lose_focus(commands),
-            Event::FrameShown { report, timing } => self.frame_shown(report, timing),
+            Event::FrameShown { report, timing } => self.frame_shown(report, timing, commands),
             Event::Message(text) => self.tell(text, commands),
         }
     }

@@ -7,8 +7,21 @@ use crate::input::{self, Action, Key, ReplayAction, UiAction};
 use crate::session::{Modal, Session, zoom};
 
 impl GameApp {
+    /// A key went down or came up.
+    pub(super) fn key(&mut self, key: Key, down: bool, commands: &mut Commands) {
+        let held = self.held.buttons();
+        if down {
+            self.press(key, commands)
+        } else {
+            self.held.release(key)
+        }
+        if self.held.buttons() != held {
+            self.await_picture();
+        }
+    }
+
     /// A key went down.
-    pub(super) fn press(&mut self, key: Key, commands: &mut Commands) {
+    fn press(&mut self, key: Key, commands: &mut Commands) {
         commands.redraw = true;
         if let Session::Replay(replay) = &mut self.session
             && self.modal == Modal::None

@@ -2,6 +2,7 @@
 //! again.
 
 mod app;
+mod frame_statistics;
 mod keys;
 mod painter;
 mod table_reload;

@@ -27,10 +27,24 @@ pub struct FrameInput {
     pub table: Option<Arc<Table>>,
 }
 
-/// What paints the game's frames with this composer, and tells what each has cost.
+/// What the painter tells of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameReport {
+    /// What it cost.
+    pub times: FrameTimes,
+    /// The later of the ticks that it lies between.
+    pub tick: u64,
+    /// Its light was found at the resolution that was asked for.
+    pub as_asked: bool,
+    /// It is not yet all that was asked for: another one is wanted.
+    pub preparing: bool,
+}
+
+/// What paints the game's frames with this composer, and tells of each.
 pub fn painter(
     mut composer: FrameComposer,
-) -> impl FnMut(FrameInput, &mut Frame) -> Result<FrameTimes, Failure> + Send + 'static {
+) -> impl FnMut(FrameInput, &mut Frame) -> Result<FrameReport, Failure> + Send + 'static {
+    composer.prepare_beside();
     move |input, frame| {
         if let Some(table) = input.table {
             composer.set_table(table);
@@ -39,7 +53,12 @@ pub fn painter(
         composer.set_zoom(input.zoom);
         let interpolation = Interpolation { previous: &input.previous, current: &input.current, alpha: input.alpha };
         copy(composer.draw(interpolation, input.size, &input.ui_state)?, frame);
-        Ok(composer.times())
+        Ok(FrameReport {
+            times: composer.times(),
+            tick: input.current.tick,
+            as_asked: composer.drawn_light() == Some(input.light),
+            preparing: composer.is_preparing(),
+        })
     }
 }
 

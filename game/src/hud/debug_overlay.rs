@@ -102,26 +102,33 @@ impl DebugOverlay {
         times: &FrameTimes,
     ) {
         let (style, table) = (view.style(), view.placement.table);
+        let ms = |ms: f64| format!("{ms:.2} ms");
+        let latency = |ms: Option<f64>| ms.map_or("no input yet".to_string(), |ms| format!("{ms:.1} ms"));
+        let rates = &times.rates;
         let rows = [
-            ("scene", times.scene_ms),
-            ("prepare", times.prepare_ms),
-            ("shadows", times.shadows_ms),
-            ("balls", times.balls_ms),
-            ("bloom", times.bloom_ms),
-            ("tone map", times.tone_map_ms),
-            ("hud", times.hud_ms),
-            ("present", times.present_ms),
-            ("between", times.between_ms),
+            ("scene", ms(times.scene_ms)),
+            ("prepare", ms(times.prepare_ms)),
+            ("shadows", ms(times.shadows_ms)),
+            ("balls", ms(times.balls_ms)),
+            ("bloom", ms(times.bloom_ms)),
+            ("tone map", ms(times.tone_map_ms)),
+            ("hud", ms(times.hud_ms)),
+            ("present", ms(times.present_ms)),
+            ("between", ms(times.between_ms)),
+            ("longest of 5 s", ms(rates.longest_ms)),
+            ("pictures a second", format!("{:.1}", rates.frames_per_s)),
+            ("input to picture", latency(rates.latency_median_ms)),
+            ("- 99th of 100", latency(rates.latency_99th_ms)),
         ];
         let line = style.size_px * 1.25;
-        let (width, height) = (style.size_px * 11.5, line * (rows.len() as f32 + 1.6));
+        let (width, height) = (style.size_px * 15.0, line * (rows.len() as f32 + 1.6));
         let pane = Rect::new(table.x, table.y, width as i32, height as i32);
         self.pane.lay(canvas, pane, (), |layer| layer.fill(pane, NIGHT, 190));
         let (left, right) = (pane.x as f32 + 4.0, pane.right() as f32 - 4.0);
-        for (index, (name, ms)) in rows.into_iter().enumerate() {
+        for (index, (name, figure)) in rows.iter().enumerate() {
             let y = pane.y as f32 + line * (index as f32 + 1.0);
             text_renderer.write(canvas, name, style, Anchor::left(left, y));
-            text_renderer.write(canvas, &format!("{ms:.2} ms"), style, Anchor::right(right, y));
+            text_renderer.write(canvas, figure, style, Anchor::right(right, y));
         }
         let y = pane.y as f32 + line * (rows.len() as f32 + 1.0);
         text_renderer.write(canvas, &format!("tick {}", view.snapshot.tick), style, Anchor::left(left, y));

@@ -1,4 +1,4 @@
-//! Frame times: what the stages of a frame cost.
+//! Frame times: what the stages of a frame cost, how often there is one, and how late.
 
 /// What the parts of a frame cost, ms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,6 +21,21 @@ pub struct FrameTimes {
     pub present_ms: f64,
     /// From one frame in the window to the next.
     pub between_ms: f64,
+    /// What the last frames were like together.
+    pub rates: FrameRates,
+}
+
+/// How often there are frames, and how late.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameRates {
+    /// Frames in the window in the last second.
+    pub frames_per_s: f64,
+    /// The longest time from one to the next in the last seconds, ms.
+    pub longest_ms: f64,
+    /// From a key's arrival to the first frame in the window that contains its tick, ms: as many are faster as slower.
+    pub latency_median_ms: Option<f64>,
+    /// The same, ms: 99 of a hundred are no slower.
+    pub latency_99th_ms: Option<f64>,
 }
 
 impl FrameTimes {

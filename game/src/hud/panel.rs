@@ -31,7 +31,7 @@ const SHOOT_AGAIN: &str = "insert-shoot-again";
 impl PanelText {
     /// What the panel says of a snapshot: the display's message is the dot-matrix display's alone.
     pub fn new(table: &Table, snapshot: &Snapshot, ui_state: &UiState) -> PanelText {
-        let display = Display { message: Vec::new(), message_tick: 0, ..snapshot.display.clone() };
+        let display = Display { message: Vec::new(), message_tick: 0, message_until: None, ..snapshot.display.clone() };
         let lamp = table.lamp(SHOOT_AGAIN).and_then(|lamp| snapshot.lamps.get(lamp));
         let shoot_again = display.playing && lamp.is_some_and(|lamp| lamp.level > 300);
         let keys = if ui_state.replay.is_some() { key_help::REPLAY_HELP } else { key_help::HELP };

@@ -97,7 +97,7 @@ impl LibraryRecording {
 }
 
 /// Date and time (UTC) in the proleptic Gregorian calendar: `2026-11-22 00.45.10`.
-fn moment(unix_s: u64) -> String {
+pub fn moment(unix_s: u64) -> String {
     let (days, second) = (unix_s / 86_400, unix_s % 86_400);
     // Years begin in March here, so that the leap day is the last of its year; 719468 days lie between
     // 0000-03-01 and 1970-01-01, and 400 years always have 146097.

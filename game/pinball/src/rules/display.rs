@@ -15,6 +15,8 @@ pub struct Display {
     pub message: Vec<String>,
     /// When the message came.
     pub message_tick: u64,
+    /// When the message goes; `None` if it stays until another comes.
+    pub message_until: Option<u64>,
     /// A game is on.
     pub playing: bool,
     /// The machine has been tilted.

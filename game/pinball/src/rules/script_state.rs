@@ -127,6 +127,7 @@ impl ScriptState {
             balls: self.score.balls,
             message: if gone { Vec::new() } else { self.message.lines.clone() },
             message_tick: self.message.since,
+            message_until: self.message.until.filter(|_| !gone),
             playing: self.score.playing,
             tilted: self.score.tilted,
             progress: self.progress.clone(),

@@ -120,11 +120,52 @@ fn frames(table: &Arc<Table>, snapshots: &[Snapshot], size: Size, threads: Optio
         }
         rows.extend(names.iter().zip(columns).map(|(name, column)| row(name, column)));
     }
+    rows.extend(switches(&mut composer, snapshots, size, threads)?);
     composer.use_reference(Sampling { samples: REFERENCE_SAMPLES, seed: 0, stratified: true });
     let slow_ms = draw(&mut composer, &snapshots[0])?;
     rows.push(row(&format!("(reference, {REFERENCE_SAMPLES} rays a lamp)"), vec![slow_ms]));
     Ok(rows)
 }
+
+/// The longest frame around a change of the light's resolution, each way, while the new one is prepared beside the
+/// frames.
+fn switches(
+    composer: &mut FrameComposer,
+    snapshots: &[Snapshot],
+    size: Size,
+    threads: usize,
+) -> Result<Vec<Row>, Failure> {
+    composer.prepare_beside();
+    let mut rows = Vec::new();
+    for (light, name) in [(LightResolution::Full, "full"), (LightResolution::Half, "half")] {
+        composer.set_light_resolution(light);
+        let mut times_ms = Vec::new();
+        // To and fro, so that no frame is far from the one before it.
+        let mut way = snapshots.iter().chain(snapshots.iter().rev()).cycle();
+        let mut left = AFTER_SWITCH;
+        while left > 0 {
+            let Some(snapshot) = way.next() else { break };
+            let mut drawn = Ok(());
+            times_ms.push(time_ms(|| {
+                drawn = composer.draw(Interpolation::at(snapshot), size, &UiState::default()).map(|_| ());
+            }));
+            drawn?;
+            left -= usize::from(!composer.is_preparing());
+        }
+        rows.push(Row {
+            bench: "table",
+            variant: format!("switch to {name} light, longest frame"),
+            size: Some(format!("{}x{}", size.width, size.height)),
+            threads,
+            ms: quantile(&mut times_ms, 1.0),
+            ..Row::default()
+        });
+    }
+    Ok(rows)
+}
+
+/// Frames that are timed after a switch.
+const AFTER_SWITCH: usize = 30;
 
 /// What is told of a frame, and of its parts.
 const FULL: [&str; 8] = [

@@ -9,10 +9,12 @@ use crate::simulation::Display;
 
 /// Dots move in steps of this many ticks, so that a frame rate above it redraws nothing.
 const STEP_TICKS: u64 = 25;
-/// Steps for a letter of a message to appear.
-const STEPS_PER_LETTER: u64 = 1;
 /// Steps that a message that is too long stands before it begins to move.
 const STEPS_BEFORE_SCROLL: u64 = 40;
+/// The same for a message that has little time.
+const FEWEST_STEPS_BEFORE_SCROLL: u64 = 8;
+/// Steps of a message before its line begins to stand, and at its walk's end.
+const STEPS_AT_THE_ENDS: u64 = 2;
 /// Steps that each page of the attract show stands.
 const PAGE_STEPS: u64 = 150;
 /// Steps in which one page gives way to the next.
@@ -29,7 +31,9 @@ pub fn animation_dots(display: &Display, tick: u64) -> Dots {
         return tilt(step);
     }
     if !display.message.is_empty() {
-        return message(&display.message, tick.saturating_sub(display.message_tick) / STEP_TICKS);
+        let steps = |until: u64| until.saturating_sub(display.message_tick) / STEP_TICKS;
+        let lasts = display.message_until.map(steps);
+        return message(&display.message, tick.saturating_sub(display.message_tick) / STEP_TICKS, lasts);
     }
     if display.playing { score(display, step) } else { attract(display, step) }
 }
@@ -60,7 +64,7 @@ fn score(display: &Display, step: u64) -> Dots {
     let mut dots = Dots::default();
     let mine = grouped(display.scores.get(display.player).copied().unwrap_or_default());
     let face = Face::fitting(&mine);
-    dots.write_centred(&mine, face, MIDDLE, 9 - face.height() / 2, FULL);
+    dots.write(&mine, face, start_of(&mine, face, step, None), 9 - face.height() / 2, FULL);
     let right = DMD_COLUMNS as i32 - 2;
     // A calm sign of life: one brighter dot walks along the rule.
     dots.line(2, right, 20, 60);
@@ -85,35 +89,62 @@ fn score(display: &Display, step: u64) -> Dots {
     dots
 }
 
-/// A message: letters appear one by one, the first line flares as it comes, a line that is too long walks past.
-fn message(lines: &[String], age: u64) -> Dots {
+/// A message that `lasts` so many steps, if it does not stay: letters appear one by one, the first line flares as it
+/// comes, a line that is too long walks past. All of it has been seen before it goes.
+fn message(lines: &[String], age: u64, lasts: Option<u64>) -> Dots {
     let mut dots = Dots::default();
-    let faces: Vec<Face> =
-        lines.iter().enumerate().map(|(i, line)| if i == 0 { Face::fitting(line) } else { Face::Small }).collect();
+    let faces: Vec<Face> = lines.iter().enumerate().map(|(index, line)| face_of(index, line)).collect();
     let height: i32 = faces.iter().map(|face| face.height()).sum::<i32>() + 3 * (faces.len() as i32 - 1);
     let mut y = (DMD_ROWS as i32 - height).max(0) / 2;
-    let mut letters = age / STEPS_PER_LETTER + 1;
+    let mut letters = (age + 1).saturating_mul(letters_per_step(lines, lasts));
     for (line, face) in lines.iter().zip(&faces) {
-        let shown: String = line.chars().take(letters as usize).collect();
+        let shown: String = line.chars().take(usize::try_from(letters).unwrap_or(usize::MAX)).collect();
         let flare = if *face == Face::Small { SOFT } else { FULL - (age.min(12) as u8 % 4) * 30 };
-        dots.write(&shown, *face, start_of(line, *face, age), y, flare);
+        dots.write(&shown, *face, start_of(line, *face, age, lasts), y, flare);
         letters = letters.saturating_sub(line.chars().count() as u64);
         y += face.height() + 3;
     }
     dots
 }
 
-/// Where a line begins: centred, or walking to and fro if it is wider than the display.
-fn start_of(line: &str, face: Face, age: u64) -> i32 {
-    let excess = face.width(line) - (DMD_COLUMNS as i32 - 4);
-    if excess <= 0 {
+fn face_of(index: usize, line: &str) -> Face {
+    if index == 0 { Face::fitting(line) } else { Face::Small }
+}
+
+/// One, or so many that the last letter is there in half of the message's time.
+fn letters_per_step(lines: &[String], lasts: Option<u64>) -> u64 {
+    let letters: usize = lines.iter().map(|line| line.chars().count()).sum();
+    lasts.map_or(1, |steps| (2 * letters as u64).div_ceil(steps.max(1)).max(1))
+}
+
+/// Dots that a line is wider than the display.
+fn excess(line: &str, face: Face) -> u64 {
+    (face.width(line) - (DMD_COLUMNS as i32 - 4)).max(0) as u64
+}
+
+/// Where a line begins: centred, or walking to and fro if it is wider than the display. Its first walk ends, and its end
+/// has stood, when the message goes: where time is short it stands less and walks faster.
+fn start_of(line: &str, face: Face, age: u64, lasts: Option<u64>) -> i32 {
+    let excess = excess(line, face);
+    if excess == 0 {
         return MIDDLE - face.width(line) / 2;
     }
-    let length = excess as u64 + STEPS_BEFORE_SCROLL;
+    let room = lasts.map_or(u64::MAX, |steps| steps.saturating_sub(STEPS_AT_THE_ENDS));
+    let fewest = FEWEST_STEPS_BEFORE_SCROLL.min(room / 4);
+    let stands = (room.saturating_sub(excess) / 2).clamp(fewest, STEPS_BEFORE_SCROLL);
+    let walks = room.saturating_sub(2 * stands).clamp(1, excess);
+    let length = stands + walks;
     let along = age.max(1) - 1;
     let (lap, step) = (along / length, along % length);
-    let moved = step.saturating_sub(STEPS_BEFORE_SCROLL) as i32;
-    2 - if lap.is_multiple_of(2) { moved } else { excess - moved }
+    let moved = (excess * step.saturating_sub(stands) / walks) as i32;
+    2 - if lap.is_multiple_of(2) { moved } else { excess as i32 - moved }
+}
+
+/// How long a message must stand for a line that is wider than the display to walk past at its usual speed, ms; `None` if
+/// every line is as wide as the display or less.
+pub fn reading_ms(lines: &[&str]) -> Option<u64> {
+    let widest = lines.iter().enumerate().map(|(index, line)| excess(line, face_of(index, line))).max()?;
+    (widest > 0).then_some((widest + 2 * STEPS_BEFORE_SCROLL + STEPS_AT_THE_ENDS) * STEP_TICKS)
 }
 
 /// What is shown while nobody plays: a few pages that roll on like a shutter.
@@ -184,14 +215,58 @@ mod tests {
         assert_ne!(animation_dots(&display(), 500), animation_dots(&other, 500));
     }
 
+    const LONG: &str = "THE QUICK BROWN FOX JUMPS OVER THE LAZY DOG";
+
+    fn starts(lasts: Option<u64>, steps: u64) -> Vec<i32> {
+        (0..steps).map(|age| start_of(LONG, Face::Small, age, lasts)).collect()
+    }
+
+    fn ends_in_sight(starts: &[i32]) -> bool {
+        let end = starts.iter().min().map(|start| start + Face::Small.width(LONG));
+        end.is_some_and(|end| (DMD_COLUMNS as i32 - 4..=DMD_COLUMNS as i32).contains(&end))
+    }
+
     #[test]
     fn a_long_line_shows_its_first_and_its_last_letter_in_time() {
-        let line = "THE QUICK BROWN FOX JUMPS OVER THE LAZY DOG";
-        let starts: Vec<i32> = (0..1000).map(|age| start_of(line, Face::Small, age)).collect();
+        let starts = starts(None, 1000);
         assert_eq!(starts.iter().max(), Some(&2));
-        let end = starts.iter().min().map(|start| start + Face::Small.width(line));
-        assert!(end.is_some_and(|end| (DMD_COLUMNS as i32 - 4..=DMD_COLUMNS as i32).contains(&end)), "{end:?}");
+        assert!(ends_in_sight(&starts));
         assert!(starts.windows(2).all(|pair| (pair[0] - pair[1]).abs() <= 1), "it walks, it does not jump");
+    }
+
+    /// A long line that stood for a second only showed its beginning: it was cut. Three steps are the fewest that can show
+    /// a beginning and an end.
+    #[test]
+    fn a_message_that_goes_soon_has_shown_its_last_letter() {
+        for lasts in [3, 4, 8, 20, 40, 100, 140, 200, 1000] {
+            let starts = starts(Some(lasts), lasts);
+            assert_eq!(starts[0], 2);
+            assert!(ends_in_sight(&starts), "{lasts}: {:?}", starts.last());
+        }
+        let usual = reading_ms(&["HEADLINE", LONG]).expect("it is wider than the display") / STEP_TICKS;
+        assert_eq!(starts(Some(usual), usual), starts(None, usual), "with time enough it walks as ever");
+        assert_ne!(starts(Some(usual - 2), usual - 2), starts(None, usual - 2));
+        assert_eq!(reading_ms(&["HEADLINE", "OF TWO LINES"]), None);
+    }
+
+    #[test]
+    fn the_last_letter_of_a_message_has_come_before_it_goes() {
+        let lines = [LONG.to_string(), LONG.to_string()];
+        for lasts in [1, 5, 30, 85, 200] {
+            let letters = lasts * letters_per_step(&lines, Some(lasts));
+            assert!(letters >= 2 * LONG.len() as u64, "{lasts}");
+        }
+        assert_eq!(letters_per_step(&lines, Some(400)), 1, "one by one where there is time");
+    }
+
+    #[test]
+    fn no_score_is_too_long_to_be_seen_whole() {
+        let score = grouped(i64::MIN);
+        let at = |age: u64| start_of(&score, Face::fitting(&score), age, None);
+        let all: Vec<i32> = (0..1000).map(at).collect();
+        let (first, last) = (all.iter().max(), all.iter().min());
+        assert!(first.is_some_and(|first| *first >= 0));
+        assert!(last.is_some_and(|last| last + Face::Small.width(&score) <= DMD_COLUMNS as i32));
     }
 
     #[test]
@@ -208,6 +283,7 @@ mod tests {
             player: 77,
             message: vec!["\u{1F600}".repeat(300), String::new(), "x".repeat(500), String::new(), String::new()],
             message_tick: u64::MAX,
+            message_until: Some(0),
             ..Display::default()
         };
         for tick in [0, 1, 12_345, u64::MAX] {

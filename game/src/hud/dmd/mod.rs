@@ -4,6 +4,6 @@ mod animation;
 mod dots;
 mod raster;
 
-pub use animation::{animation_dots, grouped};
+pub use animation::{animation_dots, grouped, reading_ms};
 pub use dots::Dots;
 pub use raster::{DmdRaster, housing};
