@@ -67,7 +67,7 @@ impl Script {
     /// Every mistake, with its line.
     pub fn read(text: &str) -> Result<Script, Vec<Mistake>> {
         let tree = SyntaxTree::parse(text).map_err(|mistake| vec![mistake])?;
-        let found: Vec<(String, Vec<String>)> = tree.functions().collect();
+        let found = tree.functions();
         let names = found.iter().map(|(name, parameters)| (name.clone(), parameters.len()));
         let numbers: BTreeMap<(String, usize), u16> = names.zip(0..u16::MAX).collect();
         let mut top = Reader::new(&numbers, &[], &[]);

@@ -253,7 +253,8 @@ fn constant(value: &rhai::Dynamic, position: Position) -> Reading<Data> {
     } else if value.is_string() || value.is_char() {
         Ok(Data::text(value.to_string()))
     } else {
-        Err(mistake(position, "a case is a number, a range of numbers, a text, true, false or ()"))
+        let what = format!("a case is a number, a range of numbers, a text, true, false or (), not a {}", value.type_name());
+        Err(mistake(position, what))
     }
 }
 

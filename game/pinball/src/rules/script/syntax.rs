@@ -29,16 +29,22 @@ impl SyntaxTree {
         engine.compile(text).map(SyntaxTree).map_err(wrong)
     }
 
-    /// The functions: names and parameters.
-    pub fn functions(&self) -> impl Iterator<Item = (String, Vec<String>)> {
+    /// The functions by name: names and parameters.
+    pub fn functions(&self) -> Vec<(String, Vec<String>)> {
         let strings = |names: &[&str]| names.iter().map(ToString::to_string).collect();
-        self.0.iter_functions().map(move |function| (function.name.to_string(), strings(&function.params)))
+        let functions = self.0.iter_functions().map(|function| (function.name.to_string(), strings(&function.params)));
+        let mut all: Vec<_> = functions.collect();
+        // The parser keeps them in an order of its own, which is another in another build.
+        all.sort();
+        all
     }
 
     /// The statements of one function.
     pub fn function(&self, name: &str, parameters: usize) -> SyntaxTree {
-        let chosen = |_, _, _, other: &str, count| other == name && count == parameters;
-        SyntaxTree(self.0.clone_functions_only_filtered(chosen))
+        // Rhai's clone by a filter keeps every function; what is dropped from a clone is gone.
+        let mut tree = self.0.clone_functions_only();
+        tree.retain_functions(|_, _, other, count| other == name && count == parameters);
+        SyntaxTree(tree)
     }
 
     /// What stands outside of functions.

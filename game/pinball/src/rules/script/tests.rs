@@ -1,7 +1,10 @@
 //! The language by itself, without a game.
 
+mod agreement;
 mod cost;
 mod language;
+mod random_script;
+mod twin;
 
 use super::{Data, Failed, Meter, Script, Stop};
 use crate::lamps::LampController;

@@ -36,12 +36,18 @@ fn copy(value: &Data) -> Data {
     value.copy(&mut Meter::new(PLENTY)).expect("plenty of steps")
 }
 
-/// The values in a value, and 16 bytes of its texts for one more each.
+/// The values in a value; a text by itself has one more for 16 bytes, while texts in a list or a map share theirs.
 fn size(value: &Data) -> u64 {
     match value {
         Data::Text(text) => 1 + text.len() as u64 / 16,
-        Data::List(items) => 1 + items.iter().map(size).sum::<u64>(),
-        Data::Map(entries) => 1 + entries.values().map(size).sum::<u64>(),
+        other => values_in(other),
+    }
+}
+
+fn values_in(value: &Data) -> u64 {
+    match value {
+        Data::List(items) => 1 + items.iter().map(values_in).sum::<u64>(),
+        Data::Map(entries) => 1 + entries.values().map(values_in).sum::<u64>(),
         _ => 1,
     }
 }

@@ -2,87 +2,98 @@
 
 use super::{Script, run, value};
 
+/// The expressions of the tests here.
+pub fn expressions() -> impl Iterator<Item = &'static str> {
+    EXPRESSIONS.iter().chain(&CALLS).map(|(expression, _)| *expression)
+}
+
+/// Expressions and statements, with their values.
+const EXPRESSIONS: [(&str, &str); 41] = [
+    ("1 + 2 * 3 - 8 / 3 % 2", "7"),
+    ("-7 / 2", "-3"),
+    ("2 ** 10", "1024"),
+    ("6 & 3 | 8 ^ 1", "11"),
+    ("1 << 4 >> 2", "4"),
+    ("1 < 2 && !(2 <= 1) || false", "true"),
+    ("\"b\" > \"a\"", "true"),
+    ("1 == \"1\"", "false"),
+    ("[1, [2, ()]] == [1, [2, ()]]", "true"),
+    ("#{ a: 1 } != #{ a: 2 }", "true"),
+    ("\"a\" + 1 + true", "a1true"),
+    ("`${1 + 1} of ${[\"x\", 3]}`", "2 of [\"x\", 3]"),
+    ("[1, 2, 3][-1]", "3"),
+    ("\"grün\"[2]", "ü"),
+    ("\"grün\".len", "4"),
+    ("#{ a: #{ b: [5, 6] } }.a.b[1]", "6"),
+    ("#{ a: 1 }.b", "()"),
+    ("#{}.a?.b?.c ?? 9", "9"),
+    ("2 in [1, 2]", "true"),
+    ("\"x\" in #{ x: 1 }", "true"),
+    ("5 in 0..5", "false"),
+    ("4 !in 0..=4", "false"),
+    ("if 1 > 2 { \"a\" } else { \"b\" }", "b"),
+    ("switch 7 { 1 | 7 => \"one\", _ => \"none\" }", "one"),
+    ("switch 7 { 1 => 1, 5..8 => \"range\", _ => 2 }", "range"),
+    ("switch \"b\" { \"a\" => 1, \"b\" if 1 > 2 => 2, \"b\" => 3 }", "3"),
+    ("switch 9 { 1 => 1 }", "()"),
+    ("{ let a = 1; { let a = 2; } a }", "1"),
+    ("{ let n = 0; for i in 1..=4 { if i == 3 { continue; } n += i; } n }", "7"),
+    ("{ let n = 0; for (item, i) in [5, 6] { n += item * i; } n }", "6"),
+    ("{ let t = \"\"; for c in \"abc\" { t = c + t; } t }", "cba"),
+    ("{ let n = 0; loop { n += 1; if n == 5 { break n * 2; } } }", "10"),
+    ("{ let n = 9; while n > 3 { n -= 2; } n }", "3"),
+    ("{ let n = 0; do { n += 1; } until n >= 4; n }", "4"),
+    ("{ let l = [1]; l += 2; l += [3, 4]; l }", "[1, 2, 3, 4]"),
+    ("{ let a = [1]; let b = a; b.push(2); a }", "[1]"),
+    ("{ let m = #{}; m.x = 1; m[\"y\"] = [2]; m.y[0] += 5; m }", "#{\"x\": 1, \"y\": [7]}"),
+    ("{ try { throw \"no\"; } catch (e) { e + \"!\" } }", "no!"),
+    ("{ let f = |x| x * 2; f.call(21) }", "42"),
+    ("type_of(1) + type_of(\"\") + type_of([]) + type_of(#{})", "i64stringarraymap"),
+    ("abs(-3) + (-4).abs() + max(1, 2) + min(1, 2)", "10"),
+];
+
 #[test]
 fn expressions_have_the_values_that_rhai_gives_them() {
-    for (expression, expected) in [
-        ("1 + 2 * 3 - 8 / 3 % 2", "7"),
-        ("-7 / 2", "-3"),
-        ("2 ** 10", "1024"),
-        ("6 & 3 | 8 ^ 1", "11"),
-        ("1 << 4 >> 2", "4"),
-        ("1 < 2 && !(2 <= 1) || false", "true"),
-        ("\"b\" > \"a\"", "true"),
-        ("1 == \"1\"", "false"),
-        ("[1, [2, ()]] == [1, [2, ()]]", "true"),
-        ("#{ a: 1 } != #{ a: 2 }", "true"),
-        ("\"a\" + 1 + true", "a1true"),
-        ("`${1 + 1} of ${[\"x\", 3]}`", "2 of [\"x\", 3]"),
-        ("[1, 2, 3][-1]", "3"),
-        ("\"grün\"[2]", "ü"),
-        ("\"grün\".len", "4"),
-        ("#{ a: #{ b: [5, 6] } }.a.b[1]", "6"),
-        ("#{ a: 1 }.b", "()"),
-        ("#{}.a?.b?.c ?? 9", "9"),
-        ("2 in [1, 2]", "true"),
-        ("\"x\" in #{ x: 1 }", "true"),
-        ("5 in 0..5", "false"),
-        ("4 !in 0..=4", "false"),
-        ("if 1 > 2 { \"a\" } else { \"b\" }", "b"),
-        ("switch 7 { 1 | 7 => \"one\", _ => \"none\" }", "one"),
-        ("switch 7 { 1 => 1, 5..8 => \"range\", _ => 2 }", "range"),
-        ("switch \"b\" { \"a\" => 1, \"b\" if 1 > 2 => 2, \"b\" => 3 }", "3"),
-        ("switch 9 { 1 => 1 }", "()"),
-        ("{ let a = 1; { let a = 2; } a }", "1"),
-        ("{ let n = 0; for i in 1..=4 { if i == 3 { continue; } n += i; } n }", "7"),
-        ("{ let n = 0; for (item, i) in [5, 6] { n += item * i; } n }", "6"),
-        ("{ let t = \"\"; for c in \"abc\" { t = c + t; } t }", "cba"),
-        ("{ let n = 0; loop { n += 1; if n == 5 { break n * 2; } } }", "10"),
-        ("{ let n = 9; while n > 3 { n -= 2; } n }", "3"),
-        ("{ let n = 0; do { n += 1; } until n >= 4; n }", "4"),
-        ("{ let l = [1]; l += 2; l += [3, 4]; l }", "[1, 2, 3, 4]"),
-        ("{ let a = [1]; let b = a; b.push(2); a }", "[1]"),
-        ("{ let m = #{}; m.x = 1; m[\"y\"] = [2]; m.y[0] += 5; m }", "#{\"x\": 1, \"y\": [7]}"),
-        ("{ try { throw \"no\"; } catch (e) { e + \"!\" } }", "no!"),
-        ("{ let f = |x| x * 2; f.call(21) }", "42"),
-        ("type_of(1) + type_of(\"\") + type_of([]) + type_of(#{})", "i64stringarraymap"),
-        ("abs(-3) + (-4).abs() + max(1, 2) + min(1, 2)", "10"),
-    ] {
+    for (expression, expected) in EXPRESSIONS {
         assert_eq!(value(expression), expected, "{expression}");
     }
 }
 
+/// Calls of the functions of texts, lists and maps, with their values.
+const CALLS: [(&str, &str); 25] = [
+    ("\"Abc\".to_upper() + \"Abc\".to_lower()", "ABCabc"),
+    ("\"abcb\".index_of(\"b\") + \"abcb\".index_of(\"b\", 2) + \"a\".index_of(\"x\")", "3"),
+    ("\"abcdef\".sub_string(1, 3) + \"abc\".sub_string(-1)", "bcdc"),
+    ("{ let t = \"a-b\"; t.replace(\"-\", \"++\"); t }", "a++b"),
+    ("{ let t = \" a \"; t.trim(); t }", "a"),
+    ("{ let t = \"7\"; t.pad(3, \"0\"); t }", "700"),
+    ("\"a,b\".split(\",\")", "[\"a\", \"b\"]"),
+    ("\"12\".parse_int() + 1", "13"),
+    ("\"abc\".chars()", "[\"a\", \"b\", \"c\"]"),
+    ("\"abc\".starts_with(\"ab\") && \"abc\".ends_with(\"bc\") && \"abc\".contains(\"b\")", "true"),
+    ("{ let l = [3, 1, 2]; l.sort(); l }", "[1, 2, 3]"),
+    ("{ let l = [3, 1, 2]; l.sort(|a, b| b - a); l }", "[3, 2, 1]"),
+    ("{ let l = [1, 1, 2, 1]; l.dedup(); l }", "[1, 2, 1]"),
+    ("{ let l = [1, 2, 3, 4]; l.retain(|x| x > 2); l.insert(0, 9); l.reverse(); l }", "[4, 3, 9]"),
+    ("{ let l = [1, 2, 3]; [l.pop(), l.shift(), l.remove(0), l.pop()] }", "[3, 1, 2, ()]"),
+    ("{ let l = [1, 2, 3, 4]; l.truncate(3); l.chop(2); l.pad(4, 0); l.append([7]); l }", "[2, 3, 0, 0, 7]"),
+    ("[1, 2, 3, 4].extract(1, 2) + [5, 6].extract(-1)", "[2, 3, 6]"),
+    ("[1, 2, 3].map(|x, i| x * i).filter(|x| x > 0)", "[2, 6]"),
+    ("[1, 2].map(|| this + 1)", "[2, 3]"),
+    ("[1, 2, 3].reduce(|sum, x| sum + x, 0) + [4].index_of(4)", "6"),
+    ("[1, 2].some(|x| x == 2) && [1, 2].all(|x| x > 0) && [1, 2].find(|x| x > 1) == 2", "true"),
+    ("[1, 2].zip([3, 4], |a, b| a * b)", "[3, 8]"),
+    ("#{ b: 1, a: 2 }.keys() + #{ b: 1, a: 2 }.values()", "[\"a\", \"b\", 2, 1]"),
+    (
+        "{ let m = #{ a: 1 }; m.mixin(#{ a: 2, b: 3 }); m.fill_with(#{ a: 9, c: 4 }); m.remove(\"b\"); m }",
+        "#{\"a\": 2, \"c\": 4}",
+    ),
+    ("{ let l = [1, 2]; l.set(0, 5); [l.get(0), l.get(9), #{ a: 3 }.get(\"a\")] }", "[5, (), 3]"),
+];
+
 #[test]
 fn the_functions_of_texts_lists_and_maps_do_what_rhai_says() {
-    for (expression, expected) in [
-        ("\"Abc\".to_upper() + \"Abc\".to_lower()", "ABCabc"),
-        ("\"abcb\".index_of(\"b\") + \"abcb\".index_of(\"b\", 2) + \"a\".index_of(\"x\")", "3"),
-        ("\"abcdef\".sub_string(1, 3) + \"abc\".sub_string(-1)", "bcdc"),
-        ("{ let t = \"a-b\"; t.replace(\"-\", \"++\"); t }", "a++b"),
-        ("{ let t = \" a \"; t.trim(); t }", "a"),
-        ("{ let t = \"7\"; t.pad(3, \"0\"); t }", "700"),
-        ("\"a,b\".split(\",\")", "[\"a\", \"b\"]"),
-        ("\"12\".parse_int() + 1", "13"),
-        ("\"abc\".chars()", "[\"a\", \"b\", \"c\"]"),
-        ("\"abc\".starts_with(\"ab\") && \"abc\".ends_with(\"bc\") && \"abc\".contains(\"b\")", "true"),
-        ("{ let l = [3, 1, 2]; l.sort(); l }", "[1, 2, 3]"),
-        ("{ let l = [3, 1, 2]; l.sort(|a, b| b - a); l }", "[3, 2, 1]"),
-        ("{ let l = [1, 1, 2, 1]; l.dedup(); l }", "[1, 2, 1]"),
-        ("{ let l = [1, 2, 3, 4]; l.retain(|x| x > 2); l.insert(0, 9); l.reverse(); l }", "[4, 3, 9]"),
-        ("{ let l = [1, 2, 3]; [l.pop(), l.shift(), l.remove(0), l.pop()] }", "[3, 1, 2, ()]"),
-        ("{ let l = [1, 2, 3, 4]; l.truncate(3); l.chop(2); l.pad(4, 0); l.append([7]); l }", "[2, 3, 0, 0, 7]"),
-        ("[1, 2, 3, 4].extract(1, 2) + [5, 6].extract(-1)", "[2, 3, 6]"),
-        ("[1, 2, 3].map(|x, i| x * i).filter(|x| x > 0)", "[2, 6]"),
-        ("[1, 2].map(|| this + 1)", "[2, 3]"),
-        ("[1, 2, 3].reduce(|sum, x| sum + x, 0) + [4].index_of(4)", "6"),
-        ("[1, 2].some(|x| x == 2) && [1, 2].all(|x| x > 0) && [1, 2].find(|x| x > 1) == 2", "true"),
-        ("[1, 2].zip([3, 4], |a, b| a * b)", "[3, 8]"),
-        ("#{ b: 1, a: 2 }.keys() + #{ b: 1, a: 2 }.values()", "[\"a\", \"b\", 2, 1]"),
-        (
-            "{ let m = #{ a: 1 }; m.mixin(#{ a: 2, b: 3 }); m.fill_with(#{ a: 9, c: 4 }); m.remove(\"b\"); m }",
-            "#{\"a\": 2, \"c\": 4}",
-        ),
-        ("{ let l = [1, 2]; l.set(0, 5); [l.get(0), l.get(9), #{ a: 3 }.get(\"a\")] }", "[5, (), 3]"),
-    ] {
+    for (expression, expected) in CALLS {
         assert_eq!(value(expression), expected, "{expression}");
     }
 }
