@@ -10,6 +10,7 @@ pub mod bot;
 mod buttons;
 mod failure;
 pub mod lamps;
+pub mod playtest;
 pub mod recording;
 pub mod rules;
 pub mod simulation;

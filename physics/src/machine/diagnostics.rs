@@ -35,21 +35,34 @@ impl Machine {
         depths.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// How deep a ball lies in obstacles, flippers and these other balls.
-    fn depth_of(&self, ball: &Ball, others: &[Ball]) -> f64 {
+    /// How deep a ball on the playfield would lie at `center` in what never gives way, m; 0 or less where nothing
+    /// overlaps. Drop targets, gates, flippers and other balls are left out: they move.
+    pub fn depth_in_fixed_m(&self, center: DVec2) -> f64 {
+        self.depth_in_obstacles(None, center, |_| false)
+    }
+
+    /// How deep a ball lies in obstacles, and in those drop targets that `stands` says.
+    fn depth_in_obstacles(&self, ramp: Option<u16>, center: DVec2, stands: impl Fn(usize) -> bool) -> f64 {
         let mut deepest = f64::NEG_INFINITY;
-        let (model, states) = (&self.model, &self.state.mechanisms);
-        model.collision.visit_obstacles(ball.ramp, ball.center, ball.center, |obstacle| {
-            let obstacle = &model.collision.obstacles[obstacle];
+        let collision = &self.model.collision;
+        collision.visit_obstacles(ramp, center, center, |obstacle| {
+            let obstacle = &collision.obstacles[obstacle];
             let counts = match obstacle.role {
-                ObstacleRole::DropTarget(index) => states.drop_targets[index].solid,
+                ObstacleRole::DropTarget(index) => stands(index),
                 ObstacleRole::Gate(_) => false,
                 _ => true,
             };
             if counts {
-                deepest = deepest.max(-obstacle.shape.distance(ball.center).0);
+                deepest = deepest.max(-obstacle.shape.distance(center).0);
             }
         });
+        deepest
+    }
+
+    /// How deep a ball lies in obstacles, flippers and these other balls.
+    fn depth_of(&self, ball: &Ball, others: &[Ball]) -> f64 {
+        let (model, states) = (&self.model, &self.state.mechanisms);
+        let mut deepest = self.depth_in_obstacles(ball.ramp, ball.center, |target| states.drop_targets[target].solid);
         for (flipper, state) in model.mechanisms.flippers.iter().zip(&states.flippers).filter(|_| !ball.is_up()) {
             deepest = deepest.max(BALL_RADIUS_M - flipper.outline(state.angle).distance(ball.center).0);
         }

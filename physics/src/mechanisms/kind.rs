@@ -107,6 +107,18 @@ impl Kind {
         }
     }
 
+    /// What of it stands still in a ball's way when it stands: not flippers, flaps and rods, which move, nor ramps.
+    pub fn surfaces(&self) -> Vec<Shape> {
+        match self {
+            Kind::Wall(own) => own.shapes.clone(),
+            Kind::Target(own) => vec![own.shape],
+            Kind::DropTarget(own) => vec![own.shape],
+            Kind::Bumper(own) => vec![Shape::disc(own.circle.center, own.circle.radius)],
+            Kind::Slingshot(own) => vec![Shape::capsule(own.segment.a, own.segment.b, own.radius_m)],
+            _ => Vec::new(),
+        }
+    }
+
     /// Where it notices a ball without throwing it back, m: over a hole, a switch or a field.
     pub fn sensor(&self) -> Option<Shape> {
         let disc = |circle: Circle| Shape::disc(circle.center, circle.radius);

@@ -83,22 +83,13 @@ impl AnomalyDetector {
         };
         let mut drop_targets = 0;
         for part in &layout.parts {
-            let mut solid = |shape: Shape, drop_target| {
+            let drop_target = matches!(part.kind, Kind::DropTarget(_)).then_some(drop_targets);
+            drop_targets += usize::from(drop_target.is_some());
+            for shape in part.kind.surfaces() {
                 detector.solids.push(Solid { name: part.name.clone(), shape, drop_target });
-            };
-            match &part.kind {
-                Kind::Wall(wall) => wall.shapes.iter().for_each(|shape| solid(*shape, None)),
-                Kind::Target(target) => solid(target.shape, None),
-                Kind::DropTarget(target) => {
-                    solid(target.shape, Some(drop_targets));
-                    drop_targets += 1;
-                }
-                Kind::Bumper(bumper) => solid(Shape::disc(bumper.circle.center, bumper.circle.radius), None),
-                Kind::Slingshot(sling) => {
-                    solid(Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m), None);
-                }
-                Kind::Flipper(flipper) => detector.flippers.push(flipper.clone()),
-                _ => {}
+            }
+            if let Kind::Flipper(flipper) = &part.kind {
+                detector.flippers.push(flipper.clone());
             }
         }
         detector

@@ -234,7 +234,7 @@ pub(crate) fn controls(buttons: Buttons) -> Controls {
 }
 
 /// The machine's complaint as a sentence about the table's files.
-fn refused(table: &Table, error: &physics::Error) -> Failure {
+pub(crate) fn refused(table: &Table, error: &physics::Error) -> Failure {
     match error {
         physics::Error::Layout(part, what) => {
             let name = table.layout.parts.get(usize::from(part.0)).map_or("", |part| part.name.as_str());

@@ -91,6 +91,7 @@ impl EmbeddedTable {
             origin: name.to_string(),
             folder: String::new(),
             layout: game.layout.into_owned(),
+            part_lines: Vec::new(),
             materials: Vec::new(),
             size_mm: look.size_mm,
             lamps: look.lamps.into_owned(),

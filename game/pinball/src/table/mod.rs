@@ -49,6 +49,8 @@ pub struct Table {
     pub folder: String,
     /// What stands on the playfield, in SI units, for the physics.
     pub layout: Layout,
+    /// The line of each part in the drawing, from 1; none where the table comes from a recording.
+    pub part_lines: Vec<usize>,
     /// What its elements can be made of, by name.
     pub materials: Vec<(String, Material)>,
     /// Width and height of the playfield, mm.

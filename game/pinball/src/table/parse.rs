@@ -70,6 +70,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             playfield_friction: config.playfield_friction,
             parts: converted.parts,
         },
+        part_lines: converted.part_lines,
         materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
         size_mm: drawing.size_mm,
         lamps: converted.lamps,
@@ -128,13 +129,15 @@ fn check_required(svg: &Source, drawing: &Drawing, diagnostics: &mut Vec<Diagnos
 /// What elements are converted to: parts, lamps and solids.
 struct Converted {
     parts: Vec<Part>,
+    part_lines: Vec<usize>,
     lamps: Vec<Lamp>,
     solids: Vec<Solid>,
 }
 
 impl Converted {
     fn new(svg: &Source, elements: &[Element], config: &Config, diagnostics: &mut Vec<Diagnostic>) -> Converted {
-        let mut converted = Converted { parts: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
+        let mut converted =
+            Converted { parts: Vec::new(), part_lines: Vec::new(), lamps: Vec::new(), solids: Vec::new() };
         let mut groups = ShadowGroups::default();
         let grouped: Vec<(&Element, u16)> = elements.iter().map(|element| (element, groups.of(element))).collect();
         let group_of = |id: &str| {
@@ -146,6 +149,9 @@ impl Converted {
             let built = converted.element(element, group, config, group_of);
             match built {
                 Ok(solids) => {
+                    if converted.part_lines.len() < converted.parts.len() {
+                        converted.part_lines.push(svg.line(element.at));
+                    }
                     ordered.extend(solids.into_iter().map(|solid| (solids::draw_order(element.class), solid)))
                 }
                 Err(why) => diagnostics.push(svg.diagnostic(element.at, format!("{}: {why}", element.name))),

@@ -1,0 +1,142 @@
+//! The coils' and switches' trials: a ball before each, and what it must do with it.
+
+use super::finding::{Finding, FindingKind};
+use super::reach::Reach;
+use geometry::{DVec2, Shape, trig};
+use physics::{
+    BALL_RADIUS_M, Command, Controls, EventKind, Flipper, FlipperControl, Kickback, Kind, Machine, PartId, Saucer,
+};
+
+/// Room that is left between a ball and what it is put at, m.
+const GAP_M: f64 = 2e-4;
+/// How fast a ball is shot at a switch, m/s; twice the part's own threshold if that is more.
+const SHOT_M_S: f64 = 1.5;
+/// A ball is shot from no farther, m.
+const SHOT_RANGE_M: f64 = 0.06;
+/// A ball that is thrown has come this far, m.
+const THROWN_M: f64 = 0.05;
+/// A ball that lies is no faster, m/s.
+const LYING_M_S: f64 = 0.01;
+/// A ball that is flipped is this fast, m/s.
+const FLIPPED_M_S: f64 = 0.5;
+
+/// What is wrong with this part's coil or switch.
+pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Option<Finding> {
+    let machine = machine.clone();
+    match kind {
+        Kind::Saucer(saucer) => try_saucer(machine, part, saucer),
+        Kind::Kickback(kickback) => try_kickback(machine, part, kickback),
+        Kind::Flipper(flipper) => try_flipper(machine, part, flipper),
+        Kind::Bumper(bumper) => {
+            let shape = Shape::disc(bumper.circle.center, bumper.circle.radius);
+            shoot_at(machine, reach, part, &shape, bumper.threshold_m_s)
+        }
+        Kind::Slingshot(sling) => {
+            let shape = Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m);
+            shoot_at(machine, reach, part, &shape, sling.threshold_m_s)
+        }
+        Kind::DropTarget(target) => {
+            let hit = shoot_at(machine.clone(), reach, part, &target.shape, target.threshold_m_s);
+            hit.or_else(|| try_raise(machine, reach, part, &target.shape, target.threshold_m_s))
+        }
+        _ => None,
+    }
+}
+
+/// A ball in the saucer is thrown out, and must not come back by itself.
+fn try_saucer(mut machine: Machine, part: PartId, saucer: &Saucer) -> Option<Finding> {
+    let center = saucer.circle.center;
+    machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
+    wait(&mut machine, 500);
+    machine.tick(Controls::NONE, &[Command::Eject(part)]);
+    wait(&mut machine, 3000);
+    // One that never came out is not caught a second time, and lies there.
+    let lies = |ball: &physics::BallPose| ball.held || ball.velocity.length() < LYING_M_S;
+    let is_in = |ball: physics::BallPose| lies(&ball) && ball.center.distance(center) < saucer.circle.radius;
+    machine.balls().into_iter().any(is_in).then(|| Finding::of_part(FindingKind::KeepsItsBall, part, center))
+}
+
+/// A ball on the kickback's face is thrown.
+fn try_kickback(mut machine: Machine, part: PartId, kickback: &Kickback) -> Option<Finding> {
+    let center = kickback.tip + kickback.direction * (BALL_RADIUS_M + GAP_M);
+    machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
+    if machine.penetration_m() > 0.0 {
+        return Some(Finding::of_part(FindingKind::DoesNotKick, part, center));
+    }
+    wait(&mut machine, 100);
+    machine.tick(Controls::NONE, &[Command::Kick(part)]);
+    let thrown = farthest(&mut machine, center, 1000) > THROWN_M;
+    (!thrown).then(|| Finding::of_part(FindingKind::DoesNotKick, part, center))
+}
+
+/// A ball on the middle of the flipper is thrown away from it.
+fn try_flipper(mut machine: Machine, part: PartId, flipper: &Flipper) -> Option<Finding> {
+    let controls = match flipper.control {
+        FlipperControl::Left => Controls { left: true, ..Controls::NONE },
+        FlipperControl::Right => Controls { right: true, ..Controls::NONE },
+        FlipperControl::Rules => return None,
+    };
+    let along = trig::direction(flipper.rest_rad);
+    // The side to which the stroke goes.
+    let side = along.perp() * (flipper.up_rad - flipper.rest_rad).signum();
+    let radius = 0.5 * (flipper.base.radius + flipper.tip_radius_m);
+    let room = radius.max(flipper.base.radius) + BALL_RADIUS_M + GAP_M;
+    let center = flipper.base.center + along * (0.6 * flipper.length_m) + side * room;
+    machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
+    let free = machine.penetration_m() <= 0.0;
+    let flipped = free && {
+        let strike = |machine: &mut Machine| {
+            machine.tick(controls, &[]);
+            // A stroke that goes down the table throws nothing that lies on the flipper.
+            machine.balls().iter().any(|ball| ball.velocity.length() > FLIPPED_M_S && side.y < 0.0)
+        };
+        (0..150).any(|_| strike(&mut machine))
+    };
+    (!flipped).then(|| Finding::of_part(FindingKind::DoesNotFlip, part, center))
+}
+
+/// A ball that is shot at the part closes its switch.
+fn shoot_at(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
+    // What no ball can come to is told as such.
+    let (place, distance) = reach.nearest(shape).filter(|(_, distance)| *distance < SHOT_RANGE_M)?;
+    let closed = is_hit(&mut machine, part, (place, distance), shape, threshold_m_s);
+    (!closed).then(|| Finding::of_part(FindingKind::SwitchNeverCloses, part, place))
+}
+
+/// Shoots a ball from the place to the nearest of the part's surface; whether its switch closes.
+fn is_hit(machine: &mut Machine, part: PartId, from: (DVec2, f64), shape: &Shape, threshold_m_s: f64) -> bool {
+    let (place, normal) = (from.0, shape.distance(from.0).1);
+    let speed = SHOT_M_S.max(2.0 * threshold_m_s);
+    machine.put_ball(place, -normal * speed, [0.0; 3]);
+    let is_ours = |event: &physics::Event| event.part == Some(part) && event.kind == EventKind::Closed;
+    (0..500).any(|_| {
+        machine.tick(Controls::NONE, &[]);
+        machine.events().iter().any(is_ours)
+    })
+}
+
+/// A drop target that has fallen stands up again.
+fn try_raise(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
+    let from = reach.nearest(shape).filter(|(_, distance)| *distance < SHOT_RANGE_M)?;
+    is_hit(&mut machine, part, from, shape, threshold_m_s);
+    wait(&mut machine, 1000);
+    machine.tick(Controls::NONE, &[Command::Raise(part)]);
+    wait(&mut machine, 2000);
+    let stands = machine.pose().drop_targets.iter().any(|(own, height)| *own == part && *height > 0.9);
+    (!stands).then(|| Finding::of_part(FindingKind::DoesNotRise, part, from.0))
+}
+
+/// How far the ball comes from `start` in so many ticks, m.
+fn farthest(machine: &mut Machine, start: DVec2, ticks: u32) -> f64 {
+    let mut farthest = 0.0_f64;
+    for _ in 0..ticks {
+        machine.tick(Controls::NONE, &[]);
+        let distances = machine.balls().into_iter().map(|ball| ball.center.distance(start));
+        farthest = distances.fold(farthest, f64::max);
+    }
+    farthest
+}
+
+fn wait(machine: &mut Machine, ticks: u32) {
+    (0..ticks).for_each(|_| machine.tick(Controls::NONE, &[]));
+}

@@ -1,0 +1,174 @@
+//! A finding: one thing that only play shows, as a sentence with the part's name and line.
+
+use crate::table::FILES;
+use crate::{Failure, Table};
+use geometry::DVec2;
+use physics::{Layout, PartId};
+
+/// What only play shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FindingKind {
+    /// A ball lies still beside the part, whatever the coils do.
+    Stuck,
+    /// A ball lies still beside the part until the ball search fires every coil.
+    FreedBySearch,
+    /// A ball has left the playfield near the part.
+    Escaped,
+    /// A ball can come to the playfield's edge beside the part.
+    OpenEdge,
+    /// A ball is inside the part.
+    Overlap,
+    /// Where a ball is cannot be told: a number is not finite.
+    NotANumber,
+    /// New balls arrive inside the part.
+    FeedBlocked,
+    /// No pull of the plunger brings the ball away from it.
+    Unlaunched,
+    /// A saucer throws its ball back into itself.
+    KeepsItsBall,
+    /// A kickback does not throw the ball that lies on it.
+    DoesNotKick,
+    /// A flipper's stroke does not throw the ball that lies on it.
+    DoesNotFlip,
+    /// A drop target that was raised does not stand.
+    DoesNotRise,
+    /// A ball that is shot at the part does not close its switch.
+    SwitchNeverCloses,
+    /// No ball can come to the part from the plunger.
+    Unreachable,
+    /// No game begins when start is pressed.
+    NoGame,
+}
+
+/// One thing that only play shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finding {
+    /// What.
+    pub kind: FindingKind,
+    /// The part that it is about, or that is nearest.
+    pub part: Option<PartId>,
+    /// Where the ball was, mm.
+    pub place_mm: DVec2,
+    /// How often it was found.
+    pub count: usize,
+}
+
+impl Finding {
+    /// What was found about this part, once.
+    pub(super) fn of_part(kind: FindingKind, part: PartId, place_m: DVec2) -> Finding {
+        Finding { kind, part: Some(part), place_mm: place_m * 1000.0, count: 1 }
+    }
+
+    /// What was found with a ball at `place_m`: it is told of the nearest part.
+    pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2) -> Finding {
+        Finding { kind, part: nearest_part(layout, place_m), place_mm: place_m * 1000.0, count: 1 }
+    }
+
+    /// Whether the table can be played all the same.
+    pub fn is_warning(&self) -> bool {
+        matches!(
+            self.kind,
+            FindingKind::FreedBySearch
+                | FindingKind::SwitchNeverCloses
+                | FindingKind::Unreachable
+                | FindingKind::NoGame
+                | FindingKind::DoesNotFlip
+        )
+    }
+
+    /// The same as a sentence for a person.
+    pub fn failure(&self, table: &Table) -> Failure {
+        let Some(part) = self.part.map(|part| usize::from(part.0)) else {
+            return Failure::new(format!("{}: {}", table.file(FILES[2]), self.sentence()));
+        };
+        let name = table.layout.parts.get(part).map_or("", |part| &part.name);
+        let file = table.file(FILES[0]);
+        let place = table.part_lines.get(part).map_or(file.clone(), |line| format!("{file}:{line}"));
+        Failure::new(format!("{place}: {name}: {}", self.sentence()))
+    }
+
+    /// What was found, and what to do.
+    fn sentence(&self) -> String {
+        let DVec2 { x, y } = self.place_mm;
+        let at = format!("{x:.0}, {y:.0} mm");
+        match self.kind {
+            FindingKind::Stuck => format!(
+                "a ball lies still beside it at {at}, and the ball search does not free it{}: close the pocket, or turn \
+                 its floor so that a ball rolls out",
+                self.times()
+            ),
+            FindingKind::FreedBySearch => format!(
+                "a ball lies still beside it at {at} until the ball search fires every coil{}; let it roll out",
+                self.times()
+            ),
+            FindingKind::Escaped => {
+                format!("a ball has left the playfield near it, at {at}{}: close the way with a wall", self.times())
+            }
+            FindingKind::OpenEdge => {
+                format!("a ball can leave the playfield beside it, at {at}: close the way with a wall or a drain")
+            }
+            FindingKind::Overlap => {
+                format!("a ball at {at} is inside it{}: leave a ball, 27 mm wide, more room", self.times())
+            }
+            FindingKind::NotANumber => format!("the physics loses a ball near it{}: move it a little", self.times()),
+            FindingKind::FeedBlocked => {
+                format!(
+                    "new balls arrive inside it, at {at}: draw the plunger from the tip at rest, x1 y1, to the tip when \
+                     fully pulled, x2 y2, and leave 27 mm before it"
+                )
+            }
+            FindingKind::Unlaunched => "the ball comes back to it however far it is pulled: it is drawn from the tip at \
+                                        rest, x1 y1, to the tip when fully pulled, x2 y2; see that nothing bars the lane"
+                .to_string(),
+            FindingKind::KeepsItsBall => {
+                "the ball that it throws out falls back into it: throw it faster, or to where the way is free".to_string()
+            }
+            FindingKind::DoesNotKick => {
+                "its rod does not throw the ball that lies on it: see that the way before it is free".to_string()
+            }
+            FindingKind::DoesNotFlip => {
+                "its stroke does not throw the ball that lies on it; see its data-side and its angle, and that the way is \
+                 free"
+                .to_string()
+            }
+            FindingKind::DoesNotRise => "it does not stand up again when it is raised: leave it more room".to_string(),
+            FindingKind::SwitchNeverCloses => {
+                format!("a ball that is shot at it from {at} does not close its switch; leave its face free")
+            }
+            FindingKind::Unreachable => {
+                "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
+            }
+            FindingKind::NoGame => "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
+                                    `on_button(name)`"
+                .to_string(),
+        }
+    }
+
+    fn times(&self) -> String {
+        if self.count > 1 { format!(" ({} times)", self.count) } else { String::new() }
+    }
+}
+
+/// Findings of the same kind about the same part as one, the worst first.
+pub(super) fn merged(mut findings: Vec<Finding>) -> Vec<Finding> {
+    let key = |finding: &Finding| (finding.is_warning(), finding.kind, finding.part);
+    findings.sort_by_key(key);
+    findings.dedup_by(|next, first| {
+        let same = key(next) == key(first);
+        first.count += usize::from(same) * next.count;
+        same
+    });
+    findings
+}
+
+/// The part whose surface is nearest to a ball at `place_m`.
+fn nearest_part(layout: &Layout, place_m: DVec2) -> Option<PartId> {
+    let distance = |kind: &physics::Kind| {
+        let shapes = kind.surfaces().into_iter().chain(kind.sensor());
+        shapes.map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp)
+    };
+    let parts = layout.parts.iter().enumerate();
+    let distances = parts.filter_map(|(index, part)| Some((index, distance(&part.kind)?)));
+    let nearest = distances.min_by(|one, other| one.1.total_cmp(&other.1));
+    nearest.map(|(index, _)| PartId(index as u16))
+}

@@ -1,0 +1,67 @@
+//! A ball that is let go where one can come to: whether it comes away by itself, and stays on the playfield.
+
+use super::finding::{Finding, FindingKind};
+use geometry::DVec2;
+use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine};
+
+/// A ball that has lain still for so long is stuck, ticks.
+const STUCK_TICKS: u32 = 3000;
+/// By then the slowest has drained or is held by what may hold it.
+const MOST_TICKS: usize = 20_000;
+/// Ticks between two looks.
+const LOOK_TICKS: usize = 50;
+/// A ball no farther from a kickback's face waits for it, m.
+const KICKBACK_RANGE_M: f64 = 0.002;
+
+/// What becomes of the ball, if it is worth telling.
+pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
+    let mut machine = machine.clone();
+    machine.put_ball(place_m, DVec2::ZERO, [0.0; 3]);
+    if machine.penetration_m() > 0.0 {
+        return None; // a flipper or a drop target lies there
+    }
+    let layout = machine.layout().clone();
+    let mut freed = None;
+    for tick in 0..MOST_TICKS {
+        machine.tick(Controls::NONE, &[]);
+        if tick % LOOK_TICKS != 0 {
+            continue;
+        }
+        let balls = machine.balls();
+        let Some(ball) = balls.first() else { return freed };
+        if !(ball.center.is_finite() && ball.velocity.is_finite()) {
+            return Some(Finding::near(FindingKind::NotANumber, &layout, place_m));
+        }
+        if machine.escaped() > 0 {
+            return Some(Finding::near(FindingKind::Escaped, &layout, ball.center));
+        }
+        if machine.stuck_ticks().iter().all(|&ticks| ticks < STUCK_TICKS) {
+            continue;
+        }
+        if waits_for_kickback(&machine, ball.center) {
+            return freed;
+        }
+        if freed.is_some() {
+            return Some(Finding::near(FindingKind::Stuck, &layout, ball.center));
+        }
+        freed = Some(Finding::near(FindingKind::FreedBySearch, &layout, ball.center));
+        machine.tick(Controls::NONE, &[Command::BallSearch]);
+        for _ in 0..STUCK_TICKS {
+            machine.tick(Controls::NONE, &[]);
+        }
+    }
+    freed
+}
+
+/// Whether the ball lies on a kickback, which throws it when the rules say so.
+fn waits_for_kickback(machine: &Machine, center: DVec2) -> bool {
+    machine.layout().parts.iter().any(|part| match &part.kind {
+        Kind::Kickback(own) => {
+            let from_tip = center - own.tip;
+            let along = from_tip.dot(own.direction);
+            let aside = from_tip.dot(own.direction.perp()).abs();
+            along < BALL_RADIUS_M + KICKBACK_RANGE_M && along > 0.0 && aside < own.half_width_m + BALL_RADIUS_M
+        }
+        _ => false,
+    })
+}

@@ -1,0 +1,168 @@
+//! The playtest: what only play shows of a table. The plunger is pulled and let go, every coil is tried with a ball
+//! before it, a ball is let go wherever one can come to, and a bot plays.
+//!
+//! It is made of pieces that do not know of each other, so that its caller can run them side by side. Each gives the same
+//! findings on every machine.
+
+mod coils;
+mod finding;
+mod let_go;
+mod plunger;
+mod reach;
+#[cfg(test)]
+mod tests;
+
+pub use finding::{Finding, FindingKind};
+
+use crate::bot::Bot;
+use crate::bot::anomaly::AnomalyKind;
+use crate::bot::self_play::{self, Player, SelfPlayOptions};
+use crate::{Failure, Table, simulation};
+use geometry::{DVec2, Shape};
+use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
+use reach::Reach;
+use std::sync::Arc;
+
+/// How long the bot plays, s.
+pub const BOT_S: u32 = 60;
+
+/// A table that is being tried.
+pub struct Playtest {
+    table: Arc<Table>,
+    /// With its coils live, and no ball in play.
+    machine: Machine,
+    reach: Reach,
+    /// What the plunger's trial has found.
+    launch: Vec<Finding>,
+}
+
+/// What a bot has shown of a table.
+pub struct BotRun {
+    /// What went wrong.
+    pub findings: Vec<Finding>,
+    /// The best score.
+    pub score: i64,
+    /// What the rules complained about.
+    pub complaints: Vec<String>,
+}
+
+impl Playtest {
+    /// Tries the plunger, and finds where a ball can come to.
+    ///
+    /// # Errors
+    /// If the table's parts make no machine.
+    pub fn new(table: &Arc<Table>) -> Result<Playtest, Failure> {
+        let machine = Machine::new(Arc::new(table.layout.clone()));
+        let mut machine = machine.map_err(|error| simulation::refused(table, &error))?;
+        machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
+        let launch = plunger::try_it(&machine);
+        // Where no ball leaves the plunger, what it could come to is told from the middle of the table.
+        let feed = machine.layout().parts.iter().find_map(|part| match &part.kind {
+            Kind::Plunger(plunger) if launch.is_empty() => Some(plunger.feed),
+            _ => None,
+        });
+        let start = feed.unwrap_or(machine.layout().size_m * 0.5);
+        let reach = Reach::new(&machine, start);
+        Ok(Playtest { table: table.clone(), machine, reach, launch })
+    }
+
+    /// What the plunger's trial has found.
+    pub fn launch(&self) -> &[Finding] {
+        &self.launch
+    }
+
+    /// At most `most` places that a ball can come to, spread over all of them, m.
+    pub fn places(&self, most: usize) -> Vec<DVec2> {
+        self.reach.places(most)
+    }
+
+    /// What becomes of a ball that is let go at rest at one of [`Playtest::places`].
+    pub fn let_go(&self, place_m: DVec2) -> Option<Finding> {
+        let_go::let_go(&self.machine, place_m)
+    }
+
+    /// What each coil does with a ball before it, and which switches a ball cannot close.
+    pub fn coils(&self) -> Vec<Finding> {
+        let parts = self.machine.layout().parts.iter().enumerate();
+        let ids = parts.map(|(index, part)| (PartId(index as u16), &part.kind));
+        ids.filter_map(|(part, kind)| coils::try_it(&self.machine, &self.reach, part, kind)).collect()
+    }
+
+    /// Parts beside which a ball can leave the playfield.
+    pub fn open_edges(&self) -> Vec<Finding> {
+        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place);
+        self.merged(self.reach.open_edges().into_iter().map(near).collect())
+    }
+
+    /// Parts with a switch that no ball can come to from the plunger. Nothing is said of a table whose plunger fails.
+    pub fn unreachable(&self) -> Vec<Finding> {
+        if !self.launch.is_empty() {
+            return Vec::new();
+        }
+        let parts = self.machine.layout().parts.iter().enumerate();
+        let out_of_reach = parts.filter(|(_, part)| self.is_out_of_reach(&part.kind));
+        out_of_reach
+            .map(|(index, _)| Finding::of_part(FindingKind::Unreachable, PartId(index as u16), DVec2::ZERO))
+            .collect()
+    }
+
+    fn is_out_of_reach(&self, kind: &Kind) -> bool {
+        let mut ramps = self.machine.layout().parts.iter().filter_map(|part| reach::ramp(&part.kind));
+        match kind {
+            Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) | Kind::CaptiveBall(_) => false,
+            Kind::Ramp(ramp) => !self.reach.comes_to_ramp(ramp),
+            _ => {
+                let on_a_ramp = |shape: &Shape| {
+                    ramps.any(|ramp| {
+                        let near = |leg: &physics::Leg| shape.distance(leg.at(0.5 * leg.length())).0 < leg.length();
+                        self.reach.comes_to_ramp(ramp) && ramp.path.iter().any(near)
+                    })
+                };
+                let touched = |shape: &Shape| self.reach.comes_to(shape, BALL_RADIUS_M);
+                let shapes = touchable(kind);
+                !shapes.iter().any(touched) && !shapes.iter().any(on_a_ramp)
+            }
+        }
+    }
+
+    /// A bot's first minute.
+    ///
+    /// # Errors
+    /// If the table's rules do not run.
+    pub fn bot_run(&self) -> Result<BotRun, Failure> {
+        let longest = u64::from(BOT_S) * u64::from(TICKS_PER_SECOND);
+        let options = SelfPlayOptions { again: true, ..SelfPlayOptions::one_game(longest) };
+        let run = self_play::play(&self.table, 0, Player::Bot(Bot::new(0)), options)?;
+        let layout = self.machine.layout();
+        let findings = run.anomalies.iter().map(|anomaly| {
+            let kind = match anomaly.kind {
+                AnomalyKind::Stuck => FindingKind::Stuck,
+                AnomalyKind::Escaped => FindingKind::Escaped,
+                AnomalyKind::Overlap => FindingKind::Overlap,
+                AnomalyKind::NotANumber => FindingKind::NotANumber,
+            };
+            Finding::near(kind, layout, anomaly.center_mm * 0.001)
+        });
+        let no_game = Finding { kind: FindingKind::NoGame, part: None, place_mm: DVec2::ZERO, count: 1 };
+        let began = run.balls.iter().any(|ticks| *ticks > 0);
+        let findings = findings.chain((!began && self.launch.is_empty()).then_some(no_game)).collect();
+        Ok(BotRun { findings, score: run.score(), complaints: run.complaints })
+    }
+
+    /// All that was found, the worst first: the same about the same part once.
+    pub fn merged(&self, findings: Vec<Finding>) -> Vec<Finding> {
+        finding::merged(findings)
+    }
+}
+
+/// What of a part a ball touches.
+fn touchable(kind: &Kind) -> Vec<Shape> {
+    let bar = |segment: geometry::Segment| Shape::capsule(segment.a, segment.b, 0.0);
+    let moving = match kind {
+        Kind::Spinner(own) => Some(bar(own.segment)),
+        Kind::Gate(own) => Some(bar(own.segment)),
+        Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
+        _ => None,
+    };
+    kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()
+}

@@ -1,0 +1,51 @@
+//! The plunger's trial: a new ball arrives, the rod is pulled and let go, and the ball must come away.
+
+use super::finding::{Finding, FindingKind};
+use geometry::DVec2;
+use physics::{BALL_RADIUS_M, Command, Controls, EventKind, Kind, Machine, PartId, Plunger, TICKS_PER_SECOND};
+
+/// How far the rod is pulled, one pull after the other: a full shot may come back round a bend, a softer one does not.
+const PULLS: [f64; 4] = [1.0, 0.8, 0.6, 0.4];
+/// A new ball lies on the rod by then, ticks.
+const SETTLE_TICKS: u32 = 1500;
+/// A ball that comes back has come back by then, ticks.
+const FLIGHT_TICKS: u32 = 8000;
+/// A ball that is no farther from the feed, aside or along, has not come away, m.
+const LANE_M: f64 = 6.0 * BALL_RADIUS_M;
+
+/// What is wrong with the plunger.
+pub fn try_it(machine: &Machine) -> Vec<Finding> {
+    let parts = machine.layout().parts.iter().enumerate();
+    let plungers = parts.filter_map(|(index, part)| match &part.kind {
+        Kind::Plunger(plunger) => Some((PartId(index as u16), plunger)),
+        _ => None,
+    });
+    plungers.filter_map(|(part, plunger)| try_one(machine, part, plunger)).collect()
+}
+
+fn try_one(machine: &Machine, part: PartId, plunger: &Plunger) -> Option<Finding> {
+    if machine.depth_in_fixed_m(plunger.feed) > 0.0 {
+        return Some(Finding::near(FindingKind::FeedBlocked, machine.layout(), plunger.feed));
+    }
+    let comes_away = PULLS.iter().any(|pull| is_shot(machine.clone(), plunger, *pull));
+    (!comes_away).then(|| Finding::of_part(FindingKind::Unlaunched, part, plunger.feed))
+}
+
+/// Whether a ball that is shot with this part of a full pull comes away from the lane.
+fn is_shot(mut machine: Machine, plunger: &Plunger, pull: f64) -> bool {
+    machine.tick(Controls::NONE, &[Command::AddBall]);
+    wait(&mut machine, Controls::NONE, SETTLE_TICKS);
+    let pull_ticks = (pull * plunger.pull_s * f64::from(TICKS_PER_SECOND)).ceil() as u32;
+    wait(&mut machine, Controls { plunger: true, ..Controls::NONE }, pull_ticks);
+    let mut launched = false;
+    for _ in 0..FLIGHT_TICKS {
+        machine.tick(Controls::NONE, &[]);
+        launched |= machine.events().iter().any(|event| event.kind == EventKind::Launched);
+    }
+    let is_away = |center: DVec2| center.distance(plunger.feed) > LANE_M;
+    launched && machine.balls().iter().all(|ball| is_away(ball.center))
+}
+
+fn wait(machine: &mut Machine, controls: Controls, ticks: u32) {
+    (0..ticks).for_each(|_| machine.tick(controls, &[]));
+}

@@ -1,0 +1,235 @@
+//! Reach: where on the playfield a ball can come to.
+//!
+//! A flood over a grid, from the place where new balls arrive: a square belongs to it if there is room for a ball
+//! somewhere in it. What moves (drop targets, gates, flippers, captive balls) is never in the way, and a ramp that a ball
+//! can come to brings it to both of its ends. So nothing is called out of reach that a shot could come to.
+
+use geometry::{DVec2, Shape};
+use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
+
+/// From one square to the next, m.
+const STEP_M: f64 = 0.002;
+/// Along each side of a square so many places are tried, if there is no room in its middle.
+const TRIES: i32 = 4;
+/// No place is to the last bit above the middle of a post: a ball lies even there.
+const ASIDE_M: f64 = 3e-4;
+
+/// The squares that a ball can come to.
+pub struct Reach {
+    columns: usize,
+    /// For each square whether a ball can come there.
+    reached: Vec<bool>,
+    /// Those in whose middle there is room for a ball, in the order of the flood.
+    roomy: Vec<usize>,
+}
+
+impl Reach {
+    /// All that a ball can come to from `start`.
+    pub fn new(machine: &Machine, start: DVec2) -> Reach {
+        let size = machine.layout().size_m;
+        let columns = ((size.x / STEP_M) as usize).max(1);
+        let rows = ((size.y / STEP_M) as usize).max(1);
+        let mut reach = Reach { columns, reached: vec![false; columns * rows], roomy: Vec::new() };
+        let mut flood = Flood { machine, rooms: Rooms::new(machine), found: Vec::new() };
+        reach.flood(&mut flood, start);
+        let mut ramps: Vec<&Ramp> = machine.layout().parts.iter().filter_map(|part| ramp(&part.kind)).collect();
+        // A ramp may lead to another one.
+        while let Some(index) = ramps.iter().position(|ramp| reach.comes_to_ramp(ramp)) {
+            ends(ramps.swap_remove(index)).into_iter().for_each(|end| reach.flood(&mut flood, end));
+        }
+        reach
+    }
+
+    /// Adds what a ball can come to from `start`.
+    fn flood(&mut self, flood: &mut Flood, start: DVec2) {
+        let Some(start) = self.square_of(start) else { return };
+        self.visit(flood, start);
+        while let Some(square) = flood.found.pop() {
+            let (column, row) = (square % self.columns, square / self.columns);
+            let beside = [
+                (column > 0).then(|| square - 1),
+                (column + 1 < self.columns).then(|| square + 1),
+                (row > 0).then(|| square - self.columns),
+                (square + self.columns < self.reached.len()).then(|| square + self.columns),
+            ];
+            beside.into_iter().flatten().for_each(|near| self.visit(flood, near));
+        }
+    }
+
+    fn visit(&mut self, flood: &mut Flood, square: usize) {
+        if self.reached[square] {
+            return;
+        }
+        let room = flood.room(self.middle(square));
+        if room == Room::None {
+            return;
+        }
+        self.reached[square] = true;
+        if flood.is_lost(self.middle(square)) {
+            return; // no ball comes past a drain
+        }
+        flood.found.push(square);
+        if room == Room::Middle {
+            self.roomy.push(square);
+        }
+    }
+
+    /// Where a ball can come to the edge of the playfield: the middle of each such square, m.
+    pub fn open_edges(&self) -> Vec<DVec2> {
+        let last_row = self.reached.len() / self.columns - 1;
+        let is_edge = |square: usize| {
+            let (column, row) = (square % self.columns, square / self.columns);
+            column == 0 || row == 0 || column + 1 == self.columns || row == last_row
+        };
+        let edges = self.roomy.iter().filter(|square| is_edge(**square));
+        edges.map(|square| self.middle(*square)).collect()
+    }
+
+    fn middle(&self, square: usize) -> DVec2 {
+        DVec2::new((square % self.columns) as f64 + 0.5, (square / self.columns) as f64 + 0.5) * STEP_M + ASIDE_M
+    }
+
+    fn square_of(&self, place: DVec2) -> Option<usize> {
+        let at = place / STEP_M;
+        let inside = at.x >= 0.0 && at.y >= 0.0 && (at.x as usize) < self.columns;
+        let square = at.y as usize * self.columns + at.x as usize;
+        (inside && square < self.reached.len()).then_some(square)
+    }
+
+    /// At most `most` of the places where a ball has room, spread over all of them.
+    pub fn places(&self, most: usize) -> Vec<DVec2> {
+        let mut squares = self.roomy.clone();
+        squares.sort_unstable();
+        let stride = squares.len().div_ceil(most.max(1)).max(1);
+        squares.into_iter().step_by(stride).map(|square| self.middle(square)).collect()
+    }
+
+    /// The reached place that is nearest to the surface of `shape` and has room for a ball, and how far it is from it.
+    pub fn nearest(&self, shape: &Shape) -> Option<(DVec2, f64)> {
+        let places = self.roomy.iter().map(|square| self.middle(*square));
+        let distances = places.map(|place| (place, shape.distance(place).0));
+        distances.min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// Whether the centre of a ball can come as near as `reach_m` to `shape`.
+    pub fn comes_to(&self, shape: &Shape, reach_m: f64) -> bool {
+        let grown = shape.bounds().grown(reach_m + STEP_M);
+        let corner = |place: DVec2| (place / STEP_M).max(DVec2::ZERO);
+        let (first, last) = (corner(grown.min), corner(grown.max));
+        let rows = self.reached.len() / self.columns;
+        let columns = first.x as usize..(last.x as usize + 1).min(self.columns);
+        let mut squares = (first.y as usize..(last.y as usize + 1).min(rows))
+            .flat_map(|row| columns.clone().map(move |column| row * self.columns + column));
+        squares.any(|square| self.reached[square] && shape.distance(self.middle(square)).0 <= reach_m + STEP_M)
+    }
+
+    /// Whether a ball can come into one of the ramp's ends.
+    pub fn comes_to_ramp(&self, ramp: &Ramp) -> bool {
+        ends(ramp).into_iter().any(|end| self.comes_to(&Shape::disc(end, ramp.half_width_m), 0.0))
+    }
+}
+
+/// The ramp that this kind is, if it is one.
+pub fn ramp(kind: &Kind) -> Option<&Ramp> {
+    match kind {
+        Kind::Ramp(ramp) => Some(ramp),
+        _ => None,
+    }
+}
+
+/// Places just outside of the ramp's two ends.
+fn ends(ramp: &Ramp) -> Vec<DVec2> {
+    let first = ramp.path.first().map(|leg| leg.at(0.0) - leg.direction_at(0.0) * BALL_RADIUS_M);
+    let last = ramp.path.last().map(|leg| {
+        let length = leg.length();
+        leg.at(length) + leg.direction_at(length) * BALL_RADIUS_M
+    });
+    first.into_iter().chain(last).collect()
+}
+
+/// How much room there is for a ball in a square.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Room {
+    None,
+    /// Somewhere in it.
+    Some,
+    /// In its middle.
+    Middle,
+}
+
+/// A flood on its way.
+struct Flood<'a> {
+    machine: &'a Machine,
+    rooms: Rooms,
+    /// Squares whose neighbours have not been looked at.
+    found: Vec<usize>,
+}
+
+impl Flood<'_> {
+    /// Whether the centre of a ball there is in a drain.
+    fn is_lost(&self, center: DVec2) -> bool {
+        let drains = self.machine.layout().parts.iter().filter_map(|part| match &part.kind {
+            Kind::Drain(drain) => Some(&drain.shape),
+            _ => None,
+        });
+        drains.into_iter().any(|shape| shape.distance(center).0 <= 0.0)
+    }
+
+    fn room(&self, middle: DVec2) -> Room {
+        let depth = |place: DVec2| {
+            if self.rooms.has(place) { self.machine.depth_in_fixed_m(place) } else { f64::INFINITY }
+        };
+        let at = depth(middle);
+        if at < 0.0 {
+            return Room::Middle;
+        }
+        // No place of the square is farther from its middle.
+        if at > STEP_M {
+            return Room::None;
+        }
+        let along = |step: i32| ((f64::from(step) + 0.5) / f64::from(TRIES) - 0.5) * STEP_M;
+        let mut tries = (0..TRIES * TRIES).map(|at| middle + DVec2::new(along(at % TRIES), along(at / TRIES)));
+        if tries.any(|place| depth(place) < 0.0) { Room::Some } else { Room::None }
+    }
+}
+
+/// Where there is no playfield for a ball: beyond its edges, and behind the faces of rods.
+struct Rooms {
+    size_m: DVec2,
+    rods: Vec<Rod>,
+}
+
+/// The face of a plunger or a kickback.
+struct Rod {
+    tip: DVec2,
+    direction: DVec2,
+    half_width_m: f64,
+    stroke_m: f64,
+}
+
+impl Rooms {
+    fn new(machine: &Machine) -> Rooms {
+        let rod = |kind: &Kind| match kind {
+            Kind::Plunger(own) => Some((own.tip, own.direction, own.half_width_m, own.stroke_m)),
+            Kind::Kickback(own) => Some((own.tip, own.direction, own.half_width_m, own.stroke_m)),
+            _ => None,
+        };
+        let rods = machine.layout().parts.iter().filter_map(|part| rod(&part.kind));
+        let rods = rods.map(|(tip, direction, half_width_m, stroke_m)| Rod { tip, direction, half_width_m, stroke_m });
+        Rooms { size_m: machine.layout().size_m, rods: rods.collect() }
+    }
+
+    fn has(&self, center: DVec2) -> bool {
+        let on = center.cmpge(DVec2::ZERO).all() && center.cmple(self.size_m).all();
+        on && !self.rods.iter().any(|rod| rod.has_behind_it(center))
+    }
+}
+
+impl Rod {
+    /// Whether a ball there would be in the rod's face, or behind it.
+    fn has_behind_it(&self, center: DVec2) -> bool {
+        let from_tip = center - self.tip;
+        let (along, aside) = (from_tip.dot(self.direction), from_tip.dot(self.direction.perp()).abs());
+        aside < self.half_width_m + BALL_RADIUS_M && along < BALL_RADIUS_M && along > -self.stroke_m - BALL_RADIUS_M
+    }
+}

@@ -1,0 +1,140 @@
+//! What the playtest finds on small tables with one fault each, and that Spectrum has none.
+
+use super::{FindingKind, Playtest};
+use crate::Table;
+use crate::table::tests::{spectrum, with_rules};
+use geometry::DVec2;
+use std::sync::Arc;
+
+/// Walls round the small table: a lane for the plunger, a bend at its top, and ways down to the drain.
+const WALLS: &str = r#"<path class="wall" id="frame" d="M10 1000V10H500V1000" fill="none" stroke-width="8"/>
+<path class="wall" id="lane" d="M460 200V970H500" fill="none" stroke-width="4"/>
+<path class="wall" id="bend" d="M500 90L420 10" fill="none" stroke-width="6"/>
+<path class="wall" id="ways" d="M10 860L100 985M460 860L400 985" fill="none" stroke-width="6"/>"#;
+
+fn playtest(drawn: &str) -> Playtest {
+    playtest_of(with_rules(&format!("{WALLS}\n{drawn}"), ""))
+}
+
+fn playtest_of(table: Table) -> Playtest {
+    Playtest::new(&Arc::new(table)).unwrap()
+}
+
+/// What is told of 400 balls.
+fn let_go(playtest: &Playtest) -> Vec<String> {
+    let findings = playtest.places(400).into_iter().filter_map(|place| playtest.let_go(place)).collect();
+    sentences(playtest, playtest.merged(findings))
+}
+
+fn sentences(playtest: &Playtest, findings: Vec<super::Finding>) -> Vec<String> {
+    findings.iter().map(|finding| finding.failure(&playtest.table).to_string()).collect()
+}
+
+#[test]
+fn a_table_without_faults_has_no_findings() {
+    let playtest = playtest(r#"<circle class="bumper" id="pop" cx="200" cy="400" r="30"/>"#);
+    assert_eq!(playtest.launch(), []);
+    assert_eq!(playtest.coils(), []);
+    assert_eq!(playtest.unreachable(), []);
+    assert_eq!(playtest.open_edges(), []);
+    assert_eq!(let_go(&playtest), Vec::<String>::new());
+}
+
+/// A plunger drawn from its handle to its tip shot every ball into the floor of its lane: the table could not be played,
+/// and was called good.
+#[test]
+fn a_plunger_that_points_down_is_told() {
+    let svg = include_str!("tests/plunger_upside_down.svg");
+    let playtest = playtest_of(crate::table::tests::read_svg(svg));
+    let told = sentences(&playtest, playtest.launch().to_vec());
+    assert_eq!(told.len(), 1);
+    let expected =
+        "table.svg:5: wall#2: new balls arrive inside it, at 484, 1022 mm: draw the plunger from the tip at rest";
+    assert!(told[0].starts_with(expected), "{told:?}");
+    assert_eq!(playtest.unreachable(), [], "that is a consequence");
+}
+
+#[test]
+fn a_lane_that_leads_straight_up_gives_the_ball_back() {
+    let straight = WALLS.replace("M500 90L420 10", "M460 200V10");
+    let playtest = playtest_of(with_rules(&straight, ""));
+    assert_eq!(playtest.launch()[0].kind, FindingKind::Unlaunched);
+}
+
+#[test]
+fn a_feed_inside_a_wall_is_told_with_the_wall() {
+    let playtest = playtest(r#"<circle class="post" id="stud" cx="490" cy="880" r="6"/>"#);
+    let told = sentences(&playtest, playtest.launch().to_vec());
+    assert!(told[0].starts_with("table.svg:9: stud: new balls arrive inside it, at 480, 885 mm: draw"), "{told:?}");
+}
+
+#[test]
+fn a_pocket_is_told_with_its_wall_and_how_many_balls_it_has_caught() {
+    let playtest =
+        playtest(r#"<path class="wall" id="cup" d="M150 300L230 360L310 300" fill="none" stroke-width="4"/>"#);
+    let told = let_go(&playtest);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].starts_with("table.svg:9: cup: a ball lies still beside it at 230, 34"), "{told:?}");
+    assert!(told[0].contains(" times): close the pocket"), "{told:?}");
+}
+
+#[test]
+fn a_gap_in_the_frame_is_told_with_the_wall_beside_it() {
+    let gap = WALLS.replace("M10 1000V10H500V1000", "M10 1000V500M10 420V10H500V1000");
+    let playtest = playtest_of(with_rules(&gap, ""));
+    let told = sentences(&playtest, playtest.open_edges());
+    assert!(told[0].starts_with("table.svg:5: frame: a ball can leave the playfield beside it, at 1, 4"), "{told:?}");
+    assert_eq!(told.len(), 1);
+}
+
+#[test]
+fn a_way_is_a_way_if_a_ball_fits_through() {
+    let target = |width: f64| {
+        let (left, right) = (300.0 - 0.5 * width - 2.0, 300.0 + 0.5 * width + 2.0);
+        let drawn = format!(
+            r#"<line class="target" id="hidden" x1="280" y1="300" x2="320" y2="300"/>
+<path class="wall" d="M{left} 400H240V280H360V400H{right}" fill="none" stroke-width="4" stroke-linecap="butt"/>"#
+        );
+        playtest(&drawn).unreachable().iter().map(|finding| finding.kind).collect::<Vec<_>>()
+    };
+    assert_eq!(target(26.9), [FindingKind::Unreachable]);
+    assert_eq!(target(27.5), []);
+}
+
+#[test]
+fn a_saucer_in_a_box_keeps_its_ball() {
+    let saucer =
+        r#"<circle class="saucer" id="hole" cx="200" cy="300" r="15" data-eject-deg="90" data-eject-m-s="1"/>"#;
+    let walls = r#"<path class="wall" d="M182 282H218V318H182Z" fill="none" stroke-width="4"/>"#;
+    let kinds = |drawn: &str| playtest(drawn).coils().iter().map(|finding| finding.kind).collect::<Vec<_>>();
+    assert_eq!(kinds(saucer), []);
+    assert_eq!(kinds(&format!("{saucer}{walls}")), [FindingKind::KeepsItsBall]);
+}
+
+#[test]
+fn a_flipper_below_a_roof_is_told() {
+    let flipper =
+        r#"<line class="flipper" id="odd" x1="200" y1="600" x2="260" y2="600" data-side="left" data-up-deg="50"/>"#;
+    let roof = r#"<path class="wall" d="M170 560H290V580H170Z"/>"#;
+    let kinds = |drawn: &str| playtest(drawn).coils().iter().map(|finding| finding.kind).collect::<Vec<_>>();
+    assert_eq!(kinds(flipper), []);
+    assert_eq!(kinds(&format!("{flipper}{roof}")), [FindingKind::DoesNotFlip]);
+}
+
+#[test]
+fn spectrum_has_no_findings() {
+    let playtest = playtest_of(spectrum());
+    assert_eq!(sentences(&playtest, playtest.launch().to_vec()), Vec::<String>::new());
+    assert_eq!(sentences(&playtest, playtest.coils()), Vec::<String>::new());
+    assert_eq!(sentences(&playtest, playtest.unreachable()), Vec::<String>::new());
+    assert_eq!(sentences(&playtest, playtest.open_edges()), Vec::<String>::new());
+    assert!(playtest.places(usize::MAX).len() > 50_000);
+    let near = DVec2::new(0.25, 0.9);
+    assert!(playtest.places(300).iter().any(|place| place.distance(near) < 0.05), "spread over all of it");
+}
+
+#[test]
+fn a_game_that_never_begins_is_told() {
+    let run = playtest("").bot_run().unwrap();
+    assert_eq!(run.findings.iter().map(|finding| finding.kind).collect::<Vec<_>>(), [FindingKind::NoGame]);
+}
