@@ -49,7 +49,8 @@ impl Drop for Folder {
     }
 }
 
-const SIMULATE: [&str; 6] = ["simulate", "--games", "1", "--minutes", "0.1", "--table"];
+/// One that presses the flippers' buttons at random, as the bot does only where the ball comes to them.
+const SIMULATE: [&str; 8] = ["simulate", "--games", "1", "--minutes", "0.2", "--player", "random", "--table"];
 
 /// Both said nothing and ended with 0, because the script only went wrong when a ball was fed and shot.
 #[test]
@@ -67,13 +68,44 @@ fn rules_that_do_not_end_in_play_end_check_and_simulate_with_1() {
     assert!(complained.contains("went wrong; --save-failures DIR keeps"), "{complained}");
 }
 
+/// What an endless script is told.
+const ENDLESS: &str = "this does not come to an end (the rules may take ";
+
+/// A script ends with a sentence for its line in `check` and in `simulate`, and with nothing else.
+fn ends_at_once(name: &str, rules: &str, line: usize, what: &str) {
+    let folder = Folder::new(name, rules);
+    let place = format!("rules.rhai:{line}: {what}");
+    let (code, said, complained) = folder.run(&["check"]);
+    assert_eq!((code, said.as_str(), complained.lines().count()), (Some(1), "", 1), "{complained}");
+    assert!(complained.contains(&place), "{complained}");
+    let (code, said, complained) = folder.run(&SIMULATE);
+    assert_eq!((code, complained.lines().count()), (Some(1), 1), "{complained}");
+    assert!(format!("{said}{complained}").contains(&place), "{said}{complained}");
+}
+
+/// A press of the left flipper took ten seconds: what `map` does to 4096 items was one operation.
+#[test]
+fn a_map_without_end_behind_a_button_ends_at_once() {
+    let rules = r#"fn on_button(n) {
+  if n == "start" && !playing() { start_game(3); flippers(true); add_ball(); }
+  if n == "left" { let a = []; a.pad(4096, 1); loop { a.map(|x| x); } }
+}
+fn on_switch(n) { if n == "drain" && balls_in_play() == 0 { if next_player() { add_ball(); } else { game_over(); } } }
+"#;
+    ends_at_once("map", rules, 3, ENDLESS);
+}
+
+/// Switching on took a minute and a half: so did what `dedup` and `index_of` compare.
+#[test]
+fn a_search_without_end_at_the_start_ends_at_once() {
+    let start = "fn on_start() { let a = []; for i in 0..4096 { a.push(i); } loop { a.dedup(); a.index_of(-1); } }";
+    ends_at_once("dedup", &format!("{start}\n{GAME}"), 1, ENDLESS);
+}
+
 /// The sort of Rust's library panics when comparisons contradict each other, and the panic was printed.
 #[test]
 fn a_sort_by_chance_prints_no_panic() {
     let sort = "let a = []; for i in 0..200 { a.push(random(100)); } a.sort(|x, y| random(3) - 1); score(1);";
-    let folder = Folder::new("sort", &format!("{GAME}fn on_launch() {{ {sort} }}\n"));
-    for words in [&["check"][..], &SIMULATE] {
-        let (code, _, complained) = folder.run(words);
-        assert_eq!((code, complained.as_str()), (Some(0), ""), "{words:?}");
-    }
+    let rules = format!("{GAME}fn on_launch() {{ {sort} }}\n");
+    ends_at_once("sort", &rules, 3, "sort's function contradicts itself: ");
 }

@@ -51,6 +51,8 @@ pub struct Rules {
     program: Arc<Program>,
     state: State,
     complaints: Vec<String>,
+    /// The steps that the last tick has taken: nothing depends on them.
+    steps: u64,
 }
 
 /// Everything of the rules that can change what happens next.
@@ -71,6 +73,11 @@ impl State {
     #[cfg(test)]
     pub(crate) fn memory(&self) -> &Value {
         self.memory.value()
+    }
+
+    /// What the script's calls have worked too much.
+    pub fn work(&self) -> Work {
+        self.work
     }
 
     /// Adds what serializing the state would add, in less time.
@@ -108,7 +115,7 @@ impl Rules {
             search: BallSearch::default(),
             work: Work::default(),
         };
-        let mut rules = Rules { program, state, complaints: Vec::new() };
+        let mut rules = Rules { program, state, complaints: Vec::new(), steps: 0 };
         rules.call(Happening { call: "on_start", name: None }, lamps, 0);
         rules.state.work.end_tick();
         match rules.complaints.is_empty() {
@@ -119,7 +126,7 @@ impl Rules {
 
     /// The rules that go on from this state.
     pub fn restored(program: Arc<Program>, state: State) -> Rules {
-        Rules { program, state, complaints: Vec::new() }
+        Rules { program, state, complaints: Vec::new(), steps: 0 }
     }
 
     /// The compiled script, for another simulation of the same table.
@@ -137,6 +144,11 @@ impl Rules {
         &self.state.script
     }
 
+    /// The steps that the last tick has taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// What the rules want the machine to do in the next tick.
     pub fn take_commands(&mut self) -> Vec<Command> {
         std::mem::take(&mut self.state.script.commands)
@@ -150,6 +162,7 @@ impl Rules {
     /// One millisecond: buttons first, then what happened on the playfield, then timers, then the ball search.
     pub fn tick(&mut self, input: &TickInput<impl Fn() -> Vec<BallPose>>, lamps: &mut LampController) {
         self.state.script.now = input.now;
+        self.steps = 0;
         for (call, name) in switches::button_edges(input.before, input.buttons) {
             self.notify(call, Some(name), lamps, input);
         }
@@ -190,6 +203,7 @@ impl Rules {
         let mut meter = Meter::new(work.allowed());
         let answer = self.program.call(happening, memory, script, lamps, &mut meter);
         work.add(meter.spent());
+        self.steps += meter.spent();
         if let Err(complaint) = answer {
             self.complain(complaint);
         }

@@ -4,7 +4,7 @@ use super::Row;
 use super::clock::time_ms;
 use crate::lamps::LampController;
 use crate::rules::{Program, Rules, TickInput, Work};
-use crate::storage::tables;
+use crate::storage::{assets, recordings, tables};
 use crate::{Buttons, Failure};
 use std::sync::Arc;
 
@@ -36,16 +36,16 @@ const LOOPS: [(&str, &str, &str); 21] = [
     ("a text gone through", "let t = \"\"; t.pad(4096, \"ab\");", "for c in t {}"),
     ("a text written", "let t = 0;", "t = `${[1, 2, 3]} and ${true}`;"),
     ("all lamps set", "", "lamp(\"*\", \"on\");"),
-    ("an unknown lamp", "", "try { lamp(\"no-such-lamp-as-this\", \"on\"); } catch {}"),
+    ("an unknown lamp", "let name = \"no-such-lamp-as-this\";", "try { lamp(name, \"on\"); } catch {}"),
     ("timers", "for i in 0..200 { after(9999, `timer number ${i}`); }", "running(\"timer number x\");"),
 ];
 
-/// Plays each script for a second.
+/// The most steps that a tick of the demos takes, and what plays each script for a second.
 ///
 /// # Errors
 /// If Spectrum cannot be read, or a script is not as this file means it.
 pub fn rows() -> Result<Vec<Row>, Failure> {
-    let mut rows = Vec::new();
+    let mut rows = vec![demos()?];
     let mut table = tables::load("spectrum").map_err(Failure::of_many)?;
     for (name, before, again) in LOOPS {
         let on_button = format!("fn on_button(name) {{ {before} loop {{ {again} }} }}");
@@ -60,6 +60,30 @@ pub fn rows() -> Result<Vec<Row>, Failure> {
         rows.push(Row { bench: "rules", variant, threads: 1, ms, ..Row::default() });
     }
     Ok(rows)
+}
+
+/// The demos: how much of what a tick has their rules need.
+fn demos() -> Result<Row, Failure> {
+    let (mut most, mut owed) = (0, 0);
+    let mut ticks = 0;
+    let mut simulations = Vec::new();
+    for path in assets::demos()? {
+        let recording = recordings::read(&path)?;
+        let simulation = recordings::start(&recording).map_err(|failure| failure.in_file(path.display()))?;
+        simulations.push((recording, simulation));
+    }
+    let ms = time_ms(|| {
+        for (recording, simulation) in &mut simulations {
+            for tick in 0..recording.ticks() {
+                simulation.tick(recording.buttons(tick));
+                most = most.max(simulation.rule_steps());
+                owed = owed.max(simulation.rule_debt());
+            }
+            ticks += recording.ticks();
+        }
+    });
+    let variant = format!("the demos, a tick: at most {most} steps, {owed} owed of {}", Work::most(0));
+    Ok(Row { bench: "rules", variant, threads: 1, ms: ms / ticks as f64, ..Row::default() })
 }
 
 /// A tick in which the left button goes down or up.
