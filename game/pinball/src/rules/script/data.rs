@@ -45,9 +45,21 @@ pub struct Range {
     pub end: i64,
     /// From one to the next; not 0.
     pub step: i64,
+    /// It was written with its last number: `first..=last`.
+    pub inclusive: bool,
 }
 
 impl Range {
+    /// `first..end`.
+    pub fn exclusive(first: i64, end: i64) -> Range {
+        Range { first, end, step: 1, inclusive: false }
+    }
+
+    /// `first..=last`.
+    pub fn inclusive(first: i64, last: i64) -> Range {
+        Range { first, end: last.saturating_add(1), step: 1, inclusive: true }
+    }
+
     /// Whether it has this number.
     pub fn contains(&self, number: i64) -> bool {
         let inside = if self.step > 0 { (self.first..self.end).contains(&number) } else { false };
@@ -87,6 +99,7 @@ impl Data {
             Data::Text(_) => "string",
             Data::List(_) => "array",
             Data::Map(_) => "map",
+            Data::Range(Range { inclusive: true, .. }) => "range=",
             Data::Range(_) => "range",
             Data::Function(_) => "Fn",
         }

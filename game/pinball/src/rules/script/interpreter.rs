@@ -273,7 +273,7 @@ impl Interpreter<'_> {
     }
 
     fn attempt(&mut self, parts: &Try, frame: &mut Frame) -> Answer {
-        match self.eval(&parts.body, frame) {
+        let answer = match self.eval(&parts.body, frame) {
             Err(Stop::Failed(failed)) if failed.kind == FailureKind::Catchable => {
                 if let Some(slot) = parts.variable {
                     frame.locals[usize::from(slot)] = failed.what;
@@ -281,7 +281,9 @@ impl Interpreter<'_> {
                 self.eval(&parts.handler, frame)
             }
             answer => answer,
-        }
+        };
+        // Whichever of the two it was: its value is nothing.
+        answer.map(|_| Data::Unit)
     }
 
     /// Calls a function of the script.

@@ -6,6 +6,7 @@ use super::node::Operator;
 use super::stop::{Answer, Stop, fail};
 use super::text;
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// Left and right as one.
 ///
@@ -16,11 +17,20 @@ pub fn apply(operator: Operator, left: Data, right: Data, meter: &mut Meter) -> 
         Operator::Equal => Ok(Data::Bool(left.same(&right, meter)?)),
         Operator::NotEqual => Ok(Data::Bool(!left.same(&right, meter)?)),
         Operator::Less | Operator::LessOrEqual | Operator::Greater | Operator::GreaterOrEqual => {
-            Ok(Data::Bool(left.order(&right, meter)?.is_some_and(|order| holds(operator, order))))
+            match left.order(&right, meter)? {
+                Some(order) => Ok(Data::Bool(holds(operator, order))),
+                // Values of two types are neither, nor is nothing; those of one type that has no order cannot be asked.
+                None if left.type_name() != right.type_name() => Ok(Data::Bool(false)),
+                None if matches!(left, Data::Unit) => Ok(Data::Bool(false)),
+                None => Err(unfit(operator, &left, &right)),
+            }
         }
         _ => match (left, right) {
             (Data::Int(left), Data::Int(right)) => number(operator, left, right),
             (Data::Bool(left), Data::Bool(right)) => flag(operator, left, right),
+            (Data::Int(first), Data::Unit) if is_range(operator) => number(operator, first, i64::MAX),
+            (Data::Unit, Data::Int(end)) if is_range(operator) => number(operator, 0, end),
+            (Data::Text(whole), Data::Text(part)) if operator == Operator::Subtract => without(whole, &part, meter),
             (left, right) if operator == Operator::Add => joined(left, right, meter),
             (left, right) => Err(unfit(operator, &left, &right)),
         },
@@ -75,6 +85,10 @@ pub fn negative(value: &Data) -> Answer {
     }
 }
 
+fn is_range(operator: Operator) -> bool {
+    matches!(operator, Operator::Range | Operator::InclusiveRange)
+}
+
 fn holds(operator: Operator, order: Ordering) -> bool {
     match operator {
         Operator::Less => order.is_lt(),
@@ -94,18 +108,26 @@ fn number(operator: Operator, left: i64, right: i64) -> Answer {
         Operator::Divide => left.checked_div(right),
         Operator::Remainder => left.checked_rem(right),
         Operator::Power => u32::try_from(right).ok().and_then(|power| left.checked_pow(power)),
-        Operator::ShiftLeft => u32::try_from(right).ok().and_then(|bits| left.checked_shl(bits)),
-        Operator::ShiftRight => u32::try_from(right).ok().and_then(|bits| left.checked_shr(bits)),
+        Operator::ShiftLeft => Some(shifted(left, right)),
+        Operator::ShiftRight => Some(shifted(left, right.saturating_neg())),
         Operator::BitAnd => Some(left & right),
         Operator::BitOr => Some(left | right),
         Operator::BitXor => Some(left ^ right),
-        Operator::Range => return Ok(Data::Range(Range { first: left, end: right, step: 1 })),
-        Operator::InclusiveRange => {
-            return Ok(Data::Range(Range { first: left, end: right.saturating_add(1), step: 1 }));
-        }
+        Operator::Range => return Ok(Data::Range(Range::exclusive(left, right))),
+        Operator::InclusiveRange => return Ok(Data::Range(Range::inclusive(left, right))),
         _ => None,
     };
     value.map(Data::Int).ok_or_else(|| fail(format!("{left} {} {right} is no whole number of 64 bits", sign(operator))))
+}
+
+/// Shifted to the left, or (by a number below 0) to the right; what goes over the edge is gone.
+fn shifted(number: i64, left: i64) -> i64 {
+    match u32::try_from(left.unsigned_abs()) {
+        Ok(bits) if left >= 0 => number.checked_shl(bits).unwrap_or(0),
+        Ok(bits) => number >> bits.min(i64::BITS - 1),
+        Err(_) if left >= 0 => 0,
+        Err(_) => number >> (i64::BITS - 1),
+    }
 }
 
 fn flag(operator: Operator, left: bool, right: bool) -> Answer {
@@ -137,6 +159,14 @@ fn joined(left: Data, right: Data, meter: &mut Meter) -> Answer {
         }
         (left, right) => Err(unfit(Operator::Add, &left, &right)),
     }
+}
+
+/// `-` of two texts: the first without the second, wherever it stands.
+fn without(whole: Arc<str>, part: &str, meter: &mut Meter) -> Answer {
+    if part.is_empty() {
+        return Ok(Data::Text(whole));
+    }
+    Ok(Data::Text(super::library::replaced(&whole, part, "", meter)?))
 }
 
 fn unfit(operator: Operator, left: &Data, right: &Data) -> Stop {

@@ -112,6 +112,13 @@ fn name<'a>(key: &'a Key, meter: &mut Meter) -> Result<&'a Arc<str>, Stop> {
     Ok(name)
 }
 
+/// The position from which a function goes on: from the front, or (below 0) from the back; the length where that is past
+/// the end.
+pub fn offset(start: i64, length: usize) -> usize {
+    let from_end = usize::try_from(start.unsigned_abs()).unwrap_or(usize::MAX).min(length);
+    if start < 0 { length - from_end } else { from_end }
+}
+
 /// The position of an index from the front, or (below 0) from the back.
 ///
 /// # Errors

@@ -179,7 +179,8 @@ impl<'a> Reader<'a> {
 
     fn switch(&mut self, subject: &Expr, parts: &SwitchCasesCollection) -> Reading<Switch> {
         let mut found: Vec<(usize, Pattern)> = Vec::new();
-        for case in parts.cases.values() {
+        // Rhai's parser puts ranges here too, but they are looked up among the ranges.
+        for case in parts.cases.values().filter(|case| !is_range(&case.value)) {
             let value = constant(&case.value, subject.start_position())?;
             for block in &case.blocks {
                 found.push((*block, Pattern::Value(copy(&value))));
@@ -253,7 +254,8 @@ fn constant(value: &rhai::Dynamic, position: Position) -> Reading<Data> {
     } else if value.is_string() || value.is_char() {
         Ok(Data::text(value.to_string()))
     } else {
-        let what = format!("a case is a number, a range of numbers, a text, true, false or (), not a {}", value.type_name());
+        let what =
+            format!("a case is a number, a range of numbers, a text, true, false or (), not a {}", value.type_name());
         Err(mistake(position, what))
     }
 }
@@ -268,11 +270,13 @@ fn copy(value: &Data) -> Data {
     }
 }
 
+fn is_range(value: &rhai::Dynamic) -> bool {
+    value.is::<std::ops::Range<i64>>() || value.is::<std::ops::RangeInclusive<i64>>()
+}
+
 fn numbers(range: &RangeCase) -> Range {
     match range {
-        RangeCase::ExclusiveInt(range, _) => Range { first: range.start, end: range.end, step: 1 },
-        RangeCase::InclusiveInt(range, _) => {
-            Range { first: *range.start(), end: range.end().saturating_add(1), step: 1 }
-        }
+        RangeCase::ExclusiveInt(range, _) => Range::exclusive(range.start, range.end),
+        RangeCase::InclusiveInt(range, _) => Range::inclusive(*range.start(), *range.end()),
     }
 }

@@ -39,7 +39,10 @@ fn run(text: &str) -> Result<String, (u32, String)> {
     script.call(number, Vec::new(), &mut this, &mut context(), &mut meter).map_err(told)?;
     let Data::Map(entries) = this else { panic!("a map") };
     let mut out = String::new();
-    super::text::write(entries.get("out").unwrap_or(&Data::Unit), &mut out, &mut meter).expect("a short text");
+    match entries.get("out") {
+        None | Some(Data::Unit) => out.push_str("()"),
+        Some(value) => super::text::write(value, &mut out, &mut meter).expect("a short text"),
+    }
     Ok(out)
 }
 

@@ -12,6 +12,8 @@ use std::fmt::Write as _;
 pub fn write(value: &Data, text: &mut String, meter: &mut Meter) -> Result<(), Stop> {
     match value {
         Data::Text(part) => append(text, part, meter),
+        // Nothing by itself is nothing to read.
+        Data::Unit => Ok(()),
         other => write_quoted(other, text, meter),
     }
 }
@@ -23,11 +25,7 @@ fn write_quoted(value: &Data, text: &mut String, meter: &mut Meter) -> Result<()
         Data::Unit => append(text, "()", meter),
         Data::Bool(flag) => append(text, if *flag { "true" } else { "false" }, meter),
         Data::Int(number) => append(text, &number.to_string(), meter),
-        Data::Text(part) => {
-            append(text, "\"", meter)?;
-            append(text, part, meter)?;
-            append(text, "\"", meter)
-        }
+        Data::Text(part) => append_quoted(text, part, meter),
         Data::List(items) => {
             append(text, "[", meter)?;
             for (index, item) in items.iter().enumerate() {
@@ -39,16 +37,26 @@ fn write_quoted(value: &Data, text: &mut String, meter: &mut Meter) -> Result<()
         Data::Map(entries) => {
             append(text, "#{", meter)?;
             for (index, (key, value)) in entries.iter().enumerate() {
-                append(text, if index == 0 { "\"" } else { ", \"" }, meter)?;
-                append(text, key, meter)?;
-                append(text, "\": ", meter)?;
+                append(text, if index == 0 { "" } else { ", " }, meter)?;
+                append_quoted(text, key, meter)?;
+                append(text, ": ", meter)?;
                 write_quoted(value, text, meter)?;
             }
             append(text, "}", meter)
         }
+        Data::Range(range) if range.inclusive => {
+            append(text, &format!("{}..={}", range.first, range.end.saturating_sub(1)), meter)
+        }
         Data::Range(range) => append(text, &format!("{}..{}", range.first, range.end), meter),
         Data::Function(_) => append(text, "Fn", meter),
     }
+}
+
+/// Appends a text in quotes, with what cannot stand in them behind a backslash.
+fn append_quoted(text: &mut String, part: &str, meter: &mut Meter) -> Result<(), Stop> {
+    // Letter by letter: slower than a copy.
+    meter.values(part.len() / 4)?;
+    append(text, &format!("{part:?}"), meter)
 }
 
 /// Appends a text, if there is room for it.

@@ -3,7 +3,7 @@
 use super::{Function, change, read, unfit};
 use crate::rules::script::data::Data;
 use crate::rules::script::meter::{self, Meter};
-use crate::rules::script::place::position;
+use crate::rules::script::place::{offset, position};
 use crate::rules::script::stop::{Answer, Stop, fail};
 
 pub static FUNCTIONS: [Function; 11] = [
@@ -26,8 +26,7 @@ pub static FUNCTIONS: [Function; 11] = [
         let Data::Int(index) = arguments.remove(0) else { return Err(fail("insert takes a position and a value")) };
         meter::check_items(items.len() + 1)?;
         moved(items.len(), interpreter.meter)?;
-        let place = if index < 0 { index.saturating_add(items.len() as i64) } else { index };
-        items.insert(usize::try_from(place).unwrap_or(0).min(items.len()), arguments.remove(0));
+        items.insert(offset(index, items.len()), arguments.remove(0));
         Ok(Data::Unit)
     }),
     change("pop", 0, 0, |_, subject, arguments| Ok(of("pop", subject, &arguments)?.pop().unwrap_or_default())),
@@ -62,10 +61,12 @@ pub static FUNCTIONS: [Function; 11] = [
         }
         (other, arguments) => Err(unfit("extract", other, arguments)),
     }),
-    change("sort", 0, 1, |interpreter, subject, arguments| {
-        let items = of("sort", subject, &arguments)?;
-        super::list_order::sort(interpreter, items, arguments.first())?;
-        Ok(Data::Unit)
+    change("sort", 0, 1, |interpreter, subject, arguments| match (subject, arguments.as_slice()) {
+        (Data::List(items), [] | [Data::Function(_)]) => {
+            super::list_order::sort(interpreter, items, arguments.first())?;
+            Ok(Data::Unit)
+        }
+        (other, arguments) => Err(unfit("sort", other, arguments)),
     }),
 ];
 
@@ -125,10 +126,9 @@ fn pad(interpreter: &mut crate::rules::script::Interpreter, subject: &mut Data, 
 
 /// Copies of so many items from this one on; below 0 it is counted from the end.
 fn extract(items: &[Data], first: i64, length: i64, meter: &mut Meter) -> Answer {
-    let count = items.len() as i64;
-    let first = if first < 0 { count.saturating_add(first).max(0) } else { first.min(count) };
-    let end = first.saturating_add(length.max(0)).min(count);
-    let part = &items[first as usize..end as usize];
+    let first = offset(first, items.len());
+    let count = usize::try_from(length).unwrap_or(0).min(items.len() - first);
+    let part = &items[first..first + count];
     meter.values(part.len())?;
     Ok(Data::List(part.iter().map(|item| item.copy(meter)).collect::<Result<_, _>>()?))
 }

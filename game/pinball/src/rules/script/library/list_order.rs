@@ -1,4 +1,5 @@
-//! The order of a list. Rust's own sort may panic when a comparison contradicts itself; this one ends with some order.
+//! The order of a list. Rust's own sort may panic when a comparison contradicts itself; this one ends with some order, and
+//! says so where two neighbours in it are in no order.
 
 use crate::rules::script::Interpreter;
 use crate::rules::script::data::Data;
@@ -8,7 +9,7 @@ use crate::rules::script::stop::{Stop, fail};
 /// before the second: `true`, or a number below 0. What is equal keeps its order; after an error everything does.
 ///
 /// # Errors
-/// If two items have no order, or the function fails.
+/// If two items have no order, or the function fails or contradicts itself.
 pub fn sort(interpreter: &mut Interpreter, items: &mut Vec<Data>, function: Option<&Data>) -> Result<(), Stop> {
     interpreter.meter.values(items.len())?;
     let mut order: Vec<usize> = (0..items.len()).collect();
@@ -23,8 +24,26 @@ pub fn sort(interpreter: &mut Interpreter, items: &mut Vec<Data>, function: Opti
         std::mem::swap(&mut order, &mut merged);
         width *= 2;
     }
+    if function.is_some() {
+        check(interpreter, items, &order, function)?;
+    }
     let mut old: Vec<Data> = std::mem::take(items);
     items.extend(order.iter().map(|index| std::mem::take(&mut old[*index])));
+    Ok(())
+}
+
+/// Asks a function about neighbours once more: the second must not go before the first, unless the first goes before the
+/// second as well, as equal ones do to a function that says `a <= b`.
+fn check(interpreter: &mut Interpreter, items: &[Data], order: &[usize], function: Option<&Data>) -> Result<(), Stop> {
+    for (a, b) in order.iter().zip(order.iter().skip(1)) {
+        if goes_before(interpreter, &items[*b], &items[*a], function)?
+            && !goes_before(interpreter, &items[*a], &items[*b], function)?
+        {
+            return Err(fail(
+                "sort's function contradicts itself: of the same two values now one goes first, now the other",
+            ));
+        }
+    }
     Ok(())
 }
 

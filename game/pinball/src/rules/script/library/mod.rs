@@ -10,6 +10,8 @@ mod map;
 mod number;
 mod text;
 
+pub use text::replaced;
+
 use super::data::Data;
 use super::interpreter::Interpreter;
 use super::stop::{Answer, Stop, fail};
@@ -145,9 +147,9 @@ static VALUES: [Function; 9] = [
         Ok(Data::Unit)
     }),
     read("get", 1, 1, |interpreter, subject, mut arguments| match (subject, arguments.remove(0)) {
-        (Data::List(items), Data::Int(index)) => match super::place::position(index, items.len()) {
-            Ok(position) => items[position].copy(interpreter.meter),
-            Err(_) => Ok(Data::Unit),
+        (Data::List(items), Data::Int(index)) => match items.get(super::place::offset(index, items.len())) {
+            Some(item) => item.copy(interpreter.meter),
+            None => Ok(Data::Unit),
         },
         (Data::Map(_), key @ Data::Text(_)) => {
             match super::place::enter(subject, &super::place::Key::Index(key), interpreter.meter)? {
@@ -158,8 +160,16 @@ static VALUES: [Function; 9] = [
         (other, key) => Err(unfit("get", other, &[key])),
     }),
     change("set", 2, 2, |interpreter, subject, mut arguments| {
-        let key = super::place::Key::Index(arguments.remove(0));
-        let place = super::place::follow(subject, &[key], interpreter.meter)?;
+        let key = arguments.remove(0);
+        if let (Data::List(items), Data::Int(index)) = (&mut *subject, &key) {
+            let position = super::place::offset(*index, items.len());
+            // Where there is no item, none is set.
+            if let Some(item) = items.get_mut(position) {
+                *item = arguments.remove(0);
+            }
+            return Ok(Data::Unit);
+        }
+        let place = super::place::follow(subject, &[super::place::Key::Index(key)], interpreter.meter)?;
         *place = arguments.remove(0);
         Ok(Data::Unit)
     }),
@@ -184,7 +194,6 @@ fn contains(interpreter: &mut Interpreter, subject: &Data, arguments: Vec<Data>)
             entries.contains_key(&**key)
         }
         (Data::Range(range), Data::Int(number)) => range.contains(*number),
-        (Data::Text(_) | Data::Map(_) | Data::Range(_), _) => false,
         (other, _) => return Err(unfit("contains", other, &arguments)),
     };
     Ok(Data::Bool(found))

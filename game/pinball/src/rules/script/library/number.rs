@@ -20,10 +20,10 @@ pub static FUNCTIONS: [Function; 10] = [
         other => Err(unfit("parse_int", other, &arguments)),
     }),
     read("range", 1, 2, |_, subject, arguments| match (subject, arguments.as_slice()) {
-        (Data::Int(first), [Data::Int(end)]) => Ok(Data::Range(Range { first: *first, end: *end, step: 1 })),
+        (Data::Int(first), [Data::Int(end)]) => Ok(Data::Range(Range::exclusive(*first, *end))),
         (Data::Int(_), [Data::Int(_), Data::Int(0)]) => Err(fail("a range's step must not be 0")),
         (Data::Int(first), [Data::Int(end), Data::Int(step)]) => {
-            Ok(Data::Range(Range { first: *first, end: *end, step: *step }))
+            Ok(Data::Range(Range { step: *step, ..Range::exclusive(*first, *end) }))
         }
         (other, arguments) => Err(unfit("range", other, arguments)),
     }),

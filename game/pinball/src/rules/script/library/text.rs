@@ -37,6 +37,7 @@ pub static FUNCTIONS: [Function; 9] = [
         (other, arguments) => Err(unfit("replace", other, arguments)),
     }),
     read("split", 0, 1, |interpreter, subject, arguments| match (subject, arguments.as_slice()) {
+        (Data::Text(text), []) if text.is_empty() => pieces(text, std::iter::once(""), interpreter.meter),
         (Data::Text(text), []) => pieces(text, text.split_whitespace(), interpreter.meter),
         (Data::Text(text), [Data::Text(mark)]) if !mark.is_empty() => {
             interpreter.meter.charge(search_steps(text, mark))?;
@@ -90,7 +91,10 @@ fn part(text: &str, first: i64, length: i64, meter: &mut Meter) -> Answer {
 }
 
 /// The text with every `old` made `new`, whose length is known before it is written.
-fn replaced(text: &str, old: &str, new: &str, meter: &mut Meter) -> Result<Arc<str>, Stop> {
+///
+/// # Errors
+/// If there is nothing to replace, the text would become too long, or the steps are spent.
+pub fn replaced(text: &str, old: &str, new: &str, meter: &mut Meter) -> Result<Arc<str>, Stop> {
     if old.is_empty() {
         return Err(fail("there must be something to replace"));
     }

@@ -73,7 +73,7 @@ fn values(script: &Script) -> Vec<Data> {
     let nested = Data::List((0..64).map(|_| list(64)).collect());
     let mut all = vec![text(MAX_TEXT), list(MAX_ITEMS), same, nested, map(MAX_ITEMS)];
     all.extend([text(2), list(2), map(2), Data::Int(0), Data::Int(1), Data::Int(4095), Data::Bool(true)]);
-    all.push(Data::Range(Range { first: 0, end: i64::MAX, step: 1 }));
+    all.push(Data::Range(Range::exclusive(0, i64::MAX)));
     all.extend((0..script.functions().count()).map(|number| Data::Function(number as u16)));
     all
 }
@@ -102,11 +102,13 @@ fn every_function_pays_for_what_it_reads_and_writes() {
     let script = read(FUNCTIONS);
     let values = values(&script);
     let arguments: Vec<Data> = values.iter().filter(|value| !is_nested(value)).map(copy).collect();
+    // No function takes a map and something else, and to copy large maps for each pair takes long.
+    let pairs: Vec<Data> = arguments.iter().filter(|value| !matches!(value, Data::Map(_))).map(copy).collect();
     for function in library::all() {
         for subject in values.iter().filter(|subject| size(subject) > 200) {
             let mut most = None;
             for count in function.least..=function.most {
-                for arguments in choices(&arguments, count) {
+                for arguments in choices(if count == 2 { &pairs } else { &arguments }, count) {
                     let mut changed = copy(subject);
                     let given = arguments.iter().map(|value| copy(value)).collect();
                     let call = |interpreter: &mut Interpreter| function.call(interpreter, &mut changed, given);
@@ -202,22 +204,30 @@ fn nothing_grows_without_end() {
 /// A script sorted by chance: Rust's own sort panics when it finds out, and the panic was printed on the way to a
 /// sentence.
 #[test]
-fn a_comparison_that_contradicts_itself_gives_some_order() {
-    let mut chance = SplitMix64::new(7);
+fn a_comparison_that_contradicts_itself_is_told_and_leaves_the_list() {
+    let script = read("fn compare(a, b) { random(3) - 1 }");
     for count in (0..300).step_by(7) {
-        let script = read("fn main() { this.out = 0; } fn compare(a, b) { random(3) - 1 }");
-        let number = (0..).zip(script.functions()).find(|(_, function)| function.name == "compare").expect("it").0;
-        let mut items: Vec<Data> = (0..count).map(|_| Data::Int(chance.below(100) as i64)).collect();
-        let mut before: Vec<i64> = items.iter().map(number_of).collect();
+        let before: Vec<i64> = (0..count).collect();
+        let mut items: Vec<Data> = before.iter().copied().map(Data::Int).collect();
+        let mut told = None;
         let sort = |interpreter: &mut Interpreter| -> Result<Data, Stop> {
-            list_order::sort(interpreter, &mut items, Some(&Data::Function(number)))?;
+            told = list_order::sort(interpreter, &mut items, Some(&Data::Function(0))).err();
             Ok(Data::Unit)
         };
         assert!(steps(sort, &script).is_some(), "{count} items");
-        let mut after: Vec<i64> = items.iter().map(number_of).collect();
-        before.sort();
-        after.sort();
-        assert_eq!(before, after, "the same items");
+        if let Some(Stop::Failed(failed)) = &told {
+            assert!(failed.sentence("").starts_with("sort's function contradicts itself: "));
+            assert_eq!(items.iter().map(number_of).collect::<Vec<_>>(), before, "after an error all is as before");
+        }
+        assert!(told.is_some() || count < 100, "{count} items by chance, and nobody has noticed");
+    }
+}
+
+#[test]
+fn a_function_that_lets_equal_values_go_first_sorts() {
+    for function in ["a <= b", "a < b", "a - b", "b.len() >= a.len()"] {
+        let list = if function.contains("len") { "[\"a\", \"\", \"b\", \"\"]" } else { "[2, 1, 2, 1, 3]" };
+        assert!(run(&format!("fn main() {{ let l = {list}; l.sort(|a, b| {function}); }}")).is_ok(), "{function}");
     }
 }
 

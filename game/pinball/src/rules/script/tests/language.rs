@@ -4,11 +4,11 @@ use super::{Script, run, value};
 
 /// The expressions of the tests here.
 pub fn expressions() -> impl Iterator<Item = &'static str> {
-    EXPRESSIONS.iter().chain(&CALLS).map(|(expression, _)| *expression)
+    EXPRESSIONS.iter().chain(CALLS).map(|(expression, _)| *expression)
 }
 
 /// Expressions and statements, with their values.
-const EXPRESSIONS: [(&str, &str); 41] = [
+const EXPRESSIONS: &[(&str, &str)] = &[
     ("1 + 2 * 3 - 8 / 3 % 2", "7"),
     ("-7 / 2", "-3"),
     ("2 ** 10", "1024"),
@@ -46,7 +46,17 @@ const EXPRESSIONS: [(&str, &str); 41] = [
     ("{ let l = [1]; l += 2; l += [3, 4]; l }", "[1, 2, 3, 4]"),
     ("{ let a = [1]; let b = a; b.push(2); a }", "[1]"),
     ("{ let m = #{}; m.x = 1; m[\"y\"] = [2]; m.y[0] += 5; m }", "#{\"x\": 1, \"y\": [7]}"),
-    ("{ try { throw \"no\"; } catch (e) { e + \"!\" } }", "no!"),
+    ("{ let t = \"\"; try { throw \"no\"; } catch (e) { t = e + \"!\"; } t }", "no!"),
+    ("{ try { 1 } catch { 2 } }", "()"),
+    (
+        "{ let l = []; for i in range(0, 7, 3) { l += i; } for i in range(5, 0, -2) { l += i; } l }",
+        "[0, 3, 6, 5, 3, 1]",
+    ),
+    ("`${1..3} ${1..=3}` + type_of(1..=3)", "1..3 1..=3range="),
+    ("\"banana\" - \"an\"", "ba"),
+    ("1 << -1", "0"),
+    ("-8 >> 70", "-1"),
+    ("`${()}` + () + [()]", "[()]"),
     ("{ let f = |x| x * 2; f.call(21) }", "42"),
     ("type_of(1) + type_of(\"\") + type_of([]) + type_of(#{})", "i64stringarraymap"),
     ("abs(-3) + (-4).abs() + max(1, 2) + min(1, 2)", "10"),
@@ -55,12 +65,12 @@ const EXPRESSIONS: [(&str, &str); 41] = [
 #[test]
 fn expressions_have_the_values_that_rhai_gives_them() {
     for (expression, expected) in EXPRESSIONS {
-        assert_eq!(value(expression), expected, "{expression}");
+        assert_eq!(value(expression), *expected, "{expression}");
     }
 }
 
 /// Calls of the functions of texts, lists and maps, with their values.
-const CALLS: [(&str, &str); 25] = [
+const CALLS: &[(&str, &str)] = &[
     ("\"Abc\".to_upper() + \"Abc\".to_lower()", "ABCabc"),
     ("\"abcb\".index_of(\"b\") + \"abcb\".index_of(\"b\", 2) + \"a\".index_of(\"x\")", "3"),
     ("\"abcdef\".sub_string(1, 3) + \"abc\".sub_string(-1)", "bcdc"),
@@ -69,7 +79,11 @@ const CALLS: [(&str, &str); 25] = [
     ("{ let t = \"7\"; t.pad(3, \"0\"); t }", "700"),
     ("\"a,b\".split(\",\")", "[\"a\", \"b\"]"),
     ("\"12\".parse_int() + 1", "13"),
-    ("\"abc\".chars()", "[\"a\", \"b\", \"c\"]"),
+    ("{ let l = [1, 2]; l.for_each(|i| this += i); l.for_each(|| this *= 2); l }", "[2, 6]"),
+    ("\"\".index_of(\"\") + \"ab\".index_of(\"b\", -1) + [5].index_of(5, -9)", "0"),
+    ("{ let l = [1, 2]; l.set(7, 5); l.set(-9, 6); [l, l.get(-9), l.get(2)] }", "[[6, 2], 6, ()]"),
+    ("{ let l = [1, 2]; l.insert(-1, 7); l.insert(9, 8); l }", "[1, 7, 2, 8]"),
+    ("[1, 2, 3].filter(|x| 1)", "[]"),
     ("\"abc\".starts_with(\"ab\") && \"abc\".ends_with(\"bc\") && \"abc\".contains(\"b\")", "true"),
     ("{ let l = [3, 1, 2]; l.sort(); l }", "[1, 2, 3]"),
     ("{ let l = [3, 1, 2]; l.sort(|a, b| b - a); l }", "[3, 2, 1]"),
@@ -82,7 +96,9 @@ const CALLS: [(&str, &str); 25] = [
     ("[1, 2].map(|| this + 1)", "[2, 3]"),
     ("[1, 2, 3].reduce(|sum, x| sum + x, 0) + [4].index_of(4)", "6"),
     ("[1, 2].some(|x| x == 2) && [1, 2].all(|x| x > 0) && [1, 2].find(|x| x > 1) == 2", "true"),
-    ("[1, 2].zip([3, 4], |a, b| a * b)", "[3, 8]"),
+    ("[1, 2].zip([3, 4], |a, b| a * b) + [1, 2].zip([3], |a, b, i| [a, b, i])", "[3, 8, [1, 3, 0]]"),
+    ("[4, 5].reduce(|sum, x, i| sum + x * i, 0)", "5"),
+    ("{ let l = [1, 2, 3]; [l.retain(|x| x > 1), l] }", "[[1], [2, 3]]"),
     ("#{ b: 1, a: 2 }.keys() + #{ b: 1, a: 2 }.values()", "[\"a\", \"b\", 2, 1]"),
     (
         "{ let m = #{ a: 1 }; m.mixin(#{ a: 2, b: 3 }); m.fill_with(#{ a: 9, c: 4 }); m.remove(\"b\"); m }",
@@ -94,8 +110,15 @@ const CALLS: [(&str, &str); 25] = [
 #[test]
 fn the_functions_of_texts_lists_and_maps_do_what_rhai_says() {
     for (expression, expected) in CALLS {
-        assert_eq!(value(expression), expected, "{expression}");
+        assert_eq!(value(expression), *expected, "{expression}");
     }
+}
+
+/// Where Rhai has a type for letters, and one for what `for` goes through.
+#[test]
+fn a_letter_is_a_text_and_the_letters_are_a_list() {
+    assert_eq!(value("\"abc\".chars()"), "[\"a\", \"b\", \"c\"]");
+    assert_eq!(value("type_of(\"abc\"[0]) + type_of('x')"), "stringstring");
 }
 
 #[test]

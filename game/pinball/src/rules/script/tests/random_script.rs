@@ -14,8 +14,9 @@ struct Writer {
 
 /// The script of a seed: `main`, functions that it calls, and constants.
 pub fn random_script(seed: u64) -> String {
-    let mut writer = Writer { chance: SplitMix64::new(seed), depth: 4, inner: Vec::new(), in_loop: false };
-    let body = writer.statements(8);
+    let mut writer =
+        Writer { chance: SplitMix64::new(seed), depth: 1 + seed as usize % 4, inner: Vec::new(), in_loop: false };
+    let body = writer.statements(seed % 9);
     writer.depth = 2;
     writer.inner = vec!["x"];
     let result = writer.number();
@@ -89,10 +90,18 @@ impl Writer {
             11 => format!("if {} {{ {} }} else {{ {} }}", self.flag(), self.number(), self.number()),
             12 => format!(
                 "switch {} {{ 1 | 2 => {}, 3 if {} => {}, -4..0 => {}, 5..=9 => {}, _ => {} }}",
-                self.number(), self.number(), self.flag(), self.number(), self.number(), self.number(), self.number()
+                self.number(),
+                self.number(),
+                self.flag(),
+                self.number(),
+                self.number(),
+                self.number(),
+                self.number()
             ),
             13 => format!("twice({})", self.number()),
+            14 if self.below(2) == 0 => format!("{}.index_of({}, {})", self.text(), self.text(), self.number()),
             14 => format!("{}.index_of({})", self.text(), self.text()),
+            15 if self.below(2) == 0 => format!("{}.index_of({}, {})", self.list(), self.number(), self.number()),
             15 => format!("{}.index_of({})", self.list(), self.number()),
             16 => format!("{}.reduce(|s, x| s + x, {})", self.list(), self.number()),
             17 => "this.count()".into(),
@@ -187,8 +196,25 @@ impl Writer {
             0 | 1 => self.number(),
             2 => self.flag(),
             3 | 4 => self.text(),
+            5 if self.below(2) == 0 => {
+                format!("{}.{}({})", self.list(), self.one_of(&["get", "contains"]), self.number())
+            }
             5 => self.list(),
-            6 => self.one_of(&["()", "m", "m.c", "#{ z: 1, y: [true, ()] }", "[\"q\", 1]"]),
+            6 if self.below(2) == 0 => {
+                let condition = self.with_x(Writer::simple_flag);
+                format!("{}.find(|x| {condition})", self.list())
+            }
+            6 => self.one_of(&[
+                "()",
+                "m",
+                "m.c",
+                "#{ z: 1, y: [true, ()] }",
+                "m.keys()",
+                "POINTS",
+                "l.zip(p, |a, b| a + b)",
+                "t.split(\"b\")",
+                "[\"q\", 1]",
+            ]),
             _ => format!("type_of({})", self.number()),
         }
     }
@@ -204,11 +230,16 @@ impl Writer {
         format!("{{\n{text}}}")
     }
 
-    fn looped(&mut self) -> String {
-        let before = std::mem::replace(&mut self.in_loop, true);
+    /// A block with `break` and `continue`, or one without.
+    fn loop_block(&mut self, in_loop: bool) -> String {
+        let before = std::mem::replace(&mut self.in_loop, in_loop);
         let text = self.block();
         self.in_loop = before;
         text
+    }
+
+    fn looped(&mut self) -> String {
+        self.loop_block(true)
     }
 
     fn statement(&mut self) -> String {
@@ -229,11 +260,16 @@ impl Writer {
             4 => format!("for c in {} {}", self.text(), self.looped()),
             5 => format!("for (v, x) in {} {}", self.list(), self.looped()),
             6 => format!("{{ let w = 0; while w < {} {{ w += 1; {} }} }}", self.below(5), self.looped()),
-            7 => format!("{{ let w = 0; do {{ w += 1; {} }} until w > {}; }}", self.looped(), self.below(4)),
+            // Not `continue` in here: in Rhai it passes the condition by, and the loop has no end.
+            7 => format!("{{ let w = 0; do {{ w += 1; {} }} until w > {}; }}", self.loop_block(false), self.below(4)),
             8 => format!("try {} catch (e) {}", self.block(), self.block()),
             9 => format!(
                 "switch {} {{ \"abc\" => {}, \"xy\" | \"\" if {} => {}, _ => {} }}",
-                self.text(), self.block(), self.flag(), self.block(), self.block()
+                self.text(),
+                self.block(),
+                self.flag(),
+                self.block(),
+                self.block()
             ),
             _ => self.change(),
         }
@@ -258,23 +294,57 @@ impl Writer {
             8 => format!("{} = {}", self.list_name(), self.list()),
             9 => format!("l[{}] = {}", self.number(), self.number()),
             10 => format!("m{} = {}", self.one_of(&[".a", ".c", "[\"b\"]", "[t]"]), self.number()),
-            11 | 12 => format!("{}.{}({})", self.list_name(), self.one_of(&["push", "remove", "truncate", "chop"]), self.number()),
-            13 => format!("{}.{}({}, {})", self.list_name(), self.one_of(&["insert", "set"]), self.number(), self.number()),
-            14 => format!("{}.{}()", self.list_name(), self.one_of(&["pop", "shift", "reverse", "sort", "dedup", "clear"])),
+            11 | 12 => format!(
+                "{}.{}({})",
+                self.list_name(),
+                self.one_of(&["push", "remove", "truncate", "chop"]),
+                self.number()
+            ),
+            13 => format!(
+                "{}.{}({}, {})",
+                self.list_name(),
+                self.one_of(&["insert", "set"]),
+                self.number(),
+                self.number()
+            ),
+            14 => format!(
+                "{}.{}()",
+                self.list_name(),
+                self.one_of(&["pop", "shift", "reverse", "sort", "dedup", "clear"])
+            ),
             15 => {
                 let condition = self.with_x(Writer::simple_flag);
                 format!("{}.retain(|x| {condition})", self.list_name())
             }
-            16 => format!("l.{}", self.one_of(&["sort(|a, b| b - a)", "append(p)", "append([8])", "pad(5, 0)"])),
+            16 => format!(
+                "l.{}",
+                self.one_of(&[
+                    "for_each(|| this += 1)",
+                    "for_each(|n| this *= n)",
+                    "sort(|a, b| b - a)",
+                    "append(p)",
+                    "append([8])",
+                    "pad(5, 0)"
+                ])
+            ),
             17 => format!("{} += {}", self.list_name(), self.one_of(&["4", "[4, 5]", "i", "p"])),
-            18 => format!("m.{}", self.one_of(&["remove(\"a\")", "mixin(#{ a: 3, d: 4 })", "fill_with(#{ a: 3, e: 4 })", "clear()"])),
+            18 => format!(
+                "m.{}",
+                self.one_of(&["remove(\"a\")", "mixin(#{ a: 3, d: 4 })", "fill_with(#{ a: 3, e: 4 })", "clear()"])
+            ),
             19 => format!("t.{}", self.one_of(&["trim()", "replace(\"b\", \"zz\")", "pad(6, \"-\")", "clear()"])),
             20 => format!("this.{} = {}", self.one_of(&["a", "b", "n"]), self.value()),
             21 => format!("score({})", self.number()),
             22 => format!("after({}, {})", self.number(), self.text()),
             23 => format!("message({}, {})", self.text(), self.number()),
             24 => format!("progress({}, {}, {})", self.text(), self.number(), self.number()),
-            25 => self.one_of(&["lamp(\"red\", \"blink\")", "start_game(3)", "flippers(true)", "cancel(t)", "this.count()"]),
+            25 => self.one_of(&[
+                "lamp(\"red\", \"blink\")",
+                "start_game(3)",
+                "flippers(true)",
+                "cancel(t)",
+                "this.count()",
+            ]),
             26 if self.in_loop => format!("if {} {{ {}; }}", self.flag(), self.one_of(&["break", "continue"])),
             27 if self.below(3) == 0 => format!("if {} {{ return; }}", self.flag()),
             28 if self.below(3) == 0 => format!("throw {}", self.text()),

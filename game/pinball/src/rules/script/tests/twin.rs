@@ -95,10 +95,10 @@ fn register(engine: &mut Engine, function: &'static HostFunction, count: usize) 
 /// Rhai's value as one of the project's: a letter is a text.
 pub fn data(value: &Dynamic) -> Data {
     if let Some(range) = value.read_lock::<std::ops::Range<i64>>() {
-        return Data::Range(Range { first: range.start, end: range.end, step: 1 });
+        return Data::Range(Range::exclusive(range.start, range.end));
     }
     if let Some(range) = value.read_lock::<std::ops::RangeInclusive<i64>>() {
-        return Data::Range(Range { first: *range.start(), end: range.end().saturating_add(1), step: 1 });
+        return Data::Range(Range::inclusive(*range.start(), *range.end()));
     }
     if value.is::<FnPtr>() {
         return Data::Function(0);
