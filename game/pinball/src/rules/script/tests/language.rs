@@ -1,6 +1,11 @@
 //! What expressions and statements mean: what they mean in Rhai.
 
 use super::{Script, run, value};
+use crate::rules::host;
+use crate::rules::script::library;
+
+/// The page for table makers.
+const PAGE: &str = include_str!("../../../../../../assets/tables/README.md");
 
 /// The expressions of the tests here.
 pub fn expressions() -> impl Iterator<Item = &'static str> {
@@ -186,5 +191,12 @@ fn what_does_not_exist_is_found_before_play() {
     ] {
         let mistakes = Script::read(&format!("const LIST = [1];\nfn main() {{\n  {body};\n}}")).expect_err(body);
         assert_eq!(mistakes, [(3, what.to_string())], "{body}");
+    }
+}
+
+#[test]
+fn the_page_for_table_makers_names_every_function() {
+    for name in library::all().map(|function| function.name).chain(host::all().map(|function| function.name)) {
+        assert!(PAGE.contains(&format!("`{name}`")) || PAGE.contains(&format!("`{name}(")), "{name}");
     }
 }
