@@ -10,6 +10,7 @@ mod picture;
 mod plot;
 mod recording;
 mod recording_files;
+mod rules;
 mod still;
 mod techniques;
 mod terminal;

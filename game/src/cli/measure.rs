@@ -37,6 +37,8 @@ pub enum Bench {
     Growth,
     /// Headless play.
     Tick,
+    /// What the most work that rules may do in a second takes.
+    Rules,
     /// How exact the light is, against shadow rays.
     Quality,
     /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.

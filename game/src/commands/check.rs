@@ -11,7 +11,7 @@ use crate::hud;
 use crate::rules::literal_messages;
 use crate::storage::tables;
 use crate::table::FILES;
-use crate::{Failure, Simulation, Table, tell};
+use crate::{Buttons, Failure, Simulation, Table, tell};
 use report::{Report, counted};
 use std::sync::Arc;
 use tracer::View;
@@ -53,7 +53,7 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     report.found.extend(table.warnings.iter().cloned());
     report.found.extend(hurried_messages(&table));
     match Simulation::new(table.clone(), 0) {
-        Ok(mut simulation) => report.found.extend(simulation.complaints().into_iter().map(Failure::new)),
+        Ok(simulation) => report.found.extend(first_ball(simulation).into_iter().map(Failure::new)),
         Err(failure) => report.found.push(failure),
     }
     match print_once(&table) {
@@ -73,6 +73,17 @@ fn print_once(table: &Table) -> Result<PrintCost, Failure> {
     let view = View::fit(PICTURE.0, PICTURE.1, table.size_mm);
     let printed = art::check(table).and_then(|cost| art::floor(table, &view).map(|_| cost));
     printed.map_err(|failure| failure.in_file(table.file(FILES[0])))
+}
+
+/// Starts a game, shoots its first ball and moves the flippers, without an eye on it; what the rules complain about.
+fn first_ball(mut simulation: Simulation) -> Vec<String> {
+    let flippers = [Buttons::LEFT, Buttons::NONE, Buttons::RIGHT, Buttons::NONE];
+    let flips = flippers.iter().cycle().take(20).map(|buttons| (*buttons, 250));
+    let shot = [(Buttons::START, 100), (Buttons::NONE, 2000), (Buttons::PLUNGER, 1200)];
+    for (buttons, ticks) in shot.into_iter().chain(flips) {
+        (0..ticks).for_each(|_| simulation.tick(buttons));
+    }
+    simulation.complaints()
 }
 
 /// A warning for each message that the rules say in so many words and that has no time to walk past.

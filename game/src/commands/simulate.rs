@@ -10,6 +10,7 @@ use crate::storage::{file_failure, new_file, tables};
 use crate::{Failure, Table, recording};
 use physics::{Kind, TICKS_PER_SECOND};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use std::time::{Duration, Instant};
 /// Plays the games and prints the summary.
 ///
 /// # Errors
-/// If the table cannot be read, a recording cannot be written, or anything went wrong in a game.
+/// If the table cannot be read, a recording cannot be written, or anything went wrong in a game, also in its rules.
 #[expect(clippy::disallowed_methods, reason = "measures the speed; the games do not read it")]
 pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let table = Arc::new(tables::load(&args.table).map_err(Failure::of_many)?);
@@ -48,7 +49,8 @@ pub fn run(args: &SimulateArgs) -> Result<(), Failure> {
         let digest = |game: &Game| game.run.digest.map(|digest| (game.run.seed, digest));
         print(&digest_line(&games.iter().filter_map(digest).collect::<Vec<_>>()))?;
     }
-    match games.iter().map(|game| game.run.anomalies.len()).sum() {
+    let anomalies = games.iter().map(|game| game.run.anomalies.len()).sum::<usize>();
+    match anomalies + complaints(&games).len() {
         0 => Ok(()),
         1 => Err(Failure::new("one thing went wrong; --save-failures DIR keeps its game")),
         many => Err(Failure::new(format!("{many} things went wrong; --save-failures DIR keeps their games"))),
@@ -66,6 +68,11 @@ fn refuse_older(dir: &Path, args: &SimulateArgs) -> Result<(), Failure> {
 
 fn recording_path(dir: &Path, seed: u64) -> PathBuf {
     dir.join(format!("game-{seed}.caustic"))
+}
+
+/// What the rules complained about, each sentence once.
+fn complaints(games: &[Game]) -> BTreeSet<&String> {
+    games.iter().flat_map(|game| &game.run.complaints).collect()
 }
 
 fn player(player: Player, seed: u64) -> self_play::Player {
@@ -89,7 +96,8 @@ impl Game {
     /// Writes the game's recording where it is wanted, then forgets it.
     fn keep(mut run: SelfPlayRun, core_time: Duration, args: &SimulateArgs) -> Result<Game, Failure> {
         let recording = std::mem::take(&mut run.recording);
-        let failures = args.save_failures.as_ref().filter(|_| !run.anomalies.is_empty());
+        let sound = run.anomalies.is_empty() && run.complaints.is_empty();
+        let failures = args.save_failures.as_ref().filter(|_| !sound);
         for dir in args.save_all.iter().chain(failures) {
             let path = recording_path(dir, run.seed);
             new_file::write(&path, |file| file.write_all(&recording))
@@ -102,7 +110,8 @@ impl Game {
 /// Everything that the games have shown, as lines.
 fn summary(table: &Table, games: &[Game]) -> Vec<String> {
     let runs: Vec<&SelfPlayRun> = games.iter().map(|game| &game.run).collect();
-    [games_lines(table, games), switch_lines(table, &runs), anomaly_lines(&runs)].concat()
+    let rules = complaints(games).into_iter().map(|complaint| format!("rules      {complaint}")).collect();
+    [games_lines(table, games), switch_lines(table, &runs), anomaly_lines(&runs), rules].concat()
 }
 
 fn games_lines(table: &Table, all: &[Game]) -> Vec<String> {
@@ -171,10 +180,6 @@ fn anomaly_lines(runs: &[&SelfPlayRun]) -> Vec<String> {
         let kind = anomaly.kind;
         lines.push(format!("  game {seed} at {second:.2} s: {kind} at {x:.1}, {y:.1} mm, {}", anomaly.detail));
     }
-    let mut complaints: Vec<&String> = runs.iter().flat_map(|run| &run.complaints).collect();
-    complaints.sort();
-    complaints.dedup();
-    lines.extend(complaints.iter().map(|complaint| format!("rules      {complaint}")));
     lines
 }
 

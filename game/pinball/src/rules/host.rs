@@ -1,162 +1,275 @@
-//! The functions that a script can call. `assets/tables/README.md` tells them to table makers.
+//! The functions of the game that a script can call. `assets/tables/README.md` tells them to table makers.
 
+use self::Searched::{Nothing, Progress, Timers};
+use super::host_lamps;
 use super::names::Names;
 use super::part_commands::{Order, PART_COMMANDS, PartCommand};
 use super::score::{MAX_BALLS, MAX_PLAYERS};
+use super::script::{Data, text_steps};
 use super::script_state::ScriptState;
-use crate::lamps::{LampController, LampEffect, Mode, TimedOverride};
-use physics::{Command, PartId};
-use rhai::{Array, Dynamic, Engine, EvalAltResult, NativeCallContext};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use crate::lamps::LampController;
+use physics::Command;
+use std::sync::{Arc, LazyLock};
 
 /// Longest time that a script can name, ms: a day.
 const MAX_MS: i64 = 86_400_000;
 /// Most things whose progress is shown.
 const MAX_PROGRESS: usize = 64;
+/// Longest text that the game keeps for a script: a timer's name, a line of the display; bytes.
+const MAX_KEPT: usize = 256;
 
-/// What the script's calls can reach while it runs.
-#[derive(Clone)]
-pub struct SharedContext(Arc<Mutex<ScriptContext>>);
-
-/// The desk, the lamps and the names.
-struct ScriptContext {
-    script: ScriptState,
-    lamps: LampController,
-    names: Arc<Names>,
+/// What the game's functions work on while a script runs.
+pub struct ScriptContext {
+    /// Score, display, timers and orders.
+    pub script: ScriptState,
+    /// The lamps.
+    pub lamps: LampController,
+    /// The parts and lamps by name.
+    pub names: Arc<Names>,
 }
 
-impl SharedContext {
-    /// Lends these to a script.
-    pub fn new(script: ScriptState, lamps: LampController, names: Arc<Names>) -> SharedContext {
-        SharedContext(Arc::new(Mutex::new(ScriptContext { script, lamps, names })))
-    }
-
-    /// Takes them back.
-    pub fn take_parts(&self) -> (ScriptState, LampController) {
-        let mut context = self.lock();
-        (std::mem::take(&mut context.script), std::mem::take(&mut context.lamps))
-    }
-
-    fn lock(&self) -> MutexGuard<'_, ScriptContext> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+impl ScriptContext {
+    /// The steps of an error: for a name that nobody knows, all names are searched for one like it.
+    pub fn failure_steps(&self) -> u64 {
+        128 * self.names.count() as u64
     }
 }
 
-type CallResult<T> = Result<T, Box<EvalAltResult>>;
-
-/// Does something with what the script can reach; a sentence becomes an error at the script's line.
-fn with_context<T>(
-    call: &NativeCallContext,
-    act: impl FnOnce(&mut ScriptContext) -> Result<T, String>,
-) -> CallResult<T> {
-    let shared = call.tag().and_then(|tag| tag.clone().try_cast::<SharedContext>());
-    let shared = shared.ok_or("this can only be called when something has happened, not while the script is read")?;
-    let result = act(&mut shared.lock());
-    Ok(result?)
+/// What a function is given.
+pub struct Arguments<'a> {
+    name: &'static str,
+    values: &'a [Data],
 }
 
-/// Registers everything.
-pub fn register(engine: &mut Engine) {
-    register_score(engine);
-    register_flow(engine);
-    register_display(engine);
-    register_time(engine);
-    register_machine(engine);
-    register_parts(engine);
-    register_lamps(engine);
+impl<'a> Arguments<'a> {
+    /// How many values there are.
+    pub fn count(&self) -> usize {
+        self.values.len()
+    }
+
+    /// The whole number at this place.
+    ///
+    /// # Errors
+    /// If it is something else.
+    pub fn int(&self, place: usize) -> Result<i64, String> {
+        match &self.values[place] {
+            Data::Int(number) => Ok(*number),
+            _ => Err(self.unfit()),
+        }
+    }
+
+    /// The whole number at this place, if there is one.
+    pub fn is_int(&self, place: usize) -> bool {
+        matches!(self.values.get(place), Some(Data::Int(_)))
+    }
+
+    /// `true` or `false` at this place.
+    ///
+    /// # Errors
+    /// If it is something else.
+    pub fn flag(&self, place: usize) -> Result<bool, String> {
+        match &self.values[place] {
+            Data::Bool(flag) => Ok(*flag),
+            _ => Err(self.unfit()),
+        }
+    }
+
+    /// The text at this place.
+    ///
+    /// # Errors
+    /// If it is something else.
+    pub fn text(&self, place: usize) -> Result<&'a str, String> {
+        match &self.values[place] {
+            Data::Text(text) => Ok(text),
+            _ => Err(self.unfit()),
+        }
+    }
+
+    /// The text at this place, for the game to keep.
+    fn kept(&self, place: usize) -> Result<&'a str, String> {
+        let text = self.text(place)?;
+        if text.len() > MAX_KEPT {
+            return Err(format!("{} takes texts of at most {MAX_KEPT} bytes", self.name));
+        }
+        Ok(text)
+    }
+
+    fn unfit(&self) -> String {
+        let types: Vec<&str> = self.values.iter().map(Data::type_name).collect();
+        format!("{} cannot be called with ({})", self.name, types.join(", "))
+    }
 }
 
-fn register_score(engine: &mut Engine) {
-    engine
-        .register_fn("score", |call: NativeCallContext, points: i64| {
-            with_context(&call, |context| {
-                context.script.score.add(points);
-                Ok(())
-            })
-        })
-        .register_fn("score", |call: NativeCallContext| {
-            with_context(&call, |context| {
-                let score = &context.script.score;
-                Ok(score.scores.get(score.player).copied().unwrap_or(0))
-            })
-        })
-        .register_fn("scores", |call: NativeCallContext| {
-            with_context(&call, |context| {
-                Ok(context.script.score.scores.iter().map(|s| Dynamic::from(*s)).collect::<Array>())
-            })
-        })
-        .register_fn("player", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.player as i64))
-        })
-        .register_fn("players", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.scores.len() as i64))
-        })
-        .register_fn("ball", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(i64::from(context.script.score.ball)))
-        })
-        .register_fn("playing", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.playing))
-        })
-        .register_fn("tilted", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.tilted))
+/// A function of the game.
+#[derive(Clone, Copy, Debug)]
+pub struct HostFunction {
+    /// Its name.
+    pub name: &'static str,
+    /// How many values it takes at least.
+    pub least: usize,
+    /// How many values it takes at most.
+    pub most: usize,
+    /// What it goes through.
+    pub searches: Searched,
+    /// What it does.
+    pub body: Body,
+}
+
+/// What a function goes through, one after the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Searched {
+    /// Nothing: at most names in their order.
+    Nothing,
+    /// The lamps.
+    Lamps,
+    /// The timers that run.
+    Timers,
+    /// The progress that is shown.
+    Progress,
+}
+
+/// What a function does.
+#[derive(Clone, Copy, Debug)]
+pub enum Body {
+    /// This.
+    Call(fn(&mut ScriptContext, &Arguments) -> Result<Data, String>),
+    /// It commands a part.
+    Command(&'static PartCommand),
+}
+
+impl HostFunction {
+    /// Whether it can be called with so many values.
+    pub fn takes(&self, count: usize) -> bool {
+        (self.least..=self.most).contains(&count)
+    }
+
+    /// The steps that a call takes.
+    pub fn steps(&self, context: &ScriptContext, values: &[Data]) -> u64 {
+        let texts = values.iter().filter_map(|value| match value {
+            Data::Text(text) => Some(&**text),
+            _ => None,
         });
+        let name = texts.clone().next().unwrap_or_default();
+        let searched = match self.searches {
+            Searched::Lamps if name.ends_with('*') => context.names.count(),
+            // A name is found among a thousand others with a dozen comparisons.
+            Searched::Lamps | Nothing => 12,
+            Timers => context.script.timers.count(),
+            Progress => context.script.progress.len(),
+        };
+        let read: u64 = texts.map(|text| text_steps(text.len())).sum();
+        2 + read + text_steps(name.len()) * searched as u64 / 4
+    }
+
+    /// Calls it.
+    ///
+    /// # Errors
+    /// A sentence.
+    pub fn call(&self, context: &mut ScriptContext, values: &[Data]) -> Result<Data, String> {
+        let arguments = Arguments { name: self.name, values };
+        match self.body {
+            Body::Call(body) => body(context, &arguments),
+            Body::Command(command) => command_part(context, command, &arguments),
+        }
+    }
 }
 
-fn register_flow(engine: &mut Engine) {
-    engine
-        .register_fn("start_game", |call: NativeCallContext, balls: i64| {
-            with_context(&call, |context| {
-                if !(1..=i64::from(MAX_BALLS)).contains(&balls) {
-                    return Err(format!("a game has 1 to {MAX_BALLS} balls, not {balls}"));
-                }
-                context.script.score.start(balls as u32);
-                Ok(())
-            })
-        })
-        .register_fn("add_player", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.add_player()))
-        })
-        .register_fn("next_player", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(context.script.score.next_player()))
-        })
-        .register_fn("game_over", |call: NativeCallContext| {
-            with_context(&call, |context| {
-                context.script.score.game_over();
-                Ok(())
-            })
-        })
-        .register_fn("tilt", |call: NativeCallContext, on: bool| {
-            with_context(&call, |context| {
-                context.script.score.tilted = on && context.script.score.playing;
-                if on { power(context, Some(false), Some(false)) } else { Ok(()) }
-            })
-        })
-        .register_fn("max_players", || MAX_PLAYERS as i64);
+/// Every function.
+static FUNCTIONS: LazyLock<Vec<HostFunction>> = LazyLock::new(|| {
+    let commands = PART_COMMANDS.iter().map(|command| {
+        let count = 1 + usize::from(matches!(command.order, Order::Switch(_)));
+        let body = Body::Command(command);
+        HostFunction { name: command.word, least: count, most: count, searches: Nothing, body }
+    });
+    let own = [&SCORE[..], &FLOW, &DISPLAY, &TIME, &MACHINE, &host_lamps::FUNCTIONS].concat();
+    own.into_iter().chain(commands).collect()
+});
+
+/// The function of this name.
+pub fn named(name: &str) -> Option<&'static HostFunction> {
+    FUNCTIONS.iter().find(|function| function.name == name)
 }
 
-fn register_display(engine: &mut Engine) {
-    engine
-        .register_fn("message", |call: NativeCallContext, line: &str, ms: i64| {
-            with_context(&call, |context| show_message(context, &[line], ms))
-        })
-        .register_fn("message", |call: NativeCallContext, first: &str, second: &str, ms: i64| {
-            with_context(&call, |context| show_message(context, &[first, second], ms))
-        })
-        .register_fn("message", |call: NativeCallContext| with_context(&call, |context| show_message(context, &[], 0)))
-        .register_fn("progress", |call: NativeCallContext, name: &str, done: i64, of: i64| {
-            with_context(&call, |context| progress(context, name, done, of))
-        });
+/// Every function.
+#[cfg(test)]
+pub fn all() -> impl Iterator<Item = &'static HostFunction> {
+    FUNCTIONS.iter()
 }
 
-fn show_message(context: &mut ScriptContext, lines: &[&str], ms: i64) -> Result<(), String> {
-    let duration_ms = time_ms(ms)?;
-    let lines = lines.iter().filter(|line| !line.is_empty());
-    context.script.show_message(lines.map(|line| line.to_string()).collect(), duration_ms);
-    Ok(())
+/// A function.
+pub const fn function(
+    name: &'static str,
+    (least, most): (usize, usize),
+    searches: Searched,
+    body: fn(&mut ScriptContext, &Arguments) -> Result<Data, String>,
+) -> HostFunction {
+    HostFunction { name, least, most, searches, body: Body::Call(body) }
 }
+
+static SCORE: [HostFunction; 7] = [
+    function("score", (0, 1), Nothing, |context, arguments| match arguments.count() {
+        0 => {
+            let score = &context.script.score;
+            Ok(Data::Int(score.scores.get(score.player).copied().unwrap_or(0)))
+        }
+        _ => {
+            context.script.score.add(arguments.int(0)?);
+            Ok(Data::Unit)
+        }
+    }),
+    function("scores", (0, 0), Nothing, |context, _| {
+        Ok(Data::List(context.script.score.scores.iter().map(|score| Data::Int(*score)).collect()))
+    }),
+    function("player", (0, 0), Nothing, |context, _| Ok(Data::count(context.script.score.player))),
+    function("players", (0, 0), Nothing, |context, _| Ok(Data::count(context.script.score.scores.len()))),
+    function("ball", (0, 0), Nothing, |context, _| Ok(Data::Int(i64::from(context.script.score.ball)))),
+    function("playing", (0, 0), Nothing, |context, _| Ok(Data::Bool(context.script.score.playing))),
+    function("tilted", (0, 0), Nothing, |context, _| Ok(Data::Bool(context.script.score.tilted))),
+];
+
+static FLOW: [HostFunction; 6] = [
+    function("start_game", (1, 1), Nothing, |context, arguments| {
+        let balls = arguments.int(0)?;
+        if !(1..=i64::from(MAX_BALLS)).contains(&balls) {
+            return Err(format!("a game has 1 to {MAX_BALLS} balls, not {balls}"));
+        }
+        context.script.score.start(balls as u32);
+        Ok(Data::Unit)
+    }),
+    function("add_player", (0, 0), Nothing, |context, _| Ok(Data::Bool(context.script.score.add_player()))),
+    function("next_player", (0, 0), Nothing, |context, _| Ok(Data::Bool(context.script.score.next_player()))),
+    function("game_over", (0, 0), Nothing, |context, _| {
+        context.script.score.game_over();
+        Ok(Data::Unit)
+    }),
+    function("tilt", (1, 1), Nothing, |context, arguments| {
+        let on = arguments.flag(0)?;
+        context.script.score.tilted = on && context.script.score.playing;
+        if on { power(context, Some(false), Some(false)) } else { Ok(Data::Unit) }
+    }),
+    function("max_players", (0, 0), Nothing, |_, _| Ok(Data::count(MAX_PLAYERS))),
+];
+
+static DISPLAY: [HostFunction; 2] = [
+    function("message", (0, 3), Nothing, |context, arguments| {
+        let lines = arguments.count().saturating_sub(1);
+        let lines = (0..lines).map(|line| arguments.kept(line)).collect::<Result<Vec<&str>, String>>()?;
+        let ms = if arguments.count() == 0 { 0 } else { arguments.int(arguments.count() - 1)? };
+        // A time alone would be no message.
+        if arguments.count() == 1 {
+            return Err(arguments.unfit());
+        }
+        let duration_ms = time_ms(ms)?;
+        let lines = lines.into_iter().filter(|line| !line.is_empty());
+        context.script.show_message(lines.map(ToString::to_string).collect(), duration_ms);
+        Ok(Data::Unit)
+    }),
+    function("progress", (3, 3), Progress, progress),
+];
 
 /// Shows, changes or (with `of` 0) forgets the progress of something.
-fn progress(context: &mut ScriptContext, name: &str, done: i64, of: i64) -> Result<(), String> {
+fn progress(context: &mut ScriptContext, arguments: &Arguments) -> Result<Data, String> {
+    let (name, done, of) = (arguments.kept(0)?, arguments.int(1)?, arguments.int(2)?);
     let shown = &mut context.script.progress;
     match shown.iter().position(|(other, ..)| other == name) {
         Some(index) if of == 0 => {
@@ -169,99 +282,72 @@ fn progress(context: &mut ScriptContext, name: &str, done: i64, of: i64) -> Resu
         }
         None => shown.push((name.to_string(), done, of)),
     }
-    Ok(())
+    Ok(Data::Unit)
 }
 
-fn register_time(engine: &mut Engine) {
-    engine
-        .register_fn("after", |call: NativeCallContext, ms: i64, timer: &str| {
-            with_context(&call, |context| {
-                let due = context.script.now + time_ms(ms)?.max(1);
-                let started = context.script.timers.start(timer, due);
-                started.then_some(()).ok_or_else(|| format!("too many timers run to start \"{timer}\""))
-            })
-        })
-        .register_fn("cancel", |call: NativeCallContext, timer: &str| {
-            with_context(&call, |context| {
-                context.script.timers.cancel(timer);
-                Ok(())
-            })
-        })
-        .register_fn("running", |call: NativeCallContext, timer: &str| {
-            with_context(&call, |context| Ok(context.script.timers.due(timer).is_some()))
-        })
-        .register_fn("time_left", |call: NativeCallContext, timer: &str| {
-            with_context(&call, |context| {
-                let due = context.script.timers.due(timer).unwrap_or(0);
-                Ok(due.saturating_sub(context.script.now) as i64)
-            })
-        })
-        .register_fn("now", |call: NativeCallContext| with_context(&call, |context| Ok(context.script.now as i64)))
-        .register_fn("random", |call: NativeCallContext, count: i64| {
-            with_context(&call, |context| match u64::try_from(count) {
-                Ok(count) if count > 0 => Ok(context.script.random.below(count) as i64),
-                _ => Err(format!("random needs a number above 0, not {count}")),
-            })
-        });
-}
+static TIME: [HostFunction; 6] = [
+    function("after", (2, 2), Timers, |context, arguments| {
+        let (ms, timer) = (arguments.int(0)?, arguments.kept(1)?);
+        let due = context.script.now + time_ms(ms)?.max(1);
+        let started = context.script.timers.start(timer, due);
+        started.then_some(Data::Unit).ok_or_else(|| format!("too many timers run to start \"{timer}\""))
+    }),
+    function("cancel", (1, 1), Timers, |context, arguments| {
+        context.script.timers.cancel(arguments.text(0)?);
+        Ok(Data::Unit)
+    }),
+    function("running", (1, 1), Timers, |context, arguments| {
+        Ok(Data::Bool(context.script.timers.due(arguments.text(0)?).is_some()))
+    }),
+    function("time_left", (1, 1), Timers, |context, arguments| {
+        let due = context.script.timers.due(arguments.text(0)?).unwrap_or(0);
+        Ok(Data::Int(due.saturating_sub(context.script.now) as i64))
+    }),
+    function("now", (0, 0), Nothing, |context, _| Ok(Data::Int(context.script.now as i64))),
+    function("random", (1, 1), Nothing, |context, arguments| {
+        let count = arguments.int(0)?;
+        match u64::try_from(count) {
+            Ok(count) if count > 0 => Ok(Data::Int(context.script.random.below(count) as i64)),
+            _ => Err(format!("random needs a number above 0, not {count}")),
+        }
+    }),
+];
 
-fn time_ms(ms: i64) -> Result<u64, String> {
+/// A time that a script names.
+///
+/// # Errors
+/// If it is longer than a day, or below 0.
+pub fn time_ms(ms: i64) -> Result<u64, String> {
     match u64::try_from(ms) {
         Ok(time) if ms <= MAX_MS => Ok(time),
         _ => Err(format!("a time must be from 0 to {MAX_MS} ms, not {ms}")),
     }
 }
 
-fn register_machine(engine: &mut Engine) {
-    engine
-        .register_fn("exists", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| Ok(context.names.exists(name)))
-        })
-        .register_fn("closed", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| Ok(context.script.switches.closed(context.names.part(name)?)))
-        })
-        .register_fn("balls_in_play", |call: NativeCallContext| {
-            with_context(&call, |context| Ok(i64::from(context.script.balls) + i64::from(context.script.owed)))
-        })
-        .register_fn("add_ball", |call: NativeCallContext| {
-            with_context(&call, |context| ordered(context.script.add_ball()))
-        })
-        .register_fn("flippers", |call: NativeCallContext, on: bool| {
-            with_context(&call, |context| power(context, Some(on), None))
-        })
-        .register_fn("kickers", |call: NativeCallContext, on: bool| {
-            with_context(&call, |context| power(context, None, Some(on)))
-        });
-}
+static MACHINE: [HostFunction; 6] = [
+    function("exists", (1, 1), Nothing, |context, arguments| Ok(Data::Bool(context.names.exists(arguments.text(0)?)))),
+    function("closed", (1, 1), Nothing, |context, arguments| {
+        Ok(Data::Bool(context.script.switches.closed(context.names.part(arguments.text(0)?)?)))
+    }),
+    function("balls_in_play", (0, 0), Nothing, |context, _| {
+        Ok(Data::Int(i64::from(context.script.balls) + i64::from(context.script.owed)))
+    }),
+    function("add_ball", (0, 0), Nothing, |context, _| ordered(context.script.add_ball())),
+    function("flippers", (1, 1), Nothing, |context, arguments| power(context, Some(arguments.flag(0)?), None)),
+    function("kickers", (1, 1), Nothing, |context, arguments| power(context, None, Some(arguments.flag(0)?))),
+];
 
-/// Registers the words that command a part.
-fn register_parts(engine: &mut Engine) {
-    for command in &PART_COMMANDS {
-        match command.order {
-            Order::Once(order) => engine.register_fn(command.word, move |call: NativeCallContext, name: &str| {
-                with_context(&call, |context| command_part(context, command, name, order))
-            }),
-            Order::Switch(order) => {
-                engine.register_fn(command.word, move |call: NativeCallContext, name: &str, on: bool| {
-                    with_context(&call, |context| command_part(context, command, name, |part| order(part, on)))
-                })
-            }
-        };
-    }
-}
-
-fn command_part(
-    context: &mut ScriptContext,
-    command: &PartCommand,
-    name: &str,
-    order: impl Fn(PartId) -> Command,
-) -> Result<(), String> {
-    let part = context.names.part_for(command, name)?;
-    ordered(context.script.order(order(part)))
+fn command_part(context: &mut ScriptContext, command: &PartCommand, arguments: &Arguments) -> Result<Data, String> {
+    let part = context.names.part_for(command, arguments.text(0)?)?;
+    let order = match command.order {
+        Order::Once(order) => order(part),
+        Order::Switch(order) => order(part, arguments.flag(1)?),
+    };
+    ordered(context.script.order(order))
 }
 
 /// Switches the coils of flippers and kickers on or off.
-fn power(context: &mut ScriptContext, flippers: Option<bool>, kickers: Option<bool>) -> Result<(), String> {
+fn power(context: &mut ScriptContext, flippers: Option<bool>, kickers: Option<bool>) -> Result<Data, String> {
     if let Some(on) = flippers {
         context.script.flippers = on;
         ordered(context.script.order(Command::SetFlippers(on)))?;
@@ -270,109 +356,9 @@ fn power(context: &mut ScriptContext, flippers: Option<bool>, kickers: Option<bo
         context.script.kickers = on;
         ordered(context.script.order(Command::SetCoils(on)))?;
     }
-    Ok(())
+    Ok(Data::Unit)
 }
 
-fn ordered(room: bool) -> Result<(), String> {
-    room.then_some(()).ok_or_else(|| "too many orders for the machine in one tick".to_string())
-}
-
-fn register_lamps(engine: &mut Engine) {
-    engine
-        .register_fn("lamp", |call: NativeCallContext, name: &str, mode: &str| {
-            with_context(&call, |context| set(context, name, effect(mode, None, 0)?))
-        })
-        .register_fn("lamp", |call: NativeCallContext, name: &str, mode: &str, period: i64| {
-            with_context(&call, |context| set(context, name, effect(mode, Some(period), 0)?))
-        })
-        .register_fn("lamp", |call: NativeCallContext, name: &str, mode: &str, period: i64, shift: i64| {
-            with_context(&call, |context| set(context, name, effect(mode, Some(period), shift)?))
-        })
-        .register_fn("lamp", |call: NativeCallContext, name: &str, level: i64| {
-            with_context(&call, |context| {
-                set(context, name, LampEffect { mode: Mode::Steady(permille(level)?), ..LampEffect::OFF })
-            })
-        })
-        .register_fn("lamp_color", |call: NativeCallContext, name: &str, color: &str| {
-            with_context(&call, |context| paint(context, name, Some(srgb(color)?)))
-        })
-        .register_fn("lamp_color", |call: NativeCallContext, name: &str| {
-            with_context(&call, |context| paint(context, name, None))
-        })
-        .register_fn("flash", |call: NativeCallContext, name: &str, ms: i64| {
-            with_context(&call, |context| override_lamps(context, name, effect("on", None, 0)?, ms, None))
-        })
-        .register_fn("flash", |call: NativeCallContext, name: &str, ms: i64, color: &str| {
-            with_context(&call, |context| override_lamps(context, name, effect("on", None, 0)?, ms, Some(srgb(color)?)))
-        })
-        .register_fn("show", |call: NativeCallContext, name: &str, mode: &str, period: i64, delay: i64, ms: i64| {
-            with_context(&call, |context| override_lamps(context, name, effect(mode, Some(period), delay)?, ms, None))
-        })
-        .register_fn(
-            "show",
-            |call: NativeCallContext, name: &str, mode: &str, period: i64, delay: i64, ms: i64, color: &str| {
-                with_context(&call, |context| {
-                    override_lamps(context, name, effect(mode, Some(period), delay)?, ms, Some(srgb(color)?))
-                })
-            },
-        );
-}
-
-fn set(context: &mut ScriptContext, name: &str, effect: LampEffect) -> Result<(), String> {
-    for lamp in context.names.lamps(name)? {
-        context.lamps.set(lamp, effect);
-    }
-    Ok(())
-}
-
-fn paint(context: &mut ScriptContext, name: &str, color: Option<[u8; 3]>) -> Result<(), String> {
-    for lamp in context.names.lamps(name)? {
-        context.lamps.paint(lamp, color);
-    }
-    Ok(())
-}
-
-fn override_lamps(
-    context: &mut ScriptContext,
-    name: &str,
-    mut effect: LampEffect,
-    ms: i64,
-    color: Option<[u8; 3]>,
-) -> Result<(), String> {
-    let delay = std::mem::take(&mut effect.shift_ms);
-    let since = context.script.now + u64::from(delay);
-    let until = since + time_ms(ms)?;
-    for lamp in context.names.lamps(name)? {
-        context.lamps.set_override(lamp, (ms > 0).then_some(TimedOverride { effect, color, since, until }));
-    }
-    Ok(())
-}
-
-fn effect(mode: &str, period: Option<i64>, shift: i64) -> Result<LampEffect, String> {
-    let unknown = || format!("a lamp cannot do \"{mode}\"; it can do {}", Mode::NAMES.join(", "));
-    let mode = Mode::named(mode).ok_or_else(unknown)?;
-    let period_ms = match period {
-        None => mode.usual_period_ms(),
-        Some(period) => time_ms(period)?.max(1) as u32,
-    };
-    Ok(LampEffect { mode, period_ms, shift_ms: time_ms(shift)? as u32 })
-}
-
-fn permille(level: i64) -> Result<u16, String> {
-    match u16::try_from(level) {
-        Ok(level) if level <= 1000 => Ok(level),
-        _ => Err(format!("a lamp's level is from 0 to 1000, not {level}")),
-    }
-}
-
-/// The colour `#rrggbb`.
-fn srgb(text: &str) -> Result<[u8; 3], String> {
-    let wrong = || format!("a colour is written \"#rrggbb\", not \"{text}\"");
-    let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6).ok_or_else(wrong)?;
-    if !digits.chars().all(|digit| digit.is_ascii_hexdigit()) {
-        return Err(wrong());
-    }
-    let number = u32::from_str_radix(digits, 16).map_err(|_| wrong())?;
-    let [_, red, green, blue] = number.to_be_bytes();
-    Ok([red, green, blue])
+fn ordered(room: bool) -> Result<Data, String> {
+    room.then_some(Data::Unit).ok_or_else(|| "too many orders for the machine in one tick".to_string())
 }

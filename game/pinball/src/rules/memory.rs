@@ -19,15 +19,12 @@ impl Memory {
         Memory { value, bytes }
     }
 
-    /// Lets somebody change it.
-    pub fn change<T>(&mut self, work: impl FnOnce(&mut Value) -> T) -> T {
-        let answer = work(&mut self.value);
-        self.bytes = encode(&self.value);
-        answer
+    /// Remembers this instead.
+    pub fn set(&mut self, value: Value) {
+        *self = Memory::new(value);
     }
 
     /// What is remembered.
-    #[cfg(test)]
     pub fn value(&self) -> &Value {
         &self.value
     }

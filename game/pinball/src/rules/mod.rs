@@ -7,16 +7,19 @@
 mod ball_search;
 mod display;
 mod host;
+mod host_lamps;
 mod literals;
 mod memory;
 mod names;
 mod part_commands;
 mod program;
 mod score;
+mod script;
 mod script_state;
 mod switches;
 mod timers;
 mod value;
+mod work;
 
 #[cfg(test)]
 pub(crate) mod tests;
@@ -27,12 +30,15 @@ pub use program::Program;
 pub use score::Score;
 pub use script_state::ScriptState;
 pub use value::Value;
+pub use work::Work;
 
 use crate::lamps::LampController;
 use crate::{Buttons, Failure};
 use ball_search::BallSearch;
 use memory::Memory;
 use physics::{BallPose, Command, Fingerprint, TickEvent};
+use program::Happening;
+use script::Meter;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -45,6 +51,8 @@ pub struct Rules {
     program: Arc<Program>,
     state: State,
     complaints: Vec<String>,
+    /// The steps that the last tick has taken: nothing depends on them.
+    steps: u64,
 }
 
 /// Everything of the rules that can change what happens next.
@@ -56,6 +64,8 @@ pub struct State {
     script: ScriptState,
     /// The search for balls that have come to rest where no switch is.
     search: BallSearch,
+    /// What the script's calls have worked too much.
+    work: Work,
 }
 
 impl State {
@@ -65,11 +75,17 @@ impl State {
         self.memory.value()
     }
 
+    /// What the script's calls have worked too much.
+    pub fn work(&self) -> Work {
+        self.work
+    }
+
     /// Adds what serializing the state would add, in less time.
     pub fn add_to(&self, fingerprint: &mut Fingerprint) {
-        let State { memory, script, search } = self;
+        let State { memory, script, search, work } = self;
         fingerprint.add_bytes(memory.bytes());
         fingerprint.add(&(script, search));
+        work.add_to(fingerprint);
     }
 }
 
@@ -97,9 +113,11 @@ impl Rules {
             memory: Memory::new(Value::empty_map()),
             script: ScriptState::new(seed),
             search: BallSearch::default(),
+            work: Work::default(),
         };
-        let mut rules = Rules { program, state, complaints: Vec::new() };
-        rules.call("on_start", None, lamps, 0);
+        let mut rules = Rules { program, state, complaints: Vec::new(), steps: 0 };
+        rules.call(Happening { call: "on_start", name: None }, lamps, 0);
+        rules.state.work.end_tick();
         match rules.complaints.is_empty() {
             true => Ok(rules),
             false => Err(Failure::of_many(rules.complaints.into_iter().map(Failure::new).collect())),
@@ -108,7 +126,7 @@ impl Rules {
 
     /// The rules that go on from this state.
     pub fn restored(program: Arc<Program>, state: State) -> Rules {
-        Rules { program, state, complaints: Vec::new() }
+        Rules { program, state, complaints: Vec::new(), steps: 0 }
     }
 
     /// The compiled script, for another simulation of the same table.
@@ -126,6 +144,11 @@ impl Rules {
         &self.state.script
     }
 
+    /// The steps that the last tick has taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// What the rules want the machine to do in the next tick.
     pub fn take_commands(&mut self) -> Vec<Command> {
         std::mem::take(&mut self.state.script.commands)
@@ -139,6 +162,7 @@ impl Rules {
     /// One millisecond: buttons first, then what happened on the playfield, then timers, then the ball search.
     pub fn tick(&mut self, input: &TickInput<impl Fn() -> Vec<BallPose>>, lamps: &mut LampController) {
         self.state.script.now = input.now;
+        self.steps = 0;
         for (call, name) in switches::button_edges(input.before, input.buttons) {
             self.notify(call, Some(name), lamps, input);
         }
@@ -157,6 +181,7 @@ impl Rules {
             self.notify("on_timer", Some(&name), lamps, input);
         }
         self.state.search.tick(input, &mut self.state.script, self.program.names());
+        self.state.work.end_tick();
     }
 
     fn notify(
@@ -168,15 +193,18 @@ impl Rules {
     ) {
         if self.program.has(call) {
             let balls = self.state.search.balls_in_play(&(input.balls)());
-            self.call(call, name, lamps, balls);
+            self.call(Happening { call, name }, lamps, balls);
         }
     }
 
-    fn call(&mut self, call: &str, name: Option<&str>, lamps: &mut LampController, balls: u32) {
+    fn call(&mut self, happening: Happening, lamps: &mut LampController, balls: u32) {
         self.state.script.balls = balls;
-        let State { memory, script, .. } = &mut self.state;
-        let program = &self.program;
-        if let Err(complaint) = memory.change(|memory| program.call(call, name, memory, script, lamps)) {
+        let State { memory, script, work, .. } = &mut self.state;
+        let mut meter = Meter::new(work.allowed());
+        let answer = self.program.call(happening, memory, script, lamps, &mut meter);
+        work.add(meter.spent());
+        self.steps += meter.spent();
+        if let Err(complaint) = answer {
             self.complain(complaint);
         }
     }

@@ -31,6 +31,11 @@ impl Names {
         }
     }
 
+    /// How many names there are.
+    pub fn count(&self) -> usize {
+        self.parts.len() + self.lamps.len()
+    }
+
     /// A part's name, if the drawing gives it one.
     pub fn part_name(&self, part: PartId) -> Option<&str> {
         self.kinds.get(usize::from(part.0)).map(|(name, _)| name.as_str()).filter(|name| !name.is_empty())
@@ -90,8 +95,12 @@ impl Names {
     }
 }
 
+/// Longest name for which another is sought that is like it, bytes.
+const MAX_SOUGHT: usize = 64;
+
 /// `; did you mean "..."?` if a name differs by little.
 fn near<'a>(name: &str, names: impl Iterator<Item = &'a String>) -> String {
+    let names = names.filter(|other| name.len().max(other.len()) <= MAX_SOUGHT);
     let best = names.map(|other| (distance(name, other), other)).min();
     match best {
         Some((distance, other)) if distance <= 2 => format!("; did you mean \"{other}\"?"),

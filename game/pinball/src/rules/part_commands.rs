@@ -3,6 +3,7 @@
 use physics::{Command, FlipperControl, Kind, PartId};
 
 /// A word of the script that commands a part.
+#[derive(Debug)]
 pub struct PartCommand {
     /// The word: the name of a function whose first argument is the part's name.
     pub word: &'static str,
@@ -15,7 +16,7 @@ pub struct PartCommand {
 }
 
 /// What the machine is asked when a script commands a part.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub enum Order {
     /// Something that is done once.
     Once(fn(PartId) -> Command),
@@ -24,7 +25,7 @@ pub enum Order {
 }
 
 /// Every word that commands a part.
-pub const PART_COMMANDS: [PartCommand; 5] = [
+pub static PART_COMMANDS: [PartCommand; 5] = [
     PartCommand {
         word: "eject",
         what: "a saucer",

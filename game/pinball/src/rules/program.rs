@@ -1,13 +1,15 @@
 //! A compiled script: shared by every simulation of its table.
 
-use super::host::{self, SharedContext};
+use super::host::ScriptContext;
 use super::literals;
+use super::memory::Memory;
 use super::names::Names;
+use super::script::{Data, Failed, Meter, Mistake, Script};
 use super::script_state::ScriptState;
 use super::value::Value;
+use super::work::Work;
 use crate::lamps::LampController;
 use crate::{Failure, Table};
-use rhai::{AST, CallFnOptions, Dynamic, Engine, EvalAltResult, Module, OptimizationLevel, Scope};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -25,25 +27,27 @@ const CALLS: [(&str, usize); 10] = [
     ("on_slam", 0),
 ];
 
-/// Most operations in one call: about 50 ms on a slow computer.
-const MAX_OPERATIONS: u64 = 200_000;
-/// Deepest nesting of calls.
-const MAX_CALLS: usize = 24;
-/// Deepest nesting of expressions.
-const MAX_EXPRESSIONS: usize = 48;
-/// Longest text, bytes.
-const MAX_TEXT: usize = 4096;
-/// Longest array and largest map.
-const MAX_ITEMS: usize = 4096;
+/// Steps that every call takes, whatever it does.
+const CALL_STEPS: u64 = 20;
+/// Bytes of what a script remembers that take a step: they are read before each call, and written behind it.
+const STEP_BYTES: usize = 2;
 
 /// A script that has been read and found good.
 pub struct Program {
-    engine: Engine,
-    ast: AST,
-    /// The script's functions and the lines on which they begin.
-    functions: BTreeMap<String, usize>,
+    script: Script,
+    /// The functions that are called when something happens: number, and the line on which they begin.
+    calls: BTreeMap<String, (u16, usize)>,
     names: Arc<Names>,
     file: String,
+}
+
+/// What a script is told.
+#[derive(Clone, Copy)]
+pub struct Happening<'a> {
+    /// The function that is called.
+    pub call: &'a str,
+    /// What it is told: a part, a button, a timer.
+    pub name: Option<&'a str>,
 }
 
 impl Program {
@@ -54,18 +58,21 @@ impl Program {
     pub fn new(table: &Table) -> Result<Program, Failure> {
         let file = table.file("rules.rhai");
         let names = Arc::new(Names::new(table));
-        let mut engine = engine();
-        let ast = compile(&mut engine, &table.rules).map_err(|error| Failure::new(sentence(&file, 1, *error)))?;
-        let mut mistakes = wrong_calls(&ast, &table.rules);
+        let (script, mut mistakes) = match Script::read(&table.rules) {
+            Ok(script) => (script, Vec::new()),
+            Err(mistakes) => (Script::default(), mistakes),
+        };
+        mistakes.extend(wrong_calls(&script, &table.rules));
         mistakes.extend(literals::unknown_names(&table.rules, &names));
         if !mistakes.is_empty() {
             mistakes.sort();
             let mistakes = mistakes.iter().map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
             return Err(Failure::of_many(mistakes.collect()));
         }
-        let function = |name: &str| (name.to_string(), line_of(name, &table.rules));
-        let functions = ast.iter_functions().map(|found| function(found.name)).collect();
-        Ok(Program { engine, ast, functions, names, file })
+        let numbered = script.functions().zip(0..).filter(|(function, _)| is_call(&function.name));
+        let call = |name: &str, number| (name.to_string(), (number, line_of(name, &table.rules)));
+        let calls = numbered.map(|(function, number)| call(&function.name, number)).collect();
+        Ok(Program { script, calls, names, file })
     }
 
     /// The parts and lamps.
@@ -75,7 +82,7 @@ impl Program {
 
     /// Whether the script wants to hear of this.
     pub fn has(&self, call: &str) -> bool {
-        self.functions.contains_key(call)
+        self.calls.contains_key(call)
     }
 
     /// Tells the script what happened. What it did before an error stays done.
@@ -84,81 +91,59 @@ impl Program {
     /// A sentence with file and line.
     pub fn call(
         &self,
-        call: &str,
-        name: Option<&str>,
-        memory: &mut Value,
+        happening: Happening,
+        memory: &mut Memory,
         script: &mut ScriptState,
         lamps: &mut LampController,
+        meter: &mut Meter,
     ) -> Result<(), String> {
-        let Some(line) = self.functions.get(call).copied() else {
+        let Some((function, line)) = self.calls.get(happening.call).copied() else {
             return Ok(());
         };
-        let mut this = memory.to_script();
-        let shared = SharedContext::new(std::mem::take(script), std::mem::take(lamps), self.names.clone());
-        let options =
-            CallFnOptions::new().eval_ast(false).bind_this_ptr(&mut this).with_tag(Dynamic::from(shared.clone()));
-        let arguments: Vec<Dynamic> = name.map(|name| name.to_string().into()).into_iter().collect();
-        let answer =
-            self.engine.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, call, arguments);
-        (*script, *lamps) = shared.take_parts();
-        *memory = Value::from_script(this).map_err(|what| {
-            format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
-        })?;
-        answer.map(|_| ()).map_err(|error| sentence(&self.file, line, *error))
-    }
-}
-
-fn engine() -> Engine {
-    let mut engine = Engine::new();
-    engine
-        .set_max_operations(MAX_OPERATIONS)
-        .set_max_call_levels(MAX_CALLS)
-        .set_max_expr_depths(MAX_EXPRESSIONS, MAX_EXPRESSIONS)
-        .set_max_string_size(MAX_TEXT)
-        .set_max_array_size(MAX_ITEMS)
-        .set_max_map_size(MAX_ITEMS)
-        .set_max_variables(256)
-        .set_max_functions(512)
-        .set_optimization_level(OptimizationLevel::Simple)
-        .disable_symbol("eval")
-        .disable_symbol("print")
-        .disable_symbol("debug");
-    host::register(&mut engine);
-    engine
-}
-
-/// Reads the script twice: once for its constants, then with them, so that every function knows them and a variable
-/// that nobody has defined is a mistake.
-fn compile(engine: &mut Engine, text: &str) -> Result<AST, Box<EvalAltResult>> {
-    let mut scope = Scope::new();
-    let first = engine.compile(text)?;
-    engine.run_ast_with_scope(&mut scope, &first)?;
-    let mut constants = Scope::new();
-    let mut module = Module::new();
-    for (name, constant, value) in scope.iter() {
-        if constant {
-            module.set_var(name, value.clone());
-            constants.push_constant_dynamic(name, value);
+        let steps = CALL_STEPS + (memory.bytes().len() / STEP_BYTES) as u64;
+        if meter.charge(steps).is_err() {
+            return Err(format!("{}:{line}: {}", self.file, spent()));
         }
+        let mut this = memory.value().to_script();
+        let (own_script, own_lamps) = (std::mem::take(script), std::mem::take(lamps));
+        let mut context = ScriptContext { script: own_script, lamps: own_lamps, names: self.names.clone() };
+        let arguments = happening.name.map(Data::text).into_iter().collect();
+        let answer = self.script.call(function, arguments, &mut this, &mut context, meter);
+        (*script, *lamps) = (context.script, context.lamps);
+        let call = happening.call;
+        memory.set(Value::from_script(this).map_err(|what| {
+            format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
+        })?);
+        answer.map_err(|failed| self.sentence(&failed, line))
     }
-    engine.register_global_module(module.into());
-    engine.set_strict_variables(true);
-    Ok(engine.compile_with_scope(&constants, text)?)
+
+    fn sentence(&self, failed: &Failed, called: usize) -> String {
+        let line = if failed.line == 0 { called } else { failed.line as usize };
+        format!("{}:{line}: {}", self.file, failed.sentence(&spent()))
+    }
+}
+
+fn spent() -> String {
+    format!("this does not come to an end (the rules may take {} steps in a second)", Work::most(1000))
+}
+
+fn is_call(name: &str) -> bool {
+    CALLS.iter().any(|(call, _)| *call == name)
 }
 
 /// Functions that look as if they were to be called when something happens, but never will be.
-fn wrong_calls(ast: &AST, text: &str) -> Vec<(usize, String)> {
+fn wrong_calls(script: &Script, text: &str) -> Vec<Mistake> {
     let mut mistakes = Vec::new();
-    for function in ast.iter_functions().filter(|function| function.name.starts_with("on_")) {
+    for function in script.functions().filter(|function| function.name.starts_with("on_")) {
         let what = match CALLS.iter().find(|(name, _)| *name == function.name) {
-            Some((_, count)) if *count == function.params.len() => continue,
+            Some((_, count)) if *count == function.parameters => continue,
             Some((name, count)) => format!("{name} takes {count} parameters"),
             None => {
                 let names: Vec<&str> = CALLS.iter().map(|(name, _)| *name).collect();
                 format!("nothing calls {}; there are {}", function.name, names.join(", "))
             }
         };
-        mistakes.push((line_of(function.name, text), what));
+        mistakes.push((line_of(&function.name, text), what));
     }
     mistakes
 }
@@ -167,24 +152,4 @@ fn wrong_calls(ast: &AST, text: &str) -> Vec<(usize, String)> {
 fn line_of(function: &str, text: &str) -> usize {
     let begin = format!("fn {function}(");
     text.lines().position(|line| line.contains(&begin)).map_or(1, |index| index + 1)
-}
-
-/// An error of the script as one sentence with file and line; the line of the function that was called, where rhai
-/// knows no better one.
-fn sentence(file: &str, called: usize, mut error: EvalAltResult) -> String {
-    let mut line = error.position().line().unwrap_or(called);
-    while let EvalAltResult::ErrorInFunctionCall(_, _, inner, _) = error {
-        error = *inner;
-        line = error.position().line().unwrap_or(line);
-    }
-    error.clear_position();
-    let what = match &error {
-        EvalAltResult::ErrorTooManyOperations(_) => {
-            format!("this does not come to an end (more than {MAX_OPERATIONS} operations for one event)")
-        }
-        EvalAltResult::ErrorRuntime(text, _) => text.to_string(),
-        EvalAltResult::ErrorParsing(what, _) => what.to_string(),
-        other => other.to_string(),
-    };
-    format!("{file}:{line}: {what}")
 }

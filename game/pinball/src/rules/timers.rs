@@ -30,6 +30,11 @@ impl Timers {
         true
     }
 
+    /// How many run.
+    pub fn count(&self) -> usize {
+        self.running.len()
+    }
+
     /// Forgets a timer, if it runs.
     pub fn cancel(&mut self, name: &str) {
         self.running.retain(|timer| timer.name != name);

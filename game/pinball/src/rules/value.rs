@@ -1,8 +1,8 @@
 //! Values: what the rules remember: plain data with one order, so that it can be saved, hashed and cloned.
 //!
-//! A script's own values may be shared, or be functions; none of that survives an event. What does is this.
+//! A script's own values may be functions or ranges; none of that survives an event. What does is this.
 
-use rhai::{Array, Dynamic, Map};
+use super::script::Data;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 const MAX_DEPTH: usize = 16;
 /// Most values in all.
 const MAX_VALUES: usize = 20_000;
+/// Most text in all, bytes.
+const MAX_TEXT: usize = 262_144;
 
 /// Plain data.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,6 +30,12 @@ pub enum Value {
     Map(BTreeMap<String, Value>),
 }
 
+/// The room that is left for what is remembered.
+struct Room {
+    values: usize,
+    text: usize,
+}
+
 impl Value {
     /// An empty map: what a machine that has just been switched on remembers.
     pub fn empty_map() -> Value {
@@ -38,49 +46,52 @@ impl Value {
     ///
     /// # Errors
     /// One clause that says what cannot be remembered: a function, a range, or too much of anything.
-    pub fn from_script(value: Dynamic) -> Result<Value, String> {
-        convert(value, MAX_DEPTH, &mut MAX_VALUES.clone())
+    pub fn from_script(value: Data) -> Result<Value, String> {
+        Room { values: MAX_VALUES, text: MAX_TEXT }.convert(value, MAX_DEPTH)
     }
 
     /// The value as the script sees it.
-    pub fn to_script(&self) -> Dynamic {
+    pub fn to_script(&self) -> Data {
         match self {
-            Value::Unit => Dynamic::UNIT,
-            Value::Bool(value) => (*value).into(),
-            Value::Int(value) => (*value).into(),
-            Value::Text(text) => text.as_str().into(),
-            Value::List(values) => Dynamic::from_array(values.iter().map(Value::to_script).collect()),
+            Value::Unit => Data::Unit,
+            Value::Bool(value) => Data::Bool(*value),
+            Value::Int(value) => Data::Int(*value),
+            Value::Text(text) => Data::text(text),
+            Value::List(values) => Data::List(values.iter().map(Value::to_script).collect()),
             Value::Map(values) => {
-                Dynamic::from_map(values.iter().map(|(key, value)| (key.as_str().into(), value.to_script())).collect())
+                Data::Map(values.iter().map(|(key, value)| (key.as_str().into(), value.to_script())).collect())
             }
         }
     }
 }
 
-fn convert(value: Dynamic, depth: usize, left: &mut usize) -> Result<Value, String> {
-    let value = value.flatten();
-    *left = left.checked_sub(1).ok_or_else(|| format!("more than {MAX_VALUES} values"))?;
-    if value.is_unit() {
-        Ok(Value::Unit)
-    } else if let Ok(flag) = value.as_bool() {
-        Ok(Value::Bool(flag))
-    } else if let Ok(number) = value.as_int() {
-        Ok(Value::Int(number))
-    } else if value.is_char() || value.is_string() {
-        Ok(Value::Text(value.to_string()))
-    } else if depth == 0 {
-        Err(format!("lists and maps nested more than {MAX_DEPTH} deep"))
-    } else if value.is_array() {
-        let values = value.try_cast::<Array>().unwrap_or_default();
-        Ok(Value::List(values.into_iter().map(|value| convert(value, depth - 1, left)).collect::<Result<_, _>>()?))
-    } else if value.is_map() {
-        let values = value.try_cast::<Map>().unwrap_or_default();
-        let mut map = BTreeMap::new();
-        for (key, value) in values {
-            map.insert(key.to_string(), convert(value, depth - 1, left)?);
+impl Room {
+    fn convert(&mut self, value: Data, depth: usize) -> Result<Value, String> {
+        self.values = self.values.checked_sub(1).ok_or_else(|| format!("more than {MAX_VALUES} values"))?;
+        match value {
+            Data::Unit => Ok(Value::Unit),
+            Data::Bool(flag) => Ok(Value::Bool(flag)),
+            Data::Int(number) => Ok(Value::Int(number)),
+            Data::Text(text) => Ok(Value::Text(self.text(&text)?)),
+            Data::List(_) | Data::Map(_) if depth == 0 => {
+                Err(format!("lists and maps nested more than {MAX_DEPTH} deep"))
+            }
+            Data::List(values) => {
+                let values = values.into_iter().map(|value| self.convert(value, depth - 1));
+                Ok(Value::List(values.collect::<Result<_, _>>()?))
+            }
+            Data::Map(values) => {
+                let entry =
+                    |(key, value): (std::sync::Arc<str>, Data)| Ok((self.text(&key)?, self.convert(value, depth - 1)?));
+                Ok(Value::Map(values.into_iter().map(entry).collect::<Result<_, String>>()?))
+            }
+            other => Err(format!("a value of the type {}", other.type_name())),
         }
-        Ok(Value::Map(map))
-    } else {
-        Err(format!("a value of the type {}", value.type_name()))
+    }
+
+    fn text(&mut self, text: &str) -> Result<String, String> {
+        let left = self.text.checked_sub(text.len());
+        self.text = left.ok_or_else(|| format!("more than {MAX_TEXT} bytes of text"))?;
+        Ok(text.to_string())
     }
 }

@@ -151,6 +151,16 @@ impl Simulation {
         self.rules.script_state().display()
     }
 
+    /// The steps that the rules have taken in the last tick.
+    pub fn rule_steps(&self) -> u64 {
+        self.rules.steps()
+    }
+
+    /// The steps that the rules owe.
+    pub fn rule_debt(&self) -> u64 {
+        self.rules.state().work().debt()
+    }
+
     /// What the rules have complained about since the last call, one sentence each with file and line.
     pub fn complaints(&mut self) -> Vec<String> {
         self.rules.take_complaints()

@@ -1,4 +1,4 @@
-//! `caustic bench`: how fast the light, a whole frame and the simulation are, on this machine, now.
+//! `caustic bench`: how fast the light, a whole frame, the simulation and the rules are, on this machine, now.
 //!
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
@@ -9,6 +9,7 @@ mod heap;
 mod physics;
 mod quality;
 mod room;
+mod rules;
 mod shots;
 mod table;
 mod tick;
@@ -75,6 +76,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     }
     if matches!(args.bench, Bench::Tick | Bench::All) {
         rows.extend(tick::rows()?);
+    }
+    if matches!(args.bench, Bench::Rules | Bench::All) {
+        rows.extend(rules::rows()?);
     }
     let text = if args.json { json(&rows) } else { table(&rows) };
     print_lines(text.lines())

@@ -66,7 +66,7 @@ fn a_script_without_end_is_cut_short_and_the_game_goes_on() {
     bench.hit("lane");
     let complaints = bench.rules.take_complaints();
     assert_eq!(complaints.len(), 1, "said once: {complaints:?}");
-    assert!(complaints[0].starts_with("bench/rules.rhai:2: this does not come to an end"), "{complaints:?}");
+    assert!(complaints[0].starts_with("bench/rules.rhai:3: this does not come to an end"), "{complaints:?}");
     assert_eq!(bench.score(), 2, "what was done before the error stays done");
 }
 

@@ -38,7 +38,9 @@ fn a_state_survives_its_bytes() {
     for state in [&back, bench.rules.state()] {
         let mut hashed = physics::Fingerprint::default();
         state.add_to(&mut hashed);
-        assert_eq!(hashed.finish(), physics::fingerprint(bench.rules.state()), "the bytes that are kept are its own");
+        let State { memory, script, search, .. } = bench.rules.state();
+        let own = physics::fingerprint(&(memory, script, search));
+        assert_eq!(hashed.finish(), own, "the bytes that are kept are its own, and no debt adds nothing");
     }
 }
 
