@@ -4,6 +4,7 @@ mod bot;
 mod check;
 mod command_line;
 mod demos;
+mod fuzz_corpora;
 mod golden;
 mod picture;
 mod plot;

@@ -35,6 +35,43 @@ fn check(call: &Call, names: &Names) -> Result<(), String> {
     }
 }
 
+/// A message that a script says in so many words, and for how long.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LiteralMessage {
+    /// The script's line, from 1.
+    pub line: usize,
+    /// The display's lines.
+    pub lines: Vec<String>,
+    /// How long it stands, ms; 0 if it stays.
+    pub ms: u64,
+}
+
+/// Every `message("literal", ..., ms)` whose lines and time all stand there.
+pub fn messages(text: &str) -> Vec<LiteralMessage> {
+    let tokens = tokens(text);
+    let calls = tokens
+        .windows(2)
+        .enumerate()
+        .filter(|(_, pair)| matches!(pair, [(_, Token::Word("message")), (_, Token::Mark('('))]));
+    calls.filter_map(|(at, pair)| literal_message(pair[0].0, &tokens[at + 2..])).collect()
+}
+
+/// The message whose arguments begin here.
+fn literal_message(line: usize, arguments: &[(usize, Token)]) -> Option<LiteralMessage> {
+    let mut lines = Vec::new();
+    for pair in arguments.chunks(2) {
+        match pair {
+            [(_, Token::Text(text)), (_, Token::Mark(','))] => lines.push(text.to_string()),
+            [(_, Token::Word(ms)), (_, Token::Mark(')'))] if !lines.is_empty() => {
+                let ms = ms.replace('_', "").parse().ok()?;
+                return Some(LiteralMessage { line, lines, ms });
+            }
+            _ => return None,
+        }
+    }
+    None
+}
+
 /// Every `name("literal"` followed by `,` or `)`.
 fn literal_calls(text: &str) -> Vec<Call<'_>> {
     let tokens = tokens(text);
@@ -128,4 +165,21 @@ fn quoted(text: &str, quote: char) -> usize {
         escaped = letter == '\\' && !escaped && quote != '`';
     }
     text.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_that_stand_there_whole_are_found_and_no_others() {
+        let script = "fn on_start() {\n  message(\"JACKPOT\", 1_500);\n  message(\"A\", \"B // C\", 0); // message(\"no\", 1)\n\
+                      \n  message(name, 200); message(\"A\", time); message(`x ${y}`, 3); message();\n}";
+        let message = |line, lines: &[&str], ms| LiteralMessage {
+            line,
+            lines: lines.iter().map(ToString::to_string).collect(),
+            ms,
+        };
+        assert_eq!(messages(script), [message(2, &["JACKPOT"], 1500), message(3, &["A", "B // C"], 0)]);
+    }
 }

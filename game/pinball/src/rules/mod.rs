@@ -22,6 +22,7 @@ mod value;
 pub(crate) mod tests;
 
 pub use display::Display;
+pub use literals::{LiteralMessage, messages as literal_messages};
 pub use program::Program;
 pub use score::Score;
 pub use script_state::ScriptState;
