@@ -6,7 +6,7 @@
 use super::css::{self, Cascade, Instance};
 use super::drawing::element_class;
 use super::page::SVG;
-use super::references::{Links, href, is_use};
+use super::references::{Links, href, is_use, plain_href};
 use super::text_edit::{escaped, prefix};
 use super::{style, viewport};
 use roxmltree::{Document, Node, NodeId};
@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// XML's own namespace: `xml:space`.
-const XML: &str = "http://www.w3.org/XML/1998/namespace";
+pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";
 /// What of a `<use>` is no attribute of the group in its place.
 const OF_USE: [&str; 6] = ["x", "y", "width", "height", "href", "transform"];
 /// What of an `<svg>` or a `<symbol>` is no attribute of the group in its place.
@@ -173,7 +173,7 @@ impl Cloner<'_, '_, '_> {
                 add(&format!("xml:{name}"), value);
             }
         }
-        if !without.contains(&"href") && !node.has_attribute("href") {
+        if !without.contains(&"href") && plain_href(node).is_none() {
             add("href", href(node).unwrap_or(""));
         }
         out.push('>');

@@ -110,7 +110,14 @@ fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
 
 /// An element's `href`, the newer form before the older.
 pub(super) fn href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
-    node.attribute("href").or_else(|| node.attribute((XLINK, "href")))
+    plain_href(node).or_else(|| node.attribute((XLINK, "href")))
+}
+
+/// An element's `href` in the newer form. Without a namespace the library would take one of any.
+pub(super) fn plain_href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    let mut attributes = node.attributes();
+    let plain = attributes.find(|attribute| attribute.namespace().is_none() && attribute.name() == "href");
+    plain.map(|attribute| attribute.value())
 }
 
 /// The id that an element's `href` names.

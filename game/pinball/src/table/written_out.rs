@@ -4,11 +4,11 @@
 //! where its maker has it.
 
 use super::amount;
-use super::clones::{Cloner, Holders};
+use super::clones::{Cloner, Holders, XML};
 use super::css::{self, Cascade, Instance};
 use super::drawing::{element_class, parse_xml};
 use super::page::SVG;
-use super::references::{Links, XLINK, href, is_use};
+use super::references::{Links, XLINK, href, is_use, plain_href};
 use super::source::{Diagnostic, Source};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
 use roxmltree::{Document, Node};
@@ -100,9 +100,12 @@ impl Writer<'_, '_, '_> {
             self.style(node)
         }
         // Of two links the newer counts, and readers of SVG do not agree about that.
-        let older = node.attribute_node((XLINK, "href")).filter(|_| node.has_attribute("href"));
-        if let Some(older) = older {
-            self.put(older.range(), "");
+        let older = node.attribute_node((XLINK, "href")).filter(|_| plain_href(node).is_some());
+        // What a program notes for itself, `sodipodi:cx`, could be taken for what its name says.
+        let is_note = |name: &&str| ![SVG, XLINK, XML].contains(name);
+        let notes = node.attributes().filter(|attribute| attribute.namespace().as_ref().is_some_and(is_note));
+        for attribute in notes.chain(older) {
+            self.put(attribute.range(), "");
         }
         for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
             if let Some(plain) = css::plain_attribute(attribute.name(), attribute.value()) {

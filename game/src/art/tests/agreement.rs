@@ -61,6 +61,20 @@ fn clones_of_things_are_no_art_and_clones_of_art_are() {
 }
 
 #[test]
+fn links_of_both_forms_lead_to_what_they_name() {
+    let drawn = r##"<g xmlns:xlink="http://www.w3.org/1999/xlink"><linearGradient id="one"><stop stop-color="#ff8000"/></linearGradient>
+        <linearGradient id="two" xlink:href="#one"/><linearGradient id="three" xlink:href="#none" href="#one"/>
+        <rect id="star" x="100" y="100" width="50" height="50" fill="url(#two)"/>
+        <rect x="200" y="100" width="50" height="50" fill="url(#three)"/>
+        <g id="bank"><circle id="a" class="bumper" cx="400" cy="100" r="20"/><use xlink:href="#star" y="100"/></g>
+        <use id="c" xlink:href="#bank" y="100"/></g>"##;
+    let table = table(drawn);
+    for (x, y) in [(120, 120), (220, 120), (120, 220), (120, 320)] {
+        assert_eq!(printed(&table, x, y), [255, 128, 0], "{x} {y}");
+    }
+}
+
+#[test]
 fn an_inner_svg_is_transformed_once() {
     // usvg 0.45 applies transform and opacity of an inner <svg> twice (linebender/resvg, issue 1066).
     let drawn = r##"<svg transform="translate(50 50)" width="40" height="40" style="overflow:visible">

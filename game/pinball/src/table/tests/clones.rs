@@ -167,6 +167,13 @@ fn mistakes_in_clones_have_their_line() {
     );
 }
 
+/// Inkscape notes where the middle of a star was when it was made.
+#[test]
+fn what_a_program_notes_for_itself_is_no_place() {
+    let drawn = r#"<g xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><circle sodipodi:cx="300" id="a" class="bumper" cx="100" cy="100" sodipodi:r="4" r="20"/></g>"#;
+    assert_eq!(disc(&table(drawn), "a"), (100.0, 100.0, 20.0));
+}
+
 /// Illustrator writes a drawing for itself before the one for others.
 #[test]
 fn of_a_switch_the_first_choice_is_drawn_that_needs_nothing() {
