@@ -5,8 +5,13 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+/// What is found without play.
 fn check(table: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_caustic")).args(["check", table]).output().expect("the program runs")
+    run(&["check", "--quick", table])
+}
+
+fn run(words: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_caustic")).args(words).output().expect("the program runs")
 }
 
 fn told(output: &Output) -> (Option<i32>, String, String) {
@@ -16,9 +21,66 @@ fn told(output: &Output) -> (Option<i32>, String, String) {
 
 #[test]
 fn the_table_that_comes_with_the_game_is_good() {
-    let (code, said, complained) = told(&check("spectrum"));
-    assert_eq!(code, Some(0), "{complained}");
+    let (code, said, complained) = told(&run(&["check", "spectrum"]));
+    assert_eq!((code, complained.as_str()), (Some(0), ""));
     assert!(said.starts_with("ok spectrum title=\"Spectrum\" size_mm=514x1067 parts="), "{said}");
+    let played = said.contains(" warnings=0 ") && said.contains(" places=") && said.contains(" bot_score=");
+    assert!(played, "{said}");
+}
+
+/// A plunger drawn from its handle to its tip: `check` said that the table was good, and no ball ever came into play.
+#[test]
+fn what_only_play_shows_is_told_and_left_out_in_haste() {
+    let turned = [("d=\"m 395,805 v 42\"", "d=\"m 395,847 v -42\"")];
+    let (code, said, complained) = orchard_with(&["check"], "plunger", &turned);
+    assert_eq!((code, said.as_str()), (Some(1), ""));
+    assert!(
+        complained.contains("table.svg:104: lanefloor: new balls arrive inside it, at 395, 862 mm: draw the plunger"),
+        "{complained}"
+    );
+    let (code, said, complained) = orchard_with(&["check", "--quick"], "plunger-quick", &turned);
+    assert_eq!((code, complained.as_str()), (Some(0), ""), "{said}");
+}
+
+/// A ball that had just passed the gate fell back on its flap and lay there.
+#[test]
+fn a_gate_that_holds_a_ball_is_told_by_its_name() {
+    let level = [("d=\"m 376,250 38,-16\"", "d=\"m 376,250 h 38\"")];
+    let (code, _, complained) = orchard_with(&["check"], "gate", &level);
+    assert_eq!(code, Some(1));
+    assert!(
+        complained
+            .contains(": gate1: a ball lies still beside it at 385, 236 mm, and the ball search does not free it"),
+        "{complained}"
+    );
+}
+
+#[test]
+fn all_of_it_is_data_if_it_is_asked_for() {
+    let typo = [("\"slingshot\"", "\"sling-shot\"")];
+    let (code, said, complained) = orchard_with(&["check", "--json"], "json-typo", &typo);
+    assert_eq!((code, complained.as_str()), (Some(1), "caustic: 1 error\n"));
+    let found: serde_json::Value = serde_json::from_str(&said).expect("JSON");
+    assert_eq!((&found["ok"], &found["errors"][0]["line"]), (&false.into(), &178.into()), "{said}");
+    assert_eq!(found["errors"][0]["message"], "the class `sling-shot` means nothing; did you mean `slingshot`?");
+    let (code, said, complained) = orchard_with(&["check", "--json"], "json", &[]);
+    assert_eq!((code, complained.as_str()), (Some(0), ""));
+    let found: serde_json::Value = serde_json::from_str(&said).expect("JSON");
+    assert_eq!((&found["parts"], &found["play"]["places"]), (&14.into(), &500.into()), "{said}");
+    assert_eq!((&found["errors"], &found["warnings"]), (&serde_json::json!([]), &serde_json::json!([])));
+}
+
+/// A message of 43 letters that stood for a second showed its beginning.
+#[test]
+fn a_message_that_has_no_time_is_told() {
+    let rules =
+        "fn on_start() { message(\"THE QUICK BROWN FOX JUMPS OVER THE LAZY DOG\", 1_000); message(\"SHORT\", 90); }";
+    let table = Table::with_rules("message", "", rules);
+    let (code, said, complained) = told(&check(&table.0.to_string_lossy()));
+    assert_eq!(code, Some(0), "{complained}");
+    assert!(said.contains(" warnings=1 "), "{said}");
+    let expected = "rules.rhai:1: the message `THE QUICK BROWN FOX JUMPS OVER THE LAZY DOG` is wider than the display";
+    assert!(complained.contains(expected), "{complained}");
 }
 
 #[test]
@@ -47,8 +109,13 @@ fn an_unknown_table_is_told_with_those_that_there_are() {
     assert!(complained.contains("spectrum"), "{complained}");
 }
 
-/// What `check` says of the orchard, a table as Inkscape 1.2 saves it, with these changes to its drawing.
+/// What `check` says, without play, of the orchard with these changes to its drawing.
 fn orchard(name: &str, changes: &[(&str, &str)]) -> (Option<i32>, String, String) {
+    orchard_with(&["check", "--quick"], name, changes)
+}
+
+/// What these words say of the orchard, a table as Inkscape 1.2 saves it, with these changes to its drawing.
+fn orchard_with(words: &[&str], name: &str, changes: &[(&str, &str)]) -> (Option<i32>, String, String) {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/orchard");
     let dir = std::env::temp_dir().join(format!("caustic-orchard-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&dir).expect("a folder");
@@ -60,7 +127,7 @@ fn orchard(name: &str, changes: &[(&str, &str)]) -> (Option<i32>, String, String
         }
         std::fs::write(dir.join(file), text).expect(file);
     }
-    let told = told(&check(&dir.to_string_lossy()));
+    let told = told(&run(&[words, &[&dir.to_string_lossy()]].concat()));
     std::fs::remove_dir_all(&dir).expect("the folder goes");
     told
 }
@@ -161,6 +228,10 @@ struct Table(PathBuf);
 
 impl Table {
     fn new(name: &str, drawn: &str) -> Table {
+        Table::with_rules(name, drawn, "")
+    }
+
+    fn with_rules(name: &str, drawn: &str, rules: &str) -> Table {
         let dir = std::env::temp_dir().join(format!("caustic-check-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&dir).expect("a folder");
         let svg = format!(
@@ -171,7 +242,7 @@ impl Table {
 {drawn}
 </svg>"#
         );
-        for (file, text) in [("table.svg", svg.as_str()), ("table.toml", "name = \"t\""), ("rules.rhai", "")] {
+        for (file, text) in [("table.svg", svg.as_str()), ("table.toml", "name = \"t\""), ("rules.rhai", rules)] {
             std::fs::write(dir.join(file), text).expect(file);
         }
         Table(dir)
@@ -198,13 +269,13 @@ fn assert_refused(name: &str, drawn: &str, parts: &[&str]) {
 /// that the table was good.
 #[test]
 fn art_that_the_rasteriser_cannot_take_is_refused() {
-    let number = ["table.svg: line 5: ", "the number 2147483649 in it is too large"];
+    let number = ["table.svg:5: ", "the number 2147483649 in it is too large"];
     let panics = r#"<path d="M12 668 L408 838 L-2147483649 812 V704 L458 668 V914 L284 992 Z" fill="red"/>"#;
     assert_refused("panic", panics, &number);
     let aborts = r#"<g class="wood"><path d="M12 668 A36 36 0 0 1 48 704 V812 L62 838 L145 892 L146 912 L205 950 H265 L324 912 L325 892 L408 838 L-2147483649 812 V704 A36 36 0 0 1 458 668 V914 L284 992 V1067 H186 V992 L12 914 Z"/></g>"#;
     assert_refused("abort", aborts, &number);
     let function = r#"<rect id="r" width="9" height="9" style="filter:blur(1e38px)"/>"#;
-    let measured = ["table.svg: line 5: rect `r`: the number 1", "in it is too large"];
+    let measured = ["table.svg:5: rect `r`: the number 1", "in it is too large"];
     assert_refused("function", function, &measured);
     let scaled = r#"<g id="big" transform="scale(1e5)"><path d="M12 668 L408 838 V914 Z" transform="scale(1e5)"/></g>"#;
     assert_refused(

@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Things that a table is made of, at most.
 const MOST_THINGS: usize = 24;
 /// Ticks that are played, at most.
-const MOST_TICKS: usize = 600;
+const MOST_TICKS: usize = 300;
 
 /// Makes a table of `bytes`, and plays it with what is left of them.
 pub fn run(bytes: &[u8]) {

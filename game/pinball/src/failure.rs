@@ -33,10 +33,15 @@ impl Failure {
         Failure(failures.into_iter().flat_map(|failure| failure.0).collect())
     }
 
-    /// The same failure, with the name of the file that it is about before it.
+    /// The same failure, with the name of the file that it is about before it: `line 5: ...` becomes `FILE:5: ...`.
     pub fn in_file(mut self, file: impl fmt::Display) -> Failure {
         if let Some(Sentence { text, .. }) = self.0.first_mut() {
-            *text = format!("{file}: {text}");
+            let placed = text.strip_prefix("line ").and_then(|rest| rest.split_once(": "));
+            let placed = placed.filter(|(line, _)| line.parse::<usize>().is_ok());
+            *text = match placed {
+                Some((line, what)) => format!("{file}:{line}: {what}"),
+                None => format!("{file}: {text}"),
+            };
         }
         self
     }

@@ -4,7 +4,7 @@ mod report;
 mod trial;
 
 use super::parallel::pool;
-use super::print::print;
+use super::print::{print, print_lines};
 use crate::art::{self, PrintCost};
 use crate::cli::CheckArgs;
 use crate::hud;
@@ -27,7 +27,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let report = inspect(args)?;
     let failed = report.errors() > 0;
     if args.json {
-        print(&report.json())?;
+        print_lines(report.json().lines())?;
         return if failed { Err(Failure::new(report.counts())) } else { Ok(()) };
     }
     if failed {

@@ -9,7 +9,7 @@ use crate::mechanisms::{MechanismModels, MechanismStates};
 use crate::part::PartId;
 use crate::part::material::Material;
 use crate::part::validation::{self, Checked};
-use geometry::Circle;
+use geometry::{Circle, Taper, trig};
 use serde::{Deserialize, Serialize};
 
 /// The longest stroke, rad: a little over half a turn.
@@ -58,6 +58,12 @@ pub struct Flipper {
 }
 
 impl Flipper {
+    /// Its outline when it points this way, m.
+    pub fn outline(&self, angle_rad: f64) -> Taper {
+        let tip = self.base.center + trig::direction(angle_rad) * self.length_m;
+        Taper { a: self.base, b: Circle { center: tip, radius: self.tip_radius_m } }
+    }
+
     pub(crate) fn check(&self) -> Checked {
         validation::circle(&self.base)?;
         validation::positive("the length", self.length_m)?;

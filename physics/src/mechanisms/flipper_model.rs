@@ -17,7 +17,7 @@ use crate::mechanisms::flipper::{Flipper, FlipperControl};
 use crate::mechanisms::flipper_coil::{CoilGoal, CoilStep};
 use crate::part::PartId;
 use crate::{BALL_RADIUS_M, TICK_S};
-use geometry::{Circle, DVec2, Taper, trig};
+use geometry::{DVec2, Taper};
 use serde::{Deserialize, Serialize};
 
 /// The end-of-stroke switch leaves only the hold winding in this last part of the stroke; the force takes its
@@ -122,9 +122,7 @@ impl FlipperModel {
 
     /// The outline at `angle`.
     pub fn outline(&self, angle: f64) -> Taper {
-        let Flipper { base, length_m, tip_radius_m, .. } = self.flipper;
-        let tip = Circle { center: base.center + trig::direction(angle) * length_m, radius: tip_radius_m };
-        Taper { a: base, b: tip }
+        self.flipper.outline(angle)
     }
 
     pub fn pivot(&self) -> DVec2 {

@@ -1,6 +1,6 @@
 //! Notices what must never happen to a ball.
 
-use geometry::{Circle, Core, DVec2, Shape, Taper, trig};
+use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, PartId, Pose};
 use std::collections::BTreeMap;
 
@@ -170,7 +170,7 @@ impl AnomalyDetector {
         let solids = solids.map(|solid| (solid.name.as_str(), solid.shape.distance(ball.center).0));
         let flippers = self.flippers.iter().zip(&pose.flippers_rad);
         let flippers =
-            flippers.map(|(flipper, (_, angle))| ("a flipper", hull(flipper, *angle).distance(ball.center).0));
+            flippers.map(|(flipper, (_, angle))| ("a flipper", flipper.outline(*angle).distance(ball.center).0));
         let others = others.filter(|_| !ball.held);
         let balls = others.map(|other| ("another ball", other.center.distance(ball.center) - BALL_RADIUS_M));
         solids
@@ -179,11 +179,4 @@ impl AnomalyDetector {
             .map(|(name, distance)| (name.to_string(), BALL_RADIUS_M - distance))
             .find(|(_, depth)| *depth > OVERLAP_M)
     }
-}
-
-/// A flipper's outline when it points this way.
-fn hull(flipper: &physics::Flipper, angle_rad: f64) -> Shape {
-    let tip = flipper.base.center + trig::direction(angle_rad) * flipper.length_m;
-    let taper = Taper { a: flipper.base, b: Circle { center: tip, radius: flipper.tip_radius_m } };
-    Shape { core: Core::Taper(taper), radius: 0.0 }
 }

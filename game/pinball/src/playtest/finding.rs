@@ -2,8 +2,8 @@
 
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::DVec2;
-use physics::{Layout, PartId};
+use geometry::{DVec2, Segment, Shape};
+use physics::{Kind, Layout, PartId};
 
 /// What only play shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -167,12 +167,22 @@ pub(super) fn merged(mut findings: Vec<Finding>) -> Vec<Finding> {
 
 /// The part whose surface is nearest to a ball at `place_m`.
 fn nearest_part(layout: &Layout, place_m: DVec2) -> Option<PartId> {
-    let distance = |kind: &physics::Kind| {
-        let shapes = kind.surfaces().into_iter().chain(kind.sensor());
-        shapes.map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp)
-    };
+    let distance =
+        |kind: &Kind| touchable(kind).into_iter().map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp);
     let parts = layout.parts.iter().enumerate();
     let distances = parts.filter_map(|(index, part)| Some((index, distance(&part.kind)?)));
     let nearest = distances.min_by(|one, other| one.1.total_cmp(&other.1));
     nearest.map(|(index, _)| PartId(index as u16))
+}
+
+/// What of a part a ball touches.
+pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
+    let bar = |segment: Segment| Shape::capsule(segment.a, segment.b, 0.0);
+    let moving = match kind {
+        Kind::Spinner(own) => Some(bar(own.segment)),
+        Kind::Gate(own) => Some(bar(own.segment)),
+        Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
+        _ => None,
+    };
+    kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::finding::{Finding, FindingKind};
 use geometry::DVec2;
-use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine};
+use physics::{BALL_RADIUS_M, Command, Controls, FlipperControl, Kind, Machine};
 
 /// A ball that has lain still for so long is stuck, ticks.
 const STUCK_TICKS: u32 = 3000;
@@ -10,6 +10,8 @@ const STUCK_TICKS: u32 = 3000;
 const MOST_TICKS: usize = 20_000;
 /// Ticks between two looks.
 const LOOK_TICKS: usize = 50;
+/// A ball no farther from a flipper lies on it: the player throws it when he likes, m.
+const FLIPPER_RANGE_M: f64 = 0.001;
 /// A ball no farther from a kickback's face waits for it, m.
 const KICKBACK_RANGE_M: f64 = 0.002;
 
@@ -38,7 +40,7 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         if machine.stuck_ticks().iter().all(|&ticks| ticks < STUCK_TICKS) {
             continue;
         }
-        if waits_for_kickback(&machine, ball.center) {
+        if waits_for_kickback(&machine, ball.center) || lies_on_flipper(&machine, ball.center) {
             return freed;
         }
         if freed.is_some() {
@@ -51,6 +53,18 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         }
     }
     freed
+}
+
+/// Whether the ball lies on a flipper that has a button.
+fn lies_on_flipper(machine: &Machine, center: DVec2) -> bool {
+    machine.pose().flippers_rad.iter().any(|&(part, angle_rad)| {
+        match &machine.layout().parts[usize::from(part.0)].kind {
+            Kind::Flipper(own) if own.control != FlipperControl::Rules => {
+                own.outline(angle_rad).distance(center).0 < BALL_RADIUS_M + FLIPPER_RANGE_M
+            }
+            _ => false,
+        }
+    })
 }
 
 /// Whether the ball lies on a kickback, which throws it when the rules say so.

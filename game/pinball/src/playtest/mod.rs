@@ -12,6 +12,7 @@ mod reach;
 #[cfg(test)]
 mod tests;
 
+use finding::touchable;
 pub use finding::{Finding, FindingKind};
 
 use crate::bot::Bot;
@@ -149,20 +150,12 @@ impl Playtest {
         Ok(BotRun { findings, score: run.score(), complaints: run.complaints })
     }
 
-    /// All that was found, the worst first: the same about the same part once.
-    pub fn merged(&self, findings: Vec<Finding>) -> Vec<Finding> {
+    /// All that was found, the worst first: the same about the same part once. Where the playfield is open, balls that
+    /// have left it are a consequence.
+    pub fn merged(&self, mut findings: Vec<Finding>) -> Vec<Finding> {
+        if findings.iter().any(|finding| finding.kind == FindingKind::OpenEdge) {
+            findings.retain(|finding| finding.kind != FindingKind::Escaped);
+        }
         finding::merged(findings)
     }
-}
-
-/// What of a part a ball touches.
-fn touchable(kind: &Kind) -> Vec<Shape> {
-    let bar = |segment: geometry::Segment| Shape::capsule(segment.a, segment.b, 0.0);
-    let moving = match kind {
-        Kind::Spinner(own) => Some(bar(own.segment)),
-        Kind::Gate(own) => Some(bar(own.segment)),
-        Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
-        _ => None,
-    };
-    kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()
 }

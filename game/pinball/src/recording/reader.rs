@@ -19,11 +19,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Recording, Damage> {
 /// them. Only what its seal says is not believed.
 pub(super) fn sound_part(bytes: &[u8]) -> Option<(usize, bool)> {
     let mut reader = Reader::open(bytes, format::read_version(bytes).ok()?, false).ok()?;
-    let mut sound = reader.at();
+    let mut sound = (reader.at(), reader.ended);
     while reader.chunk().is_ok_and(|more| more) {
-        sound = reader.at();
+        sound = (reader.at(), reader.ended);
     }
-    (reader.ticks > 0).then_some((sound, reader.ended))
+    (reader.ticks > 0).then_some(sound)
 }
 
 /// A file that is being read.
@@ -112,7 +112,12 @@ impl<'a> Reader<'a> {
         };
         self.hasher.update(chunk.hashed);
         let confirmed = chunk.check == &self.hasher.digest().to_le_bytes()[..chunk.check.len()] && !self.ended;
-        match confirmed.then(|| self.accept(&chunk)) {
+        let before = (self.ticks, self.ended);
+        let accepted = confirmed.then(|| self.accept(&chunk));
+        if !matches!(accepted, Some(Ok(()))) {
+            (self.ticks, self.ended) = before; // nothing counts of a chunk that is not taken
+        }
+        match accepted {
             Some(Ok(())) => Ok(true),
             Some(Err(Refusal::Unknown)) => Err(Damage::UnknownChunk(chunk.tag.into())),
             Some(Err(Refusal::Nonsense)) | None => Err(self.changed(first, self.at() - 1, "a chunk")),

@@ -35,12 +35,15 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
         };
         places.par_iter().copied().filter_map(one).collect()
     };
-    let (run, found) = rayon::join(|| playtest.bot_run(), let_go);
+    // Of a table whose plunger fails, what a game shows is a consequence.
+    let launches = playtest.launch().is_empty();
+    let (run, found) = rayon::join(|| launches.then(|| playtest.bot_run()).transpose(), let_go);
     bar.finish_and_clear();
-    let BotRun { findings, score, complaints } = run?;
-    let all =
-        [playtest.launch().to_vec(), found, playtest.coils(), playtest.open_edges(), playtest.unreachable(), findings];
-    let findings = playtest.merged(all.concat()).into_iter().map(|finding| finding.failure(table));
-    let findings = complaints.into_iter().map(Failure::new).chain(findings).collect();
+    let (played, score, complaints) =
+        run?.map_or_else(Default::default, |BotRun { findings, score, complaints }| (findings, score, complaints));
+    let all = [found, playtest.coils(), playtest.open_edges(), playtest.unreachable(), played].concat();
+    let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
+    let findings = complaints.into_iter().map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
+    let findings = findings.collect();
     Ok(Trial { findings, places: places.len(), bot_score: score })
 }
