@@ -70,6 +70,25 @@ fn all_of_it_is_data_if_it_is_asked_for() {
     assert_eq!((&found["errors"], &found["warnings"]), (&serde_json::json!([]), &serde_json::json!([])));
 }
 
+/// A title with a letter that turns lines round made the data unreadable.
+#[test]
+fn data_is_json_whatever_a_file_says() {
+    let table = Table::new("bidi", "");
+    std::fs::write(table.0.join("table.toml"), "name = \"A\u{202e}B\u{9b}\u{1f600}\"").expect("numbers");
+    let (_, said, _) = told(&run(&["check", "--quick", "--json", &table.0.to_string_lossy()]));
+    assert!(said.is_ascii(), "{said}");
+    let found: serde_json::Value = serde_json::from_str(&said).expect("JSON");
+    assert_eq!(found["title"], "A\u{202e}B\u{9b}\u{1f600}");
+}
+
+/// The notepad of Windows begins a file with a byte order mark.
+#[test]
+fn a_byte_order_mark_is_no_mistake() {
+    let table = Table::with_rules("mark", "", "\u{feff}fn on_start() { now(); }");
+    let (code, _, complained) = told(&check(&table.0.to_string_lossy()));
+    assert_eq!((code, complained.as_str()), (Some(0), ""));
+}
+
 /// A message of 43 letters that stood for a second showed its beginning.
 #[test]
 fn a_message_that_has_no_time_is_told() {
@@ -198,6 +217,9 @@ fn mistakes_and_warnings_are_counted() {
         complained.contains("\nwarning: ") && complained.contains("the class `star` means nothing"),
         "{complained}"
     );
+    // Illustrator gives every shape a word of its own.
+    let (code, said, _) = orchard("own-word", &[("class=\"bumper\"", "class=\"bumper st0\"")]);
+    assert!(code == Some(0) && said.contains("warnings=0"), "{said}");
     let (code, said, complained) = orchard("word", &two[1..]);
     assert!(code == Some(0) && said.contains("warnings=1"), "{said}");
     assert!(complained.contains("warning: ") && complained.contains("the class `star` means nothing"), "{complained}");

@@ -302,6 +302,22 @@ fn a_damaged_recording_is_cut_to_its_sound_part() {
     assert_eq!(Recording::salvage(&longer), Some(whole));
 }
 
+/// The ticks of a chunk that was refused counted, and its end too: what was salvaged had no ticks, or a seal without an end.
+#[test]
+fn nothing_counts_of_a_chunk_that_is_refused() {
+    let known = chunks(&finished(1500));
+    let with_a_byte_too_many = |tag: u8, all: bool| {
+        let mut chunks = known.clone();
+        let own = chunks.iter_mut().filter(|chunk| chunk.0 == tag);
+        own.take(if all { usize::MAX } else { 1 }).for_each(|chunk| chunk.1.push(0));
+        sealed(&chunks)
+    };
+    assert_eq!(Recording::salvage(&with_a_byte_too_many(b'P', true)), None);
+    let sound = Recording::salvage(&with_a_byte_too_many(b'E', false)).unwrap();
+    let recording = Recording::parse(&sound).unwrap();
+    assert_eq!((recording.ticks(), recording.end.is_some()), (1500, false));
+}
+
 #[test]
 fn a_recording_carries_its_table_to_the_last_bit_and_plays_without_any_file() {
     let table = Arc::new(tables::load("spectrum").unwrap());

@@ -9,6 +9,10 @@ use physics::{EventKind, Kind, Machine};
 /// Ticks between two evaluations of where the balls are.
 const EVALUATION_PERIOD_TICKS: u64 = 10;
 
+/// Contact solves that a rollout may take. A ball that is jammed behind a flipper takes hundreds in each tick: what becomes
+/// of it is not worth minutes.
+const MAX_CONTACT_SOLVES: u64 = 20_000;
+
 /// A possible future. A clone can be played on in another way.
 #[derive(Clone)]
 pub(super) struct Rollout<'a> {
@@ -16,6 +20,8 @@ pub(super) struct Rollout<'a> {
     zones: &'a FlipperZones,
     shot_values: &'a ShotValues,
     held: Buttons,
+    /// Contact solves that it has taken.
+    contact_solves: u64,
     /// The tick that has been reached.
     pub tick: u64,
     /// What has been hit, in the bot's own opinion.
@@ -45,7 +51,18 @@ impl<'a> Rollout<'a> {
         shot_values: &'a ShotValues,
     ) -> Rollout<'a> {
         let machine = machine.clone();
-        Rollout { machine, zones, shot_values, held, tick, gained: 0.0, lost: 0, cradled: false, caught: false }
+        Rollout {
+            machine,
+            zones,
+            shot_values,
+            held,
+            contact_solves: 0,
+            tick,
+            gained: 0.0,
+            lost: 0,
+            cradled: false,
+            caught: false,
+        }
     }
 
     /// Presses or lets go.
@@ -53,10 +70,15 @@ impl<'a> Rollout<'a> {
         self.held = self.held.with(buttons, down);
     }
 
-    /// Plays on for so many ticks, or until `enough`, which is asked now and then.
+    /// Plays on for so many ticks, or until `enough`, which is asked now and then. Of a rollout that has taken too much
+    /// the rest stays unknown.
     pub fn play(&mut self, ticks: u64, mut enough: impl FnMut(&Rollout) -> bool) {
         let end = self.tick + ticks;
         while self.tick < end {
+            if self.contact_solves > MAX_CONTACT_SOLVES {
+                self.tick = end;
+                return;
+            }
             self.play_tick();
             if self.tick.is_multiple_of(EVALUATION_PERIOD_TICKS) {
                 self.evaluate();
@@ -103,6 +125,7 @@ impl<'a> Rollout<'a> {
 
     fn play_tick(&mut self) {
         self.machine.tick(controls(self.held), &[]);
+        self.contact_solves += self.machine.contact_solves();
         self.tick += 1;
         for event in self.machine.events().iter().filter(|event| event.kind == EventKind::Closed) {
             let Some(part) = event.part else { continue };

@@ -15,6 +15,8 @@ const SHOT_M_S: f64 = 1.5;
 const SHOT_RANGE_M: f64 = 0.06;
 /// A ball that is thrown has come this far, m.
 const THROWN_M: f64 = 0.05;
+/// A captive ball that is farther from where it is drawn has come out, m.
+const CAPTIVE_M: f64 = 0.15;
 /// A ball that lies is no faster, m/s.
 const LYING_M_S: f64 = 0.01;
 /// A ball that is flipped is this fast, m/s.
@@ -24,6 +26,7 @@ const FLIPPED_M_S: f64 = 0.5;
 pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Option<Finding> {
     let machine = machine.clone();
     match kind {
+        Kind::CaptiveBall(captive) => try_captive(machine, part, captive.center),
         Kind::Saucer(saucer) => try_saucer(machine, part, saucer),
         Kind::Kickback(kickback) => try_kickback(machine, part, kickback),
         Kind::Flipper(flipper) => try_flipper(machine, part, flipper),
@@ -41,6 +44,16 @@ pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Op
         }
         _ => None,
     }
+}
+
+/// A captive ball stays where it is, whatever is pushed.
+fn try_captive(mut machine: Machine, part: PartId, center: DVec2) -> Option<Finding> {
+    let push = Controls { nudge_up: true, ..Controls::NONE };
+    (0..20).for_each(|_| machine.tick(push, &[]));
+    wait(&mut machine, 2000);
+    let own = machine.pose().captives.into_iter().find(|(captive, _)| *captive == part);
+    let stays = own.is_some_and(|(_, ball)| ball.center.distance(center) < CAPTIVE_M);
+    (!stays).then(|| Finding::of_part(FindingKind::ComesOut, part, center))
 }
 
 /// A ball in the saucer is thrown out, and must not come back by itself.

@@ -14,6 +14,8 @@ pub enum FindingKind {
     FreedBySearch,
     /// A ball has left the playfield near the part.
     Escaped,
+    /// A captive ball comes out of its place.
+    ComesOut,
     /// A ball can come to the playfield's edge beside the part.
     OpenEdge,
     /// A ball is inside the part.
@@ -107,6 +109,9 @@ impl Finding {
             ),
             FindingKind::Escaped => {
                 format!("a ball has left the playfield near it, at {at}{}: close the way with a wall", self.times())
+            }
+            FindingKind::ComesOut => {
+                "the captive ball comes out of its place: draw walls round it whose gap is narrower than 27 mm".to_string()
             }
             FindingKind::OpenEdge => {
                 format!("a ball can leave the playfield beside it, at {at}: close the way with a wall or a drain")

@@ -8,6 +8,10 @@ use physics::{BALL_RADIUS_M, Command, Controls, FlipperControl, Kind, Machine};
 const STUCK_TICKS: u32 = 3000;
 /// By then the slowest has drained or is held by what may hold it.
 const MOST_TICKS: usize = 20_000;
+/// Contact solves that it may take until then.
+const MOST_CONTACT_SOLVES: u64 = 400_000;
+/// Flippers, spinners, gates and captive balls of a large table.
+const USUAL_BURDEN: usize = 12;
 /// Ticks between two looks.
 const LOOK_TICKS: usize = 50;
 /// A ball no farther from a flipper lies on it: the player throws it when he likes, m.
@@ -24,8 +28,14 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
     }
     let layout = machine.layout().clone();
     let mut freed = None;
-    for tick in 0..MOST_TICKS {
+    let mut contact_solves = 0;
+    // On a table with much that moves a ball is watched for a shorter time.
+    for tick in 0..MOST_TICKS * USUAL_BURDEN / burden(&machine).max(USUAL_BURDEN) {
         machine.tick(Controls::NONE, &[]);
+        contact_solves += machine.contact_solves();
+        if contact_solves > MOST_CONTACT_SOLVES {
+            return freed; // it takes too long to see what becomes of it
+        }
         if tick % LOOK_TICKS != 0 {
             continue;
         }
@@ -34,7 +44,7 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         if !(ball.center.is_finite() && ball.velocity.is_finite()) {
             return Some(Finding::near(FindingKind::NotANumber, &layout, place_m));
         }
-        if machine.escaped() > 0 {
+        if !is_on(&machine, ball.center) {
             return Some(Finding::near(FindingKind::Escaped, &layout, ball.center));
         }
         if machine.stuck_ticks().iter().all(|&ticks| ticks < STUCK_TICKS) {
@@ -53,6 +63,17 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         }
     }
     freed
+}
+
+fn is_on(machine: &Machine, center: DVec2) -> bool {
+    center.cmpge(DVec2::ZERO).all() && center.cmple(machine.layout().size_m).all()
+}
+
+/// How much slower a tick is for all that moves on the table.
+fn burden(machine: &Machine) -> usize {
+    let moves =
+        |kind: &Kind| matches!(kind, Kind::Flipper(_) | Kind::CaptiveBall(_) | Kind::Spinner(_) | Kind::Gate(_));
+    machine.layout().parts.iter().filter(|part| moves(&part.kind)).count()
 }
 
 /// Whether the ball lies on a flipper that has a button.

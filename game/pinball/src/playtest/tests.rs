@@ -121,6 +121,19 @@ fn a_flipper_below_a_roof_is_told() {
     assert_eq!(kinds(&format!("{flipper}{roof}")), [FindingKind::DoesNotFlip]);
 }
 
+/// Where a captive ball rolled out of the table, every wall of it was told to be open.
+#[test]
+fn a_captive_ball_that_comes_out_is_told_by_its_name() {
+    let ball = r#"<circle class="captive-ball" id="held" cx="250" cy="400" r="13.5"/>"#;
+    let cage = r#"<path class="wall" d="M232 380V416H268V380" fill="none" stroke-width="4"/>"#;
+    let kinds = |drawn: &str| playtest(drawn).coils().iter().map(|finding| finding.kind).collect::<Vec<_>>();
+    assert_eq!(kinds(&format!("{ball}{cage}")), []);
+    assert_eq!(kinds(ball), [FindingKind::ComesOut]);
+    let captive = playtest(ball);
+    let told = let_go(&captive);
+    assert_eq!(told, Vec::<String>::new(), "the others have not left the table");
+}
+
 #[test]
 fn spectrum_has_no_findings() {
     let playtest = playtest_of(spectrum());

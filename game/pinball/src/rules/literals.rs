@@ -35,6 +35,32 @@ fn check(call: &Call, names: &Names) -> Result<(), String> {
     }
 }
 
+/// Constants that a script may have.
+pub const MAX_CONSTANTS: usize = 1024;
+/// Variables that a function may make, one after the other.
+const MAX_LETS: usize = 4096;
+
+/// The line of a script's first constant or variable too many, before it is parsed: that takes the longer for each the
+/// more there are.
+pub fn too_many(text: &str) -> Option<(usize, String)> {
+    let (mut constants, mut lets) = (0, 0);
+    for (line, token) in tokens(text) {
+        match token {
+            Token::Word("const") => constants += 1,
+            Token::Word("let") => lets += 1,
+            Token::Word("fn") => lets = 0,
+            _ => {}
+        }
+        if constants > MAX_CONSTANTS {
+            return Some((line, format!("a script has at most {MAX_CONSTANTS} constants")));
+        }
+        if lets > MAX_LETS {
+            return Some((line, format!("a function makes at most {MAX_LETS} variables")));
+        }
+    }
+    None
+}
+
 /// A message that a script says in so many words, and for how long.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LiteralMessage {
@@ -170,6 +196,17 @@ fn quoted(text: &str, quote: char) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 50,000 constants took ten seconds to be refused.
+    #[test]
+    fn a_script_of_too_many_names_is_refused_before_it_is_parsed() {
+        let constants = |count: usize| (0..count).map(|name| format!("const C{name} = 1;\n")).collect::<String>();
+        assert_eq!(too_many(&constants(1024)), None);
+        assert_eq!(too_many(&constants(1025)), Some((1025, "a script has at most 1024 constants".to_string())));
+        let lets = |count: usize| format!("fn f() {{ {} }}\n", "let x = 1; ".repeat(count));
+        assert_eq!(too_many(&lets(4096).repeat(2)), None);
+        assert_eq!(too_many(&lets(4097)), Some((1, "a function makes at most 4096 variables".to_string())));
+    }
 
     #[test]
     fn messages_that_stand_there_whole_are_found_and_no_others() {

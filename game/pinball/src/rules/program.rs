@@ -9,6 +9,7 @@ use super::script_state::ScriptState;
 use super::value::Value;
 use super::work::Work;
 use crate::lamps::LampController;
+use crate::table::LIMITS_BYTES;
 use crate::{Failure, Table};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -41,6 +42,9 @@ pub struct Program {
     file: String,
 }
 
+/// Mistakes of a script that are worth reading at once.
+const MAX_MISTAKES: usize = 100;
+
 /// What a script is told.
 #[derive(Clone, Copy)]
 pub struct Happening<'a> {
@@ -58,6 +62,12 @@ impl Program {
     pub fn new(table: &Table) -> Result<Program, Failure> {
         let file = table.file("rules.rhai");
         let names = Arc::new(Names::new(table));
+        if table.rules.len() as u64 > LIMITS_BYTES[2] {
+            return Err(Failure::new(format!("{file}: it is larger than {} kB", LIMITS_BYTES[2] / 1024)));
+        }
+        if let Some((line, what)) = literals::too_many(&table.rules) {
+            return Err(Failure::new(format!("{file}:{line}: {what}")));
+        }
         let (script, mut mistakes) = match Script::read(&table.rules) {
             Ok(script) => (script, Vec::new()),
             Err(mistakes) => (Script::default(), mistakes),
@@ -66,7 +76,9 @@ impl Program {
         mistakes.extend(literals::unknown_names(&table.rules, &names));
         if !mistakes.is_empty() {
             mistakes.sort();
-            let mistakes = mistakes.iter().map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
+            mistakes.dedup();
+            let mistakes =
+                mistakes.iter().take(MAX_MISTAKES).map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
             return Err(Failure::of_many(mistakes.collect()));
         }
         let numbered = script.functions().zip(0..).filter(|(function, _)| is_call(&function.name));

@@ -14,6 +14,8 @@ const MAX_LETTERS: f64 = 50_000.0;
 const MAX_CORNERS: f64 = 4e6;
 /// The text that it may be when each `<use>` is what it copies, MB.
 const MAX_MB: f64 = 32.0;
+/// Pairs of pieces of the same text: a text of a thousand pieces takes a second.
+const MAX_PAIRS_OF_PIECES: f64 = 1e6;
 /// How deep elements may lie in each other, references counted.
 const MAX_DEPTH: usize = 128;
 
@@ -91,6 +93,7 @@ pub(super) fn check<'a>(
         Counter { links, style_of, known, way: Vec::new(), largest: None, circles: Vec::new(), too_deep: None };
     let all = counter.count(document.root_element());
     let mut mistakes = counter.circles;
+    mistakes.extend(scattered_text(document));
     mistakes.extend(counter.too_deep.map(|at| {
         let what = "elements lie inside each other here, what they refer to included; take some out";
         (at, format!("more than {MAX_DEPTH} {what}"))
@@ -104,6 +107,18 @@ pub(super) fn check<'a>(
         }));
     }
     mistakes
+}
+
+/// The text of the most pieces, if all texts' pieces take too long to be set: of each piece all others of its text are looked
+/// at.
+fn scattered_text(document: &Document) -> Option<(usize, String)> {
+    let pieces = |text: &Node| text.descendants().filter(Node::is_element).count();
+    let texts = document.descendants().filter(|node| node.tag_name().name() == "text");
+    let counted: Vec<(usize, usize)> = texts.map(|text| (pieces(&text), text.range().start)).collect();
+    let pairs: f64 = counted.iter().map(|(pieces, _)| (*pieces as f64).powi(2)).sum();
+    let (pieces, at) = counted.into_iter().max_by_key(|(pieces, _)| *pieces)?;
+    let what = format!("this text has {pieces} pieces (`tspan`), which take too long to set; make several texts of it");
+    (pairs > MAX_PAIRS_OF_PIECES).then_some((at, what))
 }
 
 fn too_much(all: &Amount) -> Option<String> {
@@ -256,6 +271,15 @@ mod tests {
         ] {
             assert_eq!(told(good), [""; 0], "{good}");
         }
+    }
+
+    /// A text of 5,000 pieces, 80 kB of file, took half a minute.
+    #[test]
+    fn a_text_of_too_many_pieces_is_refused() {
+        let text = |pieces: usize| format!("<text>{}</text>", "<tspan>a</tspan>".repeat(pieces));
+        assert_eq!(told(&text(900)), [""; 0]);
+        assert!(told(&text(1100))[0].starts_with("this text has 1101 pieces (`tspan`)"), "{:?}", told(&text(1100)));
+        assert!(told(&text(300).repeat(20))[0].starts_with("this text has 301 pieces"));
     }
 
     #[test]

@@ -226,7 +226,10 @@ impl Reader<'_> {
         if node.tag_name().namespace() != Some(SVG) || !(is_shape || is_container(node)) {
             return typo;
         }
-        for word in node.attribute("class").unwrap_or("").split_ascii_whitespace() {
+        let words = || node.attribute("class").unwrap_or("").split_ascii_whitespace();
+        // What a drawing program adds to a thing's class says nothing wrong.
+        let is_thing = words().any(|word| ElementClass::from_word(word).is_some());
+        for word in words() {
             if ElementClass::from_word(word).is_some() || class_typo::is_known(word) {
                 continue;
             }
@@ -234,7 +237,7 @@ impl Reader<'_> {
                 self.diagnostic(node, format!("the class `{word}` means nothing; did you mean `{meant}`?"));
                 self.refuse(node);
                 typo = true;
-            } else if !self.styled.contains(word) && self.words.insert(word.to_string()) {
+            } else if !is_thing && !self.styled.contains(word) && self.words.insert(word.to_string()) {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
                 let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
                 let what = format!("the class `{word}` means nothing{meant}");

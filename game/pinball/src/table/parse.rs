@@ -89,7 +89,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             tops_wood_svg: printed.tops_wood,
             ..config.normal_map.clone()
         },
-        rules: rules.map_or_else(String::new, |rules| rules.text),
+        rules: rules.map_or_else(String::new, |rules| without_mark(rules.text)),
         ambient: config.ambient,
         ambient_power: config.ambient_power as f32,
         warnings,
@@ -102,6 +102,11 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     }
     table.hash = super::hash::of(&table);
     Ok(table)
+}
+
+/// A text without the byte order mark that some editors begin it with.
+fn without_mark(text: String) -> String {
+    text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_string)
 }
 
 /// The diagnostics as sentences, by file and line.

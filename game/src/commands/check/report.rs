@@ -79,7 +79,7 @@ impl Report {
             object.insert("solids".into(), json!(table.solids.len()));
             object.insert("hash".into(), json!(format!("{:016x}", table.hash)));
         }
-        format!("{all:#}")
+        ascii(&format!("{all:#}"))
     }
 
     /// A sentence taken apart: its file and line, if it says them, and what it says.
@@ -97,6 +97,19 @@ impl Report {
         }
         json!({ "file": null, "line": null, "message": said })
     }
+}
+
+/// JSON that says the same in letters that every terminal takes.
+fn ascii(json: &str) -> String {
+    let each = json.chars().map(|c| {
+        let mut units = [0; 2];
+        let is_plain = c == '\n' || (' '..='~').contains(&c);
+        match is_plain {
+            true => c.to_string(),
+            false => c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")).collect(),
+        }
+    });
+    each.collect()
 }
 
 /// How many lamps stand on the table, and how many windows are in its floor.

@@ -9,6 +9,9 @@ use std::sync::Arc;
 /// Balls that are let go, each at a place of its own.
 const PLACES: usize = 500;
 
+/// Findings that are told.
+const MAX_REPORTED: usize = 100;
+
 /// What play has shown of a table.
 pub struct Trial {
     /// What went wrong, and what is odd.
@@ -44,6 +47,17 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     let all = [found, playtest.coils(), playtest.open_edges(), playtest.unreachable(), played].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
     let findings = complaints.into_iter().map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
-    let findings = findings.collect();
+    let findings = first_of(findings.collect());
     Ok(Trial { findings, places: places.len(), bot_score: score })
+}
+
+/// As many as are worth reading at once.
+fn first_of(mut findings: Vec<Failure>) -> Vec<Failure> {
+    let rest = findings.split_off(findings.len().min(MAX_REPORTED));
+    let errors = rest.iter().filter(|failure| !failure.is_warning()).count();
+    let more = format!("and {errors} more errors and {} more warnings of play", rest.len() - errors);
+    if !rest.is_empty() {
+        findings.push(if errors > 0 { Failure::new(more) } else { Failure::warning(more) });
+    }
+    findings
 }

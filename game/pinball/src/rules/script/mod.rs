@@ -27,6 +27,7 @@ pub use read::Mistake;
 pub use stop::{Failed, Stop, fail};
 
 use crate::rules::host::ScriptContext;
+use crate::rules::literals::MAX_CONSTANTS;
 use interpreter::Frame;
 use node::Node;
 use read::Reader;
@@ -36,9 +37,6 @@ use syntax::SyntaxTree;
 
 /// Most steps that evaluating the constants may take.
 const READING_STEPS: u64 = 1_000_000;
-
-/// Most constants.
-const MAX_CONSTANTS: u16 = 1024;
 
 /// A script that has been read and found good.
 #[derive(Debug, Default)]
@@ -157,7 +155,8 @@ fn read_top(reader: &mut Reader, tree: &SyntaxTree) -> Vec<Top> {
         match statement {
             Stmt::Var(parts, flags, _) if flags.contains(ASTFlags::CONSTANT) => {
                 let node = reader.expression(&parts.1).map_err(|mistake| reader.mistakes.push(mistake)).ok();
-                let number = u16::try_from(reader.constants.len()).ok().filter(|number| *number < MAX_CONSTANTS);
+                let number =
+                    u16::try_from(reader.constants.len()).ok().filter(|number| usize::from(*number) < MAX_CONSTANTS);
                 if number.is_none() {
                     let line = parts.0.pos.line().unwrap_or(1);
                     reader.mistakes.push((line, format!("a script has at most {MAX_CONSTANTS} constants")));
