@@ -26,7 +26,6 @@ const FLIPPED_M_S: f64 = 0.5;
 pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Option<Finding> {
     let machine = machine.clone();
     match kind {
-        Kind::CaptiveBall(captive) => try_captive(machine, part, captive.center),
         Kind::Saucer(saucer) => try_saucer(machine, part, saucer),
         Kind::Kickback(kickback) => try_kickback(machine, part, kickback),
         Kind::Flipper(flipper) => try_flipper(machine, part, flipper),
@@ -46,14 +45,24 @@ pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Op
     }
 }
 
-/// A captive ball stays where it is, whatever is pushed.
-fn try_captive(mut machine: Machine, part: PartId, center: DVec2) -> Option<Finding> {
+/// Captive balls that do not stay where they are when the machine is pushed.
+pub fn loose_captives(machine: &Machine) -> Vec<Finding> {
+    let mut machine = machine.clone();
     let push = Controls { nudge_up: true, ..Controls::NONE };
     (0..20).for_each(|_| machine.tick(push, &[]));
     wait(&mut machine, 2000);
-    let own = machine.pose().captives.into_iter().find(|(captive, _)| *captive == part);
-    let stays = own.is_some_and(|(_, ball)| ball.center.distance(center) < CAPTIVE_M);
-    (!stays).then(|| Finding::of_part(FindingKind::ComesOut, part, center))
+    let captives = machine.pose().captives;
+    let parts = machine.layout().parts.iter().enumerate();
+    let drawn = parts.filter_map(|(index, part)| match &part.kind {
+        Kind::CaptiveBall(captive) => Some((PartId(index as u16), captive.center)),
+        _ => None,
+    });
+    let is_loose = |part: PartId, center: DVec2| {
+        let own = captives.iter().find(|(captive, _)| *captive == part);
+        own.is_none_or(|(_, ball)| ball.center.distance(center) > CAPTIVE_M)
+    };
+    let loose = drawn.filter(|&(part, center)| is_loose(part, center));
+    loose.map(|(part, center)| Finding::of_part(FindingKind::ComesOut, part, center)).collect()
 }
 
 /// A ball in the saucer is thrown out, and must not come back by itself.

@@ -86,7 +86,8 @@ impl Playtest {
     pub fn coils(&self) -> Vec<Finding> {
         let parts = self.machine.layout().parts.iter().enumerate();
         let ids = parts.map(|(index, part)| (PartId(index as u16), &part.kind));
-        ids.filter_map(|(part, kind)| coils::try_it(&self.machine, &self.reach, part, kind)).collect()
+        let tried = ids.filter_map(|(part, kind)| coils::try_it(&self.machine, &self.reach, part, kind));
+        coils::loose_captives(&self.machine).into_iter().chain(tried).collect()
     }
 
     /// Parts beside which a ball can leave the playfield.

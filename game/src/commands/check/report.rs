@@ -123,7 +123,8 @@ fn hundredths(mm: f64) -> f64 {
     (mm * 100.0).round() / 100.0
 }
 
-fn counts(errors: usize, warnings: usize) -> String {
+/// `2 errors, 1 warning`
+pub fn counts(errors: usize, warnings: usize) -> String {
     let several = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let counts = [(errors, "error"), (warnings, "warning")];
     let counts: Vec<String> = counts.iter().filter(|one| one.0 > 0).map(|one| several(one.0, one.1)).collect();

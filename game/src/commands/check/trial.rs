@@ -2,7 +2,7 @@
 
 use super::super::parallel::progress_bar;
 use crate::{Failure, Table};
-use pinball::playtest::{BotRun, Finding, Playtest};
+use pinball::playtest::{BotRun, Finding, FindingKind, Playtest};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -28,7 +28,10 @@ pub struct Trial {
 /// If it cannot be played at all.
 pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     let playtest = Playtest::new(table)?;
-    let places = playtest.places(PLACES);
+    let coils = playtest.coils();
+    // Where captive balls roll about, all else is a consequence, and takes long.
+    let is_sound = coils.iter().all(|finding| finding.kind != FindingKind::ComesOut);
+    let places = if is_sound { playtest.places(PLACES) } else { Vec::new() };
     let bar = progress_bar(places.len() as u64, "balls");
     let let_go = || -> Vec<Finding> {
         let one = |place| {
@@ -38,13 +41,13 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
         };
         places.par_iter().copied().filter_map(one).collect()
     };
-    // Of a table whose plunger fails, what a game shows is a consequence.
-    let launches = playtest.launch().is_empty();
-    let (run, found) = rayon::join(|| launches.then(|| playtest.bot_run()).transpose(), let_go);
+    // Of a table whose plunger fails, what a game shows is a consequence too.
+    let plays = is_sound && playtest.launch().is_empty();
+    let (run, found) = rayon::join(|| plays.then(|| playtest.bot_run()).transpose(), let_go);
     bar.finish_and_clear();
     let (played, score, complaints) =
         run?.map_or_else(Default::default, |BotRun { findings, score, complaints }| (findings, score, complaints));
-    let all = [found, playtest.coils(), playtest.open_edges(), playtest.unreachable(), played].concat();
+    let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
     let findings = complaints.into_iter().map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
     let findings = first_of(findings.collect());
@@ -55,8 +58,8 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
 fn first_of(mut findings: Vec<Failure>) -> Vec<Failure> {
     let rest = findings.split_off(findings.len().min(MAX_REPORTED));
     let errors = rest.iter().filter(|failure| !failure.is_warning()).count();
-    let more = format!("and {errors} more errors and {} more warnings of play", rest.len() - errors);
     if !rest.is_empty() {
+        let more = format!("and {} more", super::report::counts(errors, rest.len() - errors));
         findings.push(if errors > 0 { Failure::new(more) } else { Failure::warning(more) });
     }
     findings
