@@ -4,7 +4,8 @@ use super::finding::{Finding, FindingKind};
 use super::reach::Reach;
 use geometry::{DVec2, Shape, trig};
 use physics::{
-    BALL_RADIUS_M, Command, Controls, EventKind, Flipper, FlipperControl, Kickback, Kind, Machine, PartId, Saucer,
+    BALL_RADIUS_M, Bumper, Command, Controls, EventKind, Flipper, FlipperControl, Kickback, Kind, Machine, PartId,
+    Saucer, Slingshot,
 };
 
 /// Room that is left between a ball and what it is put at, m.
@@ -29,13 +30,8 @@ pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Op
         Kind::Saucer(saucer) => try_saucer(machine, part, saucer),
         Kind::Kickback(kickback) => try_kickback(machine, part, kickback),
         Kind::Flipper(flipper) => try_flipper(machine, part, flipper),
-        Kind::Bumper(bumper) => {
-            let shape = Shape::disc(bumper.circle.center, bumper.circle.radius);
-            shoot_at(machine, reach, part, &shape, bumper.threshold_m_s)
-        }
-        Kind::Slingshot(sling) => {
-            let shape = Shape::capsule(sling.segment.a, sling.segment.b, sling.radius_m);
-            shoot_at(machine, reach, part, &shape, sling.threshold_m_s)
+        Kind::Bumper(Bumper { threshold_m_s, .. }) | Kind::Slingshot(Slingshot { threshold_m_s, .. }) => {
+            shoot_at(machine, reach, part, kind.surfaces().first()?, *threshold_m_s)
         }
         Kind::DropTarget(target) => {
             let hit = shoot_at(machine.clone(), reach, part, &target.shape, target.threshold_m_s);

@@ -106,7 +106,10 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
 
 /// A text without the byte order mark that some editors begin it with.
 fn without_mark(text: String) -> String {
-    text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_string)
+    match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_string(),
+        None => text,
+    }
 }
 
 /// The diagnostics as sentences, by file and line.
