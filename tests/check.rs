@@ -35,7 +35,9 @@ fn what_only_play_shows_is_told_and_left_out_in_haste() {
     let (code, said, complained) = orchard_with(&["check"], "plunger", &turned);
     assert_eq!((code, said.as_str()), (Some(1), ""));
     assert!(
-        complained.contains("table.svg:104: lanefloor: new balls arrive inside it, at 395, 862 mm: draw the plunger"),
+        complained.contains(
+            "plunger: new balls arrive before it at 395, 862 mm, which is inside lanefloor (line 104): draw it"
+        ),
         "{complained}"
     );
     let (code, said, complained) = orchard_with(&["check", "--quick"], "plunger-quick", &turned);

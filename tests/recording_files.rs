@@ -141,6 +141,8 @@ fn a_damaged_recording_is_cut_to_its_sound_part_under_a_new_name() {
     let length = bytes.len();
     bytes[length - 70] ^= 1;
     fs::write(&bad, &bytes).expect("a file");
+    let said = sentence(&["verify", &bad]);
+    assert!(said.ends_with("are whole; `caustic verify --salvage OUT` keeps what is sound\n"), "{said}");
     let salvaged = caustic(&["verify", &bad, "--salvage", &out]);
     let said = complaint(&salvaged);
     assert_eq!(salvaged.status.code(), Some(0), "{said}");
@@ -153,6 +155,9 @@ fn a_damaged_recording_is_cut_to_its_sound_part_under_a_new_name() {
     fs::write(&bad, &bytes[..100]).expect("a file");
     let said = sentence(&["verify", &bad, "--salvage", &folder.path("none")]);
     assert!(said.contains("cut short") && said.contains("no part of the game is sound"), "{said}");
+    // Nothing is advised that would not help.
+    let advice = sentence(&["verify", &bad]);
+    assert!(advice.contains("cut short") && !format!("{said}{advice}").contains("--salvage"), "{said}{advice}");
     assert_eq!(folder.names(), ["bad.caustic", "game-1.caustic", "out.caustic"]);
     let two = caustic(&["verify", &bad, &out, "--salvage", "x"]);
     assert_eq!(two.status.code(), Some(2));

@@ -121,7 +121,7 @@ fn rules() -> &'static str {
 fn on_switch(name) {
     score(10);
     if name == "drain" && balls_in_play() == 0 { add_ball(); }
-    after("search", 300);
+    after(300, "search");
 }
 fn on_timer(name) { add_ball(); }"#
 }

@@ -16,7 +16,17 @@ use std::sync::Arc;
 /// # Errors
 /// If the file cannot be read or is not an undamaged recording: one sentence that names the file and the damage.
 pub fn read(path: &Path) -> Result<Recording, Failure> {
-    Recording::parse(&read_bytes(path)?).map_err(|damage| Failure::new(damage.to_string()).in_file(path.display()))
+    let bytes = read_bytes(path)?;
+    Recording::parse(&bytes).map_err(|damage| {
+        let is_sound_in_part = !is_whole(&damage) && Recording::salvage(&bytes).is_some();
+        let cure = if is_sound_in_part { "; `caustic verify --salvage OUT` keeps what is sound" } else { "" };
+        Failure::new(format!("{damage}{cure}")).in_file(path.display())
+    })
+}
+
+/// Whether the bytes are what a later program wrote.
+fn is_whole(damage: &Damage) -> bool {
+    matches!(damage, Damage::FormatVersion(_) | Damage::UnknownChunk(_))
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
@@ -33,8 +43,7 @@ pub fn salvage(path: &Path, out: &Path) -> Result<Damage, Failure> {
     let Err(damage) = Recording::parse(&bytes) else {
         return Err(in_file("it is not damaged, so there is nothing to salvage".to_string()));
     };
-    // What a later program wrote is whole.
-    if matches!(damage, Damage::FormatVersion(_) | Damage::UnknownChunk(_)) {
+    if is_whole(&damage) {
         return Err(in_file(damage.to_string()));
     }
     let sound = Recording::salvage(&bytes).ok_or_else(|| in_file(format!("{damage}; no part of the game is sound")))?;

@@ -2,6 +2,7 @@
 
 use super::finding::{Finding, FindingKind};
 use super::reach::Reach;
+use super::{THROWN_M, farthest, wait};
 use geometry::{DVec2, Shape, trig};
 use physics::{
     BALL_RADIUS_M, Bumper, Command, Controls, EventKind, Flipper, FlipperControl, Kickback, Kind, Machine, PartId,
@@ -14,8 +15,6 @@ const GAP_M: f64 = 2e-4;
 const SHOT_M_S: f64 = 1.5;
 /// A ball is shot from no farther, m.
 const SHOT_RANGE_M: f64 = 0.06;
-/// A ball that is thrown has come this far, m.
-const THROWN_M: f64 = 0.05;
 /// A captive ball that is farther from where it is drawn has come out, m.
 const CAPTIVE_M: f64 = 0.15;
 /// A ball that lies is no faster, m/s.
@@ -46,7 +45,7 @@ pub fn loose_captives(machine: &Machine) -> Vec<Finding> {
     let mut machine = machine.clone();
     let push = Controls { nudge_up: true, ..Controls::NONE };
     (0..20).for_each(|_| machine.tick(push, &[]));
-    wait(&mut machine, 2000);
+    wait(&mut machine, Controls::NONE, 2000);
     let captives = machine.pose().captives;
     let parts = machine.layout().parts.iter().enumerate();
     let drawn = parts.filter_map(|(index, part)| match &part.kind {
@@ -65,9 +64,9 @@ pub fn loose_captives(machine: &Machine) -> Vec<Finding> {
 fn try_saucer(mut machine: Machine, part: PartId, saucer: &Saucer) -> Option<Finding> {
     let center = saucer.circle.center;
     machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
-    wait(&mut machine, 500);
+    wait(&mut machine, Controls::NONE, 500);
     machine.tick(Controls::NONE, &[Command::Eject(part)]);
-    wait(&mut machine, 3000);
+    wait(&mut machine, Controls::NONE, 3000);
     // One that never came out is not caught a second time, and lies there.
     let lies = |ball: &physics::BallPose| ball.held || ball.velocity.length() < LYING_M_S;
     let is_in = |ball: physics::BallPose| lies(&ball) && ball.center.distance(center) < saucer.circle.radius;
@@ -81,9 +80,9 @@ fn try_kickback(mut machine: Machine, part: PartId, kickback: &Kickback) -> Opti
     if machine.penetration_m() > 0.0 {
         return Some(Finding::of_part(FindingKind::DoesNotKick, part, center));
     }
-    wait(&mut machine, 100);
+    wait(&mut machine, Controls::NONE, 100);
     machine.tick(Controls::NONE, &[Command::Kick(part)]);
-    let thrown = farthest(&mut machine, center, 1000) > THROWN_M;
+    let thrown = farthest(&mut machine, Controls::NONE, center, 1000) > THROWN_M;
     (!thrown).then(|| Finding::of_part(FindingKind::DoesNotKick, part, center))
 }
 
@@ -116,7 +115,7 @@ fn try_flipper(mut machine: Machine, part: PartId, flipper: &Flipper) -> Option<
 /// A ball that is shot at the part closes its switch.
 fn shoot_at(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
     // What no ball can come to is told as such.
-    let (place, distance) = reach.nearest(shape).filter(|(_, distance)| *distance < SHOT_RANGE_M)?;
+    let (place, distance) = reach.nearest(shape, SHOT_RANGE_M)?;
     let closed = is_hit(&mut machine, part, (place, distance), shape, threshold_m_s);
     (!closed).then(|| Finding::of_part(FindingKind::SwitchNeverCloses, part, place))
 }
@@ -135,26 +134,11 @@ fn is_hit(machine: &mut Machine, part: PartId, from: (DVec2, f64), shape: &Shape
 
 /// A drop target that has fallen stands up again.
 fn try_raise(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
-    let from = reach.nearest(shape).filter(|(_, distance)| *distance < SHOT_RANGE_M)?;
+    let from = reach.nearest(shape, SHOT_RANGE_M)?;
     is_hit(&mut machine, part, from, shape, threshold_m_s);
-    wait(&mut machine, 1000);
+    wait(&mut machine, Controls::NONE, 1000);
     machine.tick(Controls::NONE, &[Command::Raise(part)]);
-    wait(&mut machine, 2000);
+    wait(&mut machine, Controls::NONE, 2000);
     let stands = machine.pose().drop_targets.iter().any(|(own, height)| *own == part && *height > 0.9);
     (!stands).then(|| Finding::of_part(FindingKind::DoesNotRise, part, from.0))
-}
-
-/// How far the ball comes from `start` in so many ticks, m.
-fn farthest(machine: &mut Machine, start: DVec2, ticks: u32) -> f64 {
-    let mut farthest = 0.0_f64;
-    for _ in 0..ticks {
-        machine.tick(Controls::NONE, &[]);
-        let distances = machine.balls().into_iter().map(|ball| ball.center.distance(start));
-        farthest = distances.fold(farthest, f64::max);
-    }
-    farthest
-}
-
-fn wait(machine: &mut Machine, ticks: u32) {
-    (0..ticks).for_each(|_| machine.tick(Controls::NONE, &[]));
 }

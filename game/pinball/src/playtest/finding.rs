@@ -3,7 +3,8 @@
 use crate::table::FILES;
 use crate::{Failure, Table};
 use geometry::{DVec2, Segment, Shape};
-use physics::{Kind, Layout, PartId};
+use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
+use std::cmp::Reverse;
 
 /// What only play shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,7 +64,7 @@ impl Finding {
 
     /// What was found with a ball at `place_m`: it is told of the nearest part.
     pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2) -> Finding {
-        Finding { kind, part: nearest_part(layout, place_m), place_mm: place_m * 1000.0, count: 1 }
+        Finding { kind, part: nearest_part(layout, place_m, None), place_mm: place_m * 1000.0, count: 1 }
     }
 
     /// Whether the table can be played all the same.
@@ -80,7 +81,7 @@ impl Finding {
 
     /// The same as a sentence for a person: a warning, or a failure.
     pub fn failure(&self, table: &Table) -> Failure {
-        let sentence = format!("{}: {}", self.place(table), self.sentence());
+        let sentence = format!("{}: {}", self.place(table), self.sentence(table));
         if self.is_warning() { Failure::warning(sentence) } else { Failure::new(sentence) }
     }
 
@@ -94,7 +95,7 @@ impl Finding {
     }
 
     /// What was found, and what to do.
-    fn sentence(&self) -> String {
+    fn sentence(&self, table: &Table) -> String {
         let DVec2 { x, y } = self.place_mm;
         let at = format!("{x:.0}, {y:.0} mm");
         match self.kind {
@@ -122,13 +123,16 @@ impl Finding {
             FindingKind::NotANumber => format!("the physics loses a ball near it{}: move it a little", self.times()),
             FindingKind::FeedBlocked => {
                 format!(
-                    "new balls arrive inside it, at {at}: draw the plunger from the tip at rest, x1 y1, to the tip when \
-                     fully pulled, x2 y2, and leave 27 mm before it"
+                    "new balls arrive before it at {at}, which is inside {}: draw it from the tip at rest, x1 y1, to the \
+                     tip when fully pulled, x2 y2, and leave 27 mm before it",
+                    self.beside(table)
                 )
             }
-            FindingKind::Unlaunched => "the ball comes back to it however far it is pulled: it is drawn from the tip at \
-                                        rest, x1 y1, to the tip when fully pulled, x2 y2; see that nothing bars the lane"
-                .to_string(),
+            FindingKind::Unlaunched => format!(
+                "the ball comes back to it however far it is pulled, and no farther than to {at}, beside {}: see that \
+                 nothing bars the lane, and that it leads round a bend",
+                self.beside(table)
+            ),
             FindingKind::KeepsItsBall => {
                 "the ball that it throws out falls back into it: throw it faster, or to where the way is free".to_string()
             }
@@ -153,13 +157,26 @@ impl Finding {
         }
     }
 
+    /// Name and line of what is nearest to the ball, but for the part itself.
+    fn beside(&self, table: &Table) -> String {
+        let near = nearest_part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
+        near.map_or_else(
+            || "nothing".to_string(),
+            |part| format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part]),
+        )
+    }
+
     fn times(&self) -> String {
         if self.count > 1 { format!(" ({} times)", self.count) } else { String::new() }
     }
 }
 
-/// Findings of the same kind about the same part as one, the worst first.
-pub(super) fn merged(mut findings: Vec<Finding>) -> Vec<Finding> {
+/// Balls that lie no farther from each other lie in the same pocket, mm.
+const POCKET_MM: f64 = 2000.0 * BALL_RADIUS_M;
+
+/// Findings of the same kind in the same pocket or about the same part as one, the worst first.
+pub(super) fn merged(findings: Vec<Finding>) -> Vec<Finding> {
+    let mut findings = in_pockets(findings);
     let key = |finding: &Finding| (finding.is_warning(), finding.kind, finding.part);
     findings.sort_by_key(key);
     findings.dedup_by(|next, first| {
@@ -170,14 +187,39 @@ pub(super) fn merged(mut findings: Vec<Finding>) -> Vec<Finding> {
     findings
 }
 
-/// The part whose surface is nearest to a ball at `place_m`.
-fn nearest_part(layout: &Layout, place_m: DVec2) -> Option<PartId> {
+/// Balls that lie in one pocket are told of one of its walls, that which most of them lie beside.
+fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
+    let is_at_rest = |finding: &Finding| matches!(finding.kind, FindingKind::Stuck | FindingKind::FreedBySearch);
+    let (at_rest, mut told): (Vec<Finding>, Vec<Finding>) = findings.into_iter().partition(is_at_rest);
+    let mut left = at_rest;
+    while let Some(first) = left.pop() {
+        let mut pocket = vec![first];
+        let mut looked_at = 0;
+        while let Some(ball) = pocket.get(looked_at).copied() {
+            let is_beside =
+                |other: &Finding| other.kind == ball.kind && other.place_mm.distance(ball.place_mm) < POCKET_MM;
+            let (beside, others): (Vec<Finding>, Vec<Finding>) = left.into_iter().partition(is_beside);
+            pocket.extend(beside);
+            left = others;
+            looked_at += 1;
+        }
+        let balls_beside = |part| pocket.iter().filter(|ball| ball.part == part).map(|ball| ball.count).sum::<usize>();
+        let part = pocket.iter().map(|ball| ball.part).max_by_key(|&part| (balls_beside(part), Reverse(part)));
+        let first = pocket.iter().rev().find(|ball| Some(ball.part) == part).copied();
+        let count = pocket.iter().map(|ball| ball.count).sum();
+        told.extend(first.map(|first| Finding { count, ..first }));
+    }
+    told
+}
+
+/// The part whose surface is nearest to a ball at `place_m`, if it is not `but`.
+fn nearest_part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<PartId> {
     let distance =
         |kind: &Kind| touchable(kind).into_iter().map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp);
-    let parts = layout.parts.iter().enumerate();
-    let distances = parts.filter_map(|(index, part)| Some((index, distance(&part.kind)?)));
-    let nearest = distances.min_by(|one, other| one.1.total_cmp(&other.1));
-    nearest.map(|(index, _)| PartId(index as u16))
+    let parts = layout.parts.iter().enumerate().map(|(index, part)| (PartId(index as u16), &part.kind));
+    let others = parts.filter(|(part, _)| Some(*part) != but);
+    let distances = others.filter_map(|(part, kind)| Some((part, distance(kind)?)));
+    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
 }
 
 /// What of a part a ball touches.

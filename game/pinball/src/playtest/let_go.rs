@@ -1,6 +1,7 @@
 //! A ball that is let go where one can come to: whether it comes away by itself, and stays on the playfield.
 
 use super::finding::{Finding, FindingKind};
+use super::{THROWN_M, farthest, wait};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, Command, Controls, FlipperControl, Kind, Machine};
 
@@ -16,6 +17,10 @@ const USUAL_BURDEN: usize = 12;
 const LOOK_TICKS: usize = 50;
 /// A ball no farther from a flipper lies on it: the player throws it when he likes, m.
 const FLIPPER_RANGE_M: f64 = 0.001;
+/// The player tries so often to throw it.
+const STROKES: usize = 3;
+/// How long the buttons are held, and then not held, ticks.
+const STROKE_TICKS: u32 = 300;
 /// A ball no farther from a kickback's face waits for it, m.
 const KICKBACK_RANGE_M: f64 = 0.002;
 
@@ -50,7 +55,7 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         if machine.stuck_ticks().iter().all(|&ticks| ticks < STUCK_TICKS) {
             continue;
         }
-        if waits_for_kickback(&machine, ball.center) || lies_on_flipper(&machine, ball.center) {
+        if waits_for_kickback(&machine, ball.center) || is_thrown_by_flipper(&machine, ball.center) {
             return freed;
         }
         if freed.is_some() {
@@ -58,9 +63,7 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         }
         freed = Some(Finding::near(FindingKind::FreedBySearch, &layout, ball.center));
         machine.tick(Controls::NONE, &[Command::BallSearch]);
-        for _ in 0..STUCK_TICKS {
-            machine.tick(Controls::NONE, &[]);
-        }
+        wait(&mut machine, Controls::NONE, STUCK_TICKS);
     }
     freed
 }
@@ -74,6 +77,18 @@ fn burden(machine: &Machine) -> usize {
     let moves =
         |kind: &Kind| matches!(kind, Kind::Flipper(_) | Kind::CaptiveBall(_) | Kind::Spinner(_) | Kind::Gate(_));
     machine.layout().parts.iter().filter(|part| moves(&part.kind)).count()
+}
+
+/// Whether the ball lies on a flipper that has a button, and the player can throw it from there: in a pocket behind the
+/// flipper's base he cannot.
+fn is_thrown_by_flipper(machine: &Machine, center: DVec2) -> bool {
+    if !lies_on_flipper(machine, center) {
+        return false;
+    }
+    let mut machine = machine.clone();
+    let both = Controls { left: true, right: true, ..Controls::NONE };
+    let strokes = [both, Controls::NONE].into_iter().cycle().take(2 * STROKES);
+    strokes.into_iter().any(|controls| farthest(&mut machine, controls, center, STROKE_TICKS) > THROWN_M)
 }
 
 /// Whether the ball lies on a flipper that has a button.

@@ -27,6 +27,9 @@ use std::sync::Arc;
 /// How long the bot plays, s.
 pub const BOT_S: u32 = 60;
 
+/// A ball that is thrown has come this far, m.
+const THROWN_M: f64 = 0.05;
+
 /// A table that is being tried.
 pub struct Playtest {
     table: Arc<Table>,
@@ -159,4 +162,19 @@ impl Playtest {
         }
         finding::merged(findings)
     }
+}
+
+fn wait(machine: &mut Machine, controls: Controls, ticks: u32) {
+    (0..ticks).for_each(|_| machine.tick(controls, &[]));
+}
+
+/// How far the ball comes from `start` in so many ticks, m.
+fn farthest(machine: &mut Machine, controls: Controls, start: DVec2, ticks: u32) -> f64 {
+    let mut farthest = 0.0_f64;
+    for _ in 0..ticks {
+        machine.tick(controls, &[]);
+        let distances = machine.balls().into_iter().map(|ball| ball.center.distance(start));
+        farthest = distances.fold(farthest, f64::max);
+    }
+    farthest
 }

@@ -1,6 +1,7 @@
 //! The plunger's trial: a new ball arrives, the rod is pulled and let go, and the ball must come away.
 
 use super::finding::{Finding, FindingKind};
+use super::wait;
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, Command, Controls, EventKind, Kind, Machine, PartId, Plunger, TICKS_PER_SECOND};
 
@@ -25,27 +26,39 @@ pub fn try_it(machine: &Machine) -> Vec<Finding> {
 
 fn try_one(machine: &Machine, part: PartId, plunger: &Plunger) -> Option<Finding> {
     if machine.depth_in_fixed_m(plunger.feed) > 0.0 {
-        return Some(Finding::near(FindingKind::FeedBlocked, machine.layout(), plunger.feed));
+        return Some(Finding::of_part(FindingKind::FeedBlocked, part, plunger.feed));
     }
-    let comes_away = PULLS.iter().any(|pull| is_shot(machine.clone(), plunger, *pull));
-    (!comes_away).then(|| Finding::of_part(FindingKind::Unlaunched, part, plunger.feed))
+    let far = |place: &DVec2| place.distance(plunger.feed);
+    let mut turned_back = plunger.feed;
+    for pull in PULLS {
+        let place = shot(machine.clone(), plunger, pull).err()?;
+        turned_back = if far(&place) > far(&turned_back) { place } else { turned_back };
+    }
+    Some(Finding::of_part(FindingKind::Unlaunched, part, turned_back))
 }
 
-/// Whether a ball that is shot with this part of a full pull comes away from the lane.
-fn is_shot(mut machine: Machine, plunger: &Plunger, pull: f64) -> bool {
+/// Shoots a ball with this part of a full pull.
+///
+/// # Errors
+/// If it does not come away from the lane: the place farthest from the feed that it has come to, m.
+fn shot(mut machine: Machine, plunger: &Plunger, pull: f64) -> Result<(), DVec2> {
     machine.tick(Controls::NONE, &[Command::AddBall]);
     wait(&mut machine, Controls::NONE, SETTLE_TICKS);
     let pull_ticks = (pull * plunger.pull_s * f64::from(TICKS_PER_SECOND)).ceil() as u32;
     wait(&mut machine, Controls { plunger: true, ..Controls::NONE }, pull_ticks);
-    let mut launched = false;
+    let (mut launched, mut farthest) = (false, plunger.feed);
     for _ in 0..FLIGHT_TICKS {
         machine.tick(Controls::NONE, &[]);
         launched |= machine.events().iter().any(|event| event.kind == EventKind::Launched);
+        let centers = machine.balls().into_iter().map(|ball| ball.center).filter(|center| center.is_finite());
+        farthest =
+            centers.fold(
+                farthest,
+                |one, other| {
+                    if other.distance(plunger.feed) > one.distance(plunger.feed) { other } else { one }
+                },
+            );
     }
     let is_away = |center: DVec2| center.distance(plunger.feed) > LANE_M;
-    launched && machine.balls().iter().all(|ball| is_away(ball.center))
-}
-
-fn wait(machine: &mut Machine, controls: Controls, ticks: u32) {
-    (0..ticks).for_each(|_| machine.tick(controls, &[]));
+    if launched && machine.balls().iter().all(|ball| is_away(ball.center)) { Ok(()) } else { Err(farthest) }
 }

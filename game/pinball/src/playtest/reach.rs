@@ -17,10 +17,16 @@ const ASIDE_M: f64 = 3e-4;
 /// The squares that a ball can come to.
 pub struct Reach {
     columns: usize,
-    /// For each square whether a ball can come there.
-    reached: Vec<bool>,
-    /// Those in whose middle there is room for a ball, in the order of the flood.
-    roomy: Vec<usize>,
+    squares: Vec<Square>,
+}
+
+/// What a ball finds in a square of the grid.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Square {
+    OutOfReach,
+    Reached,
+    /// Reached, and there is room for a ball in its middle, outside of drains.
+    Roomy,
 }
 
 impl Reach {
@@ -29,7 +35,7 @@ impl Reach {
         let size = machine.layout().size_m;
         let columns = ((size.x / STEP_M) as usize).max(1);
         let rows = ((size.y / STEP_M) as usize).max(1);
-        let mut reach = Reach { columns, reached: vec![false; columns * rows], roomy: Vec::new() };
+        let mut reach = Reach { columns, squares: vec![Square::OutOfReach; columns * rows] };
         let mut flood = Flood { machine, rooms: Rooms::new(machine), found: Vec::new() };
         reach.flood(&mut flood, start);
         let mut ramps: Vec<&Ramp> = machine.layout().parts.iter().filter_map(|part| ramp(&part.kind)).collect();
@@ -50,39 +56,44 @@ impl Reach {
                 (column > 0).then(|| square - 1),
                 (column + 1 < self.columns).then(|| square + 1),
                 (row > 0).then(|| square - self.columns),
-                (square + self.columns < self.reached.len()).then(|| square + self.columns),
+                (square + self.columns < self.squares.len()).then(|| square + self.columns),
             ];
             beside.into_iter().flatten().for_each(|near| self.visit(flood, near));
         }
     }
 
     fn visit(&mut self, flood: &mut Flood, square: usize) {
-        if self.reached[square] {
+        if self.squares[square] != Square::OutOfReach {
             return;
         }
         let room = flood.room(self.middle(square));
         if room == Room::None {
             return;
         }
-        self.reached[square] = true;
+        self.squares[square] = Square::Reached;
         if flood.is_lost(self.middle(square)) {
             return; // no ball comes past a drain
         }
         flood.found.push(square);
         if room == Room::Middle {
-            self.roomy.push(square);
+            self.squares[square] = Square::Roomy;
         }
     }
 
     /// Where a ball can come to the edge of the playfield: the middle of each such square, m.
     pub fn open_edges(&self) -> Vec<DVec2> {
-        let last_row = self.reached.len() / self.columns - 1;
+        let last_row = self.squares.len() / self.columns - 1;
         let is_edge = |square: usize| {
             let (column, row) = (square % self.columns, square / self.columns);
             column == 0 || row == 0 || column + 1 == self.columns || row == last_row
         };
-        let edges = self.roomy.iter().filter(|square| is_edge(**square));
-        edges.map(|square| self.middle(*square)).collect()
+        self.roomy().filter(|square| is_edge(*square)).map(|square| self.middle(square)).collect()
+    }
+
+    /// The squares in whose middle there is room for a ball, row by row.
+    fn roomy(&self) -> impl Iterator<Item = usize> {
+        let squares = self.squares.iter().enumerate();
+        squares.filter(|(_, square)| **square == Square::Roomy).map(|(index, _)| index)
     }
 
     fn middle(&self, square: usize) -> DVec2 {
@@ -93,34 +104,41 @@ impl Reach {
         let at = place / STEP_M;
         let inside = at.x >= 0.0 && at.y >= 0.0 && (at.x as usize) < self.columns;
         let square = at.y as usize * self.columns + at.x as usize;
-        (inside && square < self.reached.len()).then_some(square)
+        (inside && square < self.squares.len()).then_some(square)
     }
 
     /// At most `most` of the places where a ball has room, spread over all of them.
     pub fn places(&self, most: usize) -> Vec<DVec2> {
-        let mut squares = self.roomy.clone();
-        squares.sort_unstable();
-        let stride = squares.len().div_ceil(most.max(1)).max(1);
-        squares.into_iter().step_by(stride).map(|square| self.middle(square)).collect()
+        let stride = self.roomy().count().div_ceil(most.max(1)).max(1);
+        self.roomy().step_by(stride).map(|square| self.middle(square)).collect()
     }
 
-    /// The reached place that is nearest to the surface of `shape` and has room for a ball, and how far it is from it.
-    pub fn nearest(&self, shape: &Shape) -> Option<(DVec2, f64)> {
-        let places = self.roomy.iter().map(|square| self.middle(*square));
+    /// The reached place that is nearest to the surface of `shape` and has room for a ball, and how far it is from it;
+    /// none if it is as far as `range_m`.
+    pub fn nearest(&self, shape: &Shape, range_m: f64) -> Option<(DVec2, f64)> {
+        let roomy = self.near(shape, range_m).filter(|square| self.squares[*square] == Square::Roomy);
+        let places = roomy.map(|square| self.middle(square));
         let distances = places.map(|place| (place, shape.distance(place).0));
-        distances.min_by(|one, other| one.1.total_cmp(&other.1))
+        let near = distances.filter(|(_, distance)| *distance < range_m);
+        near.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
     /// Whether the centre of a ball can come as near as `reach_m` to `shape`.
     pub fn comes_to(&self, shape: &Shape, reach_m: f64) -> bool {
+        self.near(shape, reach_m).any(|square| {
+            self.squares[square] != Square::OutOfReach && shape.distance(self.middle(square)).0 <= reach_m + STEP_M
+        })
+    }
+
+    /// The squares of the grid no farther than `reach_m` from the box round `shape`, and some beside them.
+    fn near(&self, shape: &Shape, reach_m: f64) -> impl Iterator<Item = usize> {
         let grown = shape.bounds().grown(reach_m + STEP_M);
         let corner = |place: DVec2| (place / STEP_M).max(DVec2::ZERO);
         let (first, last) = (corner(grown.min), corner(grown.max));
-        let rows = self.reached.len() / self.columns;
-        let columns = first.x as usize..(last.x as usize + 1).min(self.columns);
-        let mut squares = (first.y as usize..(last.y as usize + 1).min(rows))
-            .flat_map(|row| columns.clone().map(move |column| row * self.columns + column));
-        squares.any(|square| self.reached[square] && shape.distance(self.middle(square)).0 <= reach_m + STEP_M)
+        let (all_columns, all_rows) = (self.columns, self.squares.len() / self.columns);
+        let columns = first.x as usize..(last.x as usize + 1).min(all_columns);
+        let rows = first.y as usize..(last.y as usize + 1).min(all_rows);
+        rows.flat_map(move |row| columns.clone().map(move |column| row * all_columns + column))
     }
 
     /// Whether a ball can come into one of the ramp's ends.

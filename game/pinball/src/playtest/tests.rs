@@ -48,8 +48,7 @@ fn a_plunger_that_points_down_is_told() {
     let playtest = playtest_of(crate::table::tests::read_svg(svg));
     let told = sentences(&playtest, playtest.launch().to_vec());
     assert_eq!(told.len(), 1);
-    let expected =
-        "table.svg:5: wall#2: new balls arrive inside it, at 484, 1022 mm: draw the plunger from the tip at rest";
+    let expected = "table.svg:8: plunger: new balls arrive before it at 484, 1022 mm, which is inside wall#2 (line 5): draw it from";
     assert!(told[0].starts_with(expected), "{told:?}");
     assert_eq!(playtest.unreachable(), [], "that is a consequence");
 }
@@ -61,11 +60,52 @@ fn a_lane_that_leads_straight_up_gives_the_ball_back() {
     assert_eq!(playtest.launch()[0].kind, FindingKind::Unlaunched);
 }
 
+/// A gate that lets nobody out of the lane was told as a plunger that does not shoot.
+#[test]
+fn what_the_ball_turns_back_at_is_named() {
+    let gate = r#"<line class="gate" id="one-way" x1="500" y1="400" x2="460" y2="400" data-way="down"/>"#;
+    let playtest = playtest(gate);
+    let told = sentences(&playtest, playtest.launch().to_vec());
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains("plunger: the ball comes back to it"), "{told:?}");
+    assert!(told[0].contains("beside one-way (line 9)"), "{told:?}");
+}
+
+/// A ball in a pocket behind a flipper's base touches the flipper, which only jogs it: the pocket was excused.
+#[test]
+fn a_pocket_behind_a_flipper_is_none_that_the_player_can_empty() {
+    let flipper =
+        r#"<line class="flipper" id="bat" x1="200" y1="600" x2="270" y2="630" data-side="left" data-up-deg="50"/>"#;
+    let behind = r#"<path class="wall" id="corner" d="M140 540V575L190 602" fill="none" stroke-width="4"/>"#;
+    let guide = r#"<path class="wall" id="rail" d="M110 540L193 592" fill="none" stroke-width="4"/>"#;
+    let stuck = |drawn: &str| {
+        let playtest = playtest(drawn);
+        let findings = playtest.places(3000).into_iter().filter_map(|place| playtest.let_go(place)).collect();
+        sentences(&playtest, playtest.merged(findings))
+    };
+    assert_eq!(stuck(&format!("{flipper}{guide}")), Vec::<String>::new());
+    let told = stuck(&format!("{flipper}{behind}"));
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].starts_with("table.svg:9: corner: a ball lies still beside it at 184, 581 mm"), "{told:?}");
+}
+
+/// A pocket between two walls was told of each.
+#[test]
+fn a_pocket_is_told_once_whatever_its_walls() {
+    let west = r#"<path class="wall" id="west" d="M150 300L228 360" fill="none" stroke-width="4"/>"#;
+    let east = r#"<path class="wall" id="east" d="M232 360L310 300" fill="none" stroke-width="4"/>"#;
+    let told = let_go(&playtest(&format!("{west}{east}")));
+    assert_eq!(told.len(), 1, "{told:?}");
+}
+
 #[test]
 fn a_feed_inside_a_wall_is_told_with_the_wall() {
     let playtest = playtest(r#"<circle class="post" id="stud" cx="490" cy="880" r="6"/>"#);
     let told = sentences(&playtest, playtest.launch().to_vec());
-    assert!(told[0].starts_with("table.svg:9: stud: new balls arrive inside it, at 480, 885 mm: draw"), "{told:?}");
+    assert!(
+        told[0].contains("plunger: new balls arrive before it at 480, 885 mm, which is inside stud (line 9)"),
+        "{told:?}"
+    );
 }
 
 #[test]

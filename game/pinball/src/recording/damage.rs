@@ -15,7 +15,7 @@ pub enum Damage {
     #[error("it was recorded with a chunk `{0}` that this program does not know; play it with a newer Caustic")]
     UnknownChunk(char),
     /// The end is missing.
-    #[error("it is cut short: {left} of its {whole} bytes are left; caustic verify --salvage OUT keeps what is sound")]
+    #[error("it is cut short: {left} of its {whole} bytes are left")]
     CutShort {
         /// Bytes that are there.
         left: u64,
@@ -27,7 +27,8 @@ pub enum Damage {
     CutInHeader(u64),
     /// Some bytes are not what was written.
     #[error(
-        "it is damaged: bytes {first} to {last} ({what}) are not what was written; the {ticks} ticks before are whole"
+        "it is damaged: {} not what was written, in {what}; the {ticks} ticks before are whole",
+        if first == last { format!("byte {first} is") } else { format!("bytes {first} to {last} are") }
     )]
     Changed {
         /// The first byte of the part that does not match its check.

@@ -1,9 +1,11 @@
-//! Captive balls that lie on each other: what a tick takes for them is counted before anybody plays.
+//! Captive balls that lie on each other: what a tick takes for them is counted before anybody plays, and none is drawn in
+//! another.
 //!
 //! Each ball of a heap presses on the others, so the impulses go round and round between them: a hundred balls take more
 //! than a hundred times as long as one. The count is the same on every machine.
 
-use physics::{Controls, Kind, Layout, Machine};
+use geometry::DVec2;
+use physics::{BALL_RADIUS_M, Controls, Kind, Layout, Machine};
 use std::sync::Arc;
 
 /// Fewer captive balls never take too long.
@@ -14,15 +16,23 @@ const MAX_CONTACT_SOLVES: u64 = 20_000;
 const BLOCKS: u64 = 5;
 const BLOCK_TICKS: u64 = 100;
 
-/// Refuses captive balls that take too long.
+/// So deep a ball may be drawn in another: drawings round, m.
+const DRAWN_M: f64 = 2e-4;
+
+/// Refuses captive balls that lie in each other, or take too long.
 ///
 /// # Errors
-/// How much they take, and which part is the first of them.
+/// Which part is the first of them, and what is wrong.
 pub(super) fn check(layout: &Layout) -> Result<(), (usize, String)> {
-    let is_captive = |kind: &Kind| matches!(kind, Kind::CaptiveBall(_));
-    let mut captives = layout.parts.iter().enumerate().filter(|(_, part)| is_captive(&part.kind));
-    let (Some((first, _)), others) = (captives.next(), captives.count()) else { return Ok(()) };
-    if others + 1 < MIN_BALLS {
+    let center = |kind: &Kind| match kind {
+        Kind::CaptiveBall(captive) => Some(captive.center),
+        _ => None,
+    };
+    let parts = layout.parts.iter().enumerate();
+    let captives: Vec<(usize, DVec2)> = parts.filter_map(|(index, part)| Some((index, center(&part.kind)?))).collect();
+    apart(layout, &captives)?;
+    let &[(first, _), ..] = captives.as_slice() else { return Ok(()) };
+    if captives.len() < MIN_BALLS {
         return Ok(());
     }
     // What else is wrong with a layout is told by whoever plays it.
@@ -34,8 +44,24 @@ pub(super) fn check(layout: &Layout) -> Result<(), (usize, String)> {
             machine.tick(Controls { nudge_left: nudge, ..Controls::NONE }, &[]);
             solves += machine.contact_solves();
             if solves > BLOCK_TICKS * MAX_CONTACT_SOLVES {
-                return Err((first, refusal(others + 1, solves / (tick + 1))));
+                return Err((first, refusal(captives.len(), solves / (tick + 1))));
             }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a ball that is drawn in another: there is no way out of it for either.
+fn apart(layout: &Layout, captives: &[(usize, DVec2)]) -> Result<(), (usize, String)> {
+    // From left to right only the next ones can be so near.
+    let mut captives = captives.to_vec();
+    captives.sort_by(|one, other| one.1.x.total_cmp(&other.1.x));
+    for (place, &(part, center)) in captives.iter().enumerate() {
+        let beside = captives[place + 1..].iter().take_while(|(_, other)| other.x - center.x < 2.0 * BALL_RADIUS_M);
+        let within = |other: DVec2| 2.0 * BALL_RADIUS_M - other.distance(center);
+        if let Some(&(other, at)) = beside.into_iter().find(|(_, other)| within(*other) > DRAWN_M) {
+            let (depth_mm, name) = (within(at) * 1000.0, &layout.parts[other].name);
+            return Err((part, format!("it lies {depth_mm:.1} mm deep in the captive ball {name}; draw them apart")));
         }
     }
     Ok(())

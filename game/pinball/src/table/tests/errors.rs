@@ -117,6 +117,14 @@ fn mistakes_in_coils_and_captive_balls_have_their_line() {
     let ball = |r: &str| drawn(&format!(r#"<circle id="c" class="captive-ball" cx="99" cy="99" r="{r}"/>"#));
     says(ball("12"), &["5: c: a captive ball is a pinball, so its r is 13.5, and it is 12.0"]);
     says(ball("14.1"), &["5: c: a captive ball is a pinball"]);
+    // Six balls in one place took longer to play than play lasts.
+    let two = |x: f64| {
+        let ball = |id: &str, x: f64| format!(r#"<circle id="{id}" class="captive-ball" cx="{x}" cy="99" r="13.5"/>"#);
+        format!("{}\n{}", ball("c", 99.0), ball("d", x))
+    };
+    says(drawn(&two(125.0)), &["5: c: it lies 1.0 mm deep in the captive ball d; draw them apart"]);
+    says(drawn(&two(73.0)), &["6: d: it lies 1.0 mm deep in the captive ball c; draw them apart"]);
+    assert!(read(&two(126.0), "").is_ok());
     says(drawn(r#"<line id="c" class="captive-ball" x2="9"/>"#), &["5: c: a captive-ball is drawn as a circle"]);
     says(drawn(r#"<circle class="captive-ball" cx="99" cy="99" r="13.5"/>"#), &["5: this captive-ball has no id"]);
     let flap = |rest: &str| drawn(&format!(r#"<line id="d" class="diverter" x1="9" y1="9" x2="9" y2="50" {rest}/>"#));
