@@ -28,7 +28,6 @@ pub(super) fn read(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// If it cannot be opened or is no plain file.
-#[expect(clippy::disallowed_methods, reason = "this is the function that the others are to use")]
 pub(super) fn open(path: &Path) -> io::Result<File> {
     check_kind(fs::metadata(path)?.file_type())?;
     without_waiting(OpenOptions::new().read(true)).open(path)

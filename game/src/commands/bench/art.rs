@@ -7,6 +7,7 @@ use super::clock::{quantile, time_ms};
 use crate::art;
 use crate::table::{Table, TableSources};
 use crate::{Failure, screen};
+use geometry::trig;
 use std::f64::consts::TAU;
 use tracer::View;
 
@@ -40,7 +41,7 @@ const PATHS: [(&str, usize, Corners, &str); 18] = [
     ("stroke, wide", 50_000, Corners::Near, "fill='none' stroke='red' stroke-width='20'"),
     (
         "stroke, wide, round joins",
-        5000,
+        50_000,
         Corners::Near,
         "fill='none' stroke='red' stroke-width='20' stroke-linejoin='round'",
     ),
@@ -48,7 +49,7 @@ const PATHS: [(&str, usize, Corners, &str); 18] = [
     ("dashes", 1000, Corners::Crossing, "fill='none' stroke='red' stroke-dasharray='2 2'"),
     (
         "dashes, round caps",
-        100,
+        500,
         Corners::Crossing,
         "fill='none' stroke='red' stroke-dasharray='2 4' stroke-linecap='round'",
     ),
@@ -115,7 +116,8 @@ fn path(count: usize, corners: Corners) -> String {
         Corners::Near => {
             let turn = TAU * i as f64 / 400.0;
             let radius = 20.0 + 220.0 * i as f64 / count as f64;
-            [250.0 + radius * turn.cos(), 500.0 + 2.0 * radius * turn.sin()]
+            let way = trig::direction(turn);
+            [250.0 + radius * way.x, 500.0 + 2.0 * radius * way.y]
         }
     };
     let points = (0..count).map(at).map(|[x, y]| format!("{x:.3} {y:.3}"));
