@@ -334,3 +334,33 @@ fn a_heap_of_captive_balls_is_refused_with_what_it_takes() {
     assert_eq!(code, Some(0), "{complained}");
     assert!(said.contains(" print_mops="), "{said}");
 }
+
+/// What is wrong with a thing stood behind its name, and that was cut off before it.
+#[test]
+fn a_name_of_a_million_letters_hides_nothing() {
+    let id = "a".repeat(1_000_000);
+    let table = Table::new("long-id", &format!(r#"<line class="wall" id="{id}" x1="9" y1="9" x2="9" y2="9"/>"#));
+    let (code, _, complained) = told(&check(&table.0.to_string_lossy()));
+    assert_eq!(code, Some(1));
+    assert!(complained.ends_with("aaa...: it has no length\n") && complained.len() < 500, "{complained}");
+}
+
+/// It was told without a line, and no other place said where the letters are.
+#[test]
+fn a_font_that_is_not_there_is_told_with_its_line() {
+    let text =
+        "<style>.word { font-family: Arial }</style>\n<g>\n<text class=\"word\" x=\"99\" y=\"99\">Lux</text></g>";
+    let expected = ["table.svg:7: there is no font \"Arial\"; there are Cinzel, Marcellus, Oxanium"];
+    assert_refused("font", text, &expected);
+    assert_refused("fonts", &text.replace("<g>", "<g font-family=\"Marcellus\">"), &expected);
+}
+
+/// Of two scales one was taken, and nobody said which.
+#[test]
+fn a_size_that_does_not_fit_the_view_box_is_told() {
+    let (code, said, complained) = orchard("unequal", &[("width=\"420mm\"", "width=\"430mm\"")]);
+    assert_eq!(code, Some(0), "{complained}");
+    assert!(said.contains("size_mm=420x900 ") && said.contains("warnings=1"), "{said}");
+    let expected = "they say 1.0238 mm a unit across and 1.0000 down; 1.0000 was taken for both";
+    assert!(complained.starts_with("caustic: warning: ") && complained.contains(expected), "{complained}");
+}

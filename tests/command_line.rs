@@ -78,9 +78,14 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["frame", "--out", "x.png", "--at", "-1"], "a number from 0 to 1000000"),
         (&["frame", "--out", "x.png", "--table", ""], "a value is required for '--table"),
         (&["dump", "a", "--out", "b", "--from", "3", "--to", "1"], "--from 3 is after --to 1"),
-        (&["dump", "a", "--out", "b", "--fps", "0"], "0 is not in 1..=1000"),
+        (
+            &["dump", "a", "--out", "b", "--fps", "0"],
+            "it must be a whole number from 1 to 1000; caustic dump --help says more",
+        ),
         (&["frame", "--out", "x.png", "--zoom", "0.5"], "a number from 1 to 4"),
         (&["play", "--zoom", "NaN"], "a number from 1 to 4"),
+        (&["play", "--zoom", "-inf"], "invalid value '-inf' for '--zoom <FACTOR>': it must be a number from 1 to 4"),
+        (&["check"], "were not provided: <NAME|DIR>; caustic check --help says more"),
         (
             &["dump", "a", "--out", "b", "--size", "8000x8000", "--zoom", "4"],
             "--zoom 4 of 8000x8000 pixels is more than",
@@ -236,9 +241,12 @@ fn a_picture_replaces_another_and_leaves_nothing_beside_it() {
 fn nobody_reading_on_is_no_failure() {
     let folder = Folder::new("pipe");
     let recording = folder.recording();
-    for words in
-        [&["check", "spectrum"][..], &["verify", &recording], &["dump", &recording, "--size", "64x64", "--out", "-"]]
-    {
+    for words in [
+        &["check", "spectrum"][..],
+        &["--help"],
+        &["verify", &recording],
+        &["dump", &recording, "--size", "64x64", "--out", "-"],
+    ] {
         let mut child = program(words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
         drop(child.stdout.take());
         let output = child.wait_with_output().expect("it ends");
@@ -254,6 +262,11 @@ fn a_full_disk_is_a_sentence_even_for_standard_output() {
     assert_eq!(output.status.code(), Some(1));
     let said = complaint(&output);
     assert_eq!(said, "caustic: cannot write to standard output: the disk is full; make room or choose another place\n");
+    for words in [&["--help"][..], &["--version"], &["check", "--help"]] {
+        let output = program(words).stdout(full()).output().expect("the program runs");
+        let end = (output.status.code(), complaint(&output));
+        assert_eq!(end, (Some(1), said.clone()), "{words:?}: it ended as if somebody had read it");
+    }
     let said = sentence(&["frame", "--at", "0", "--size", "64x64", "--out", "/dev/full"]);
     assert!(said.contains("cannot write the picture /dev/full: the disk is full"), "{said}");
     let status = program(&["check", "no-such-table"]).stderr(full()).status().expect("the program runs");

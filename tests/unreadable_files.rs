@@ -91,3 +91,17 @@ fn a_recording_that_is_no_file_is_refused() {
         assert_refused(&output, &format!("cannot read the recording {}: {sentence}", folder.0.join(place).display()));
     }
 }
+
+/// The kernel's log is a plain file by its own account, and whoever reads it waits for the next message.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_the_kernel_goes_on_writing_is_refused() {
+    let log = Path::new("/proc/kmsg");
+    if fs::OpenOptions::new().read(true).open(log).is_err() {
+        return eprintln!("the kernel's log is not this user's to read");
+    }
+    assert_refused(
+        &caustic("verify", log),
+        "cannot read the recording /proc/kmsg: it has no end, but goes on as the system",
+    );
+}

@@ -54,18 +54,33 @@ impl Failure {
 
 /// Characters of a quote that are enough to find it.
 const MAX_QUOTE: usize = 100;
+/// Characters of a word outside of quotes, as an id before what is wrong with the thing; a path may be longer.
+const MAX_WORD: usize = 200;
 /// Characters of a sentence that anybody reads.
 const MAX_SENTENCE: usize = 2000;
 
-/// A sentence of which every quote in `backticks` is as long as one can read: a file may have a word of a megabyte.
+/// A sentence of which every quote in `backticks` and every word is as long as one can read: a file may have one of a
+/// megabyte.
 fn shortened(sentence: String) -> String {
     if sentence.len() <= MAX_QUOTE {
         return sentence;
     }
     let pieces = sentence.split('`').enumerate();
-    let pieces: Vec<String> =
-        pieces.map(|(at, piece)| beginning(piece, if at % 2 == 1 { MAX_QUOTE } else { MAX_SENTENCE })).collect();
+    let pieces: Vec<String> = pieces
+        .map(|(at, piece)| if at % 2 == 1 { beginning(piece, MAX_QUOTE) } else { in_short_words(piece) })
+        .collect();
     beginning(&pieces.join("`"), MAX_SENTENCE)
+}
+
+/// A text whose words are as long as one can read.
+fn in_short_words(text: &str) -> String {
+    let short = |word: &str| match word.contains(['/', '\\']) {
+        true => word.to_string(),
+        // What follows a name is separated from it all the same.
+        false if word.len() > MAX_WORD && word.ends_with(':') => beginning(word, MAX_WORD) + ":",
+        false => beginning(word, MAX_WORD),
+    };
+    text.split(' ').map(short).collect::<Vec<_>>().join(" ")
 }
 
 /// The beginning of a text, and dots for what is left out.
@@ -102,6 +117,10 @@ mod tests {
         let told = Failure::new(format!("there is no `{long}` here; write `wall`")).to_string();
         assert_eq!(told, format!("there is no `{}...` here; write `wall`", "\u{e4}".repeat(100)));
         assert!(Failure::warning(long).to_string().chars().count() < 2100);
+        let named = Failure::new(format!("assets/tables/a/table.svg:7: {}: it has no length", "a".repeat(3 << 20)));
+        assert_eq!(named.to_string(), format!("assets/tables/a/table.svg:7: {}...: it has no length", "a".repeat(200)));
+        let path = format!("{}: there is no such file", "/folder".repeat(200));
+        assert_eq!(Failure::new(&path).to_string(), path);
         let plain = "the class `sling-shot` means nothing; ".repeat(4);
         assert_eq!(Failure::new(&plain).to_string(), plain);
     }

@@ -3,18 +3,19 @@
 use super::cost::{self, PICTURE, Tally, millions};
 use super::guard::guarded;
 use super::numbers;
-use super::typefaces::{families, fonts, is_known};
+use super::typefaces::{families, fonts, is_known, name_of};
 use crate::Failure;
-use crate::table::Table;
+use crate::table::{Table, style_declarations};
 use geometry::DVec2;
-use resvg::usvg::roxmltree::Document;
+use resvg::usvg::roxmltree::{Document, Node};
 use resvg::usvg::{self, ImageHrefResolver, Options, Transform, Tree};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, PoisonError};
 use tracer::View;
 
-/// Pixel operations that a layer of art may take, for a picture of [`PICTURE`] pixels.
-const MAX_OPERATIONS: f64 = 20e9;
+/// Pixel operations that a layer of art may take, for a picture of [`PICTURE`] pixels. One takes 1 to 2.5 ns on a core
+/// (`caustic bench art`), so the slowest art that is let through takes 10 to 25 s.
+const MAX_OPERATIONS: f64 = 10e9;
 /// Pixels that may be held at once to print a layer, so many times those of the picture: a picture is 9 MB.
 const MAX_PICTURES: f64 = 32.0;
 /// Pixels that may be held at once for any picture: 4 GB.
@@ -118,7 +119,7 @@ pub(super) fn screen_from_own(tree: &Tree, size_mm: DVec2, view: &View) -> Trans
 
 fn tree(document: &Document, failure: impl Fn(&dyn std::fmt::Display) -> Failure) -> Result<Tree, Failure> {
     let fonts = fonts();
-    let missing = Mutex::new(BTreeSet::new());
+    let missing = Mutex::new(BTreeMap::new());
     let select = usvg::FontResolver::default_font_selector();
     let mut options = Options {
         font_family: "Oxanium".to_string(),
@@ -132,7 +133,8 @@ fn tree(document: &Document, failure: impl Fn(&dyn std::fmt::Display) -> Failure
     options.font_resolver.select_font = Box::new(|font, fonts| {
         if !font.families().iter().any(|family| is_known(family, fonts)) {
             let wanted: Vec<String> = font.families().iter().map(ToString::to_string).collect();
-            missing.lock().unwrap_or_else(PoisonError::into_inner).insert(wanted.join(", "));
+            let first = font.families().first().and_then(name_of).map(str::to_string);
+            missing.lock().unwrap_or_else(PoisonError::into_inner).insert(wanted.join(", "), first);
         }
         select(font, fonts)
     });
@@ -143,8 +145,27 @@ fn tree(document: &Document, failure: impl Fn(&dyn std::fmt::Display) -> Failure
     if missing.is_empty() {
         return Ok(tree);
     }
-    let missing: Vec<String> = missing.into_iter().collect();
     let known: BTreeSet<&str> = families(&fonts).collect();
     let known: Vec<&str> = known.into_iter().collect();
-    Err(Failure::new(format!("there is no font {}; there are {}", missing.join(" and no "), known.join(", "))))
+    let mut missing: Vec<(u32, String)> =
+        missing.into_iter().map(|(wanted, first)| (line_of_font(document, first.as_deref()), wanted)).collect();
+    missing.sort();
+    let line = missing[0].0;
+    let missing: Vec<String> = missing.into_iter().map(|(_, wanted)| wanted).collect();
+    let (missing, known) = (missing.join(" and no "), known.join(", "));
+    Err(Failure::new(format!("line {line}: there is no font {missing}; there are {known}")))
+}
+
+/// The line of the first element that asks for this font; of the first text where none does by name.
+fn line_of_font(document: &Document, family: Option<&str>) -> u32 {
+    let asks = |node: &Node, family: &str| {
+        let own = node.attributes().map(|attribute| (attribute.name(), attribute.value()));
+        let declared = own.chain(style_declarations(node.attribute("style").unwrap_or("")));
+        let mut fonts = declared.filter(|(name, _)| matches!(*name, "font-family" | "font"));
+        fonts.any(|(_, value)| value.contains(family))
+    };
+    let elements = || document.descendants().filter(Node::is_element);
+    let asking = family.and_then(|family| elements().find(|node| asks(node, family)));
+    let node = asking.or_else(|| elements().find(|node| node.tag_name().name() == "text"));
+    node.map_or(1, |node| document.text_pos_at(node.range().start).row)
 }

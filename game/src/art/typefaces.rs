@@ -23,10 +23,15 @@ pub(super) fn families(fonts: &usvg::fontdb::Database) -> impl Iterator<Item = &
     fonts.faces().flat_map(|face| face.families.iter().map(|(name, _)| name.as_str()))
 }
 
+/// What a typeface is called; nothing if any of a kind is meant.
+pub(super) fn name_of(family: &usvg::FontFamily) -> Option<&str> {
+    match family {
+        usvg::FontFamily::Named(name) => Some(name),
+        _ => None,
+    }
+}
+
 /// Whether a typeface is there, or is any of a kind.
 pub(super) fn is_known(family: &usvg::FontFamily, fonts: &usvg::fontdb::Database) -> bool {
-    match family {
-        usvg::FontFamily::Named(name) => families(fonts).any(|known| known == name),
-        _ => true,
-    }
+    name_of(family).is_none_or(|name| families(fonts).any(|known| known == name))
 }

@@ -1,6 +1,6 @@
 //! The words that measure: `caustic bench` and `caustic plot`.
 
-use super::threads;
+use super::{threads, whole};
 use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
@@ -13,13 +13,13 @@ pub struct BenchArgs {
     #[arg(value_enum, default_value_t = Bench::All)]
     pub bench: Bench,
     /// Size of the frames in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse)]
     pub size: Option<Size>,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
     /// Shots of `bench physics`, and a tenth of them at moving flippers
-    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 100_000, allow_hyphen_values = true, value_parser = whole(1..=1_000_000_000_u64))]
     pub shots: u64,
     /// Print rows as JSON
     #[arg(long)]
@@ -39,6 +39,8 @@ pub enum Bench {
     Tick,
     /// What the most work that rules may do in a second takes.
     Rules,
+    /// What it takes to print art, next to what is estimated before.
+    Art,
     /// How exact the light is, against shadow rays.
     Quality,
     /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.
@@ -60,7 +62,7 @@ pub struct PlotArgs {
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// Size of the plots in pixels
-    #[arg(long, value_name = "WxH", value_parser = Size::parse, default_value = "1200x800")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse, default_value = "1200x800")]
     pub size: Size,
 }
 

@@ -10,7 +10,10 @@ use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use std::fmt::Display;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// Caustic: a pinball game whose only light is ray traced.
 #[derive(Debug, Parser)]
@@ -54,7 +57,7 @@ pub struct PlayArgs {
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// Seed of the game's random numbers; by default one is taken from the clock
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0..=u64::MAX))]
     pub seed: Option<u64>,
     /// Also record the game to this new file
     #[arg(long, value_name = "FILE")]
@@ -73,10 +76,10 @@ pub struct PlayArgs {
     #[arg(long, value_enum, default_value_t = LightChoice::Auto)]
     pub light: LightChoice,
     /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_hyphen_values = true)]
     pub zoom: f64,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
 }
 
@@ -96,10 +99,10 @@ pub struct ReplayArgs {
     #[arg(long, value_enum, default_value_t = LightChoice::Auto)]
     pub light: LightChoice,
     /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_hyphen_values = true)]
     pub zoom: f64,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
 }
 
@@ -110,10 +113,10 @@ pub struct VerifyArgs {
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Recordings that are verified at once; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
     /// Also save the simulation and restore it into a new one after every N ticks
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1..=u64::MAX))]
     pub restore_every: Option<u64>,
     /// Also hash every tick and print one number for each recording, and one for all of them by their seeds
     #[arg(long)]
@@ -139,23 +142,23 @@ pub struct DumpArgs {
         default_value = "540x1080")]
     pub size: Size,
     /// Frames in a second of play
-    #[arg(long, default_value_t = 60, value_name = "N", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, default_value_t = 60, value_name = "N", allow_hyphen_values = true,
+        value_parser = whole(1..=1000_u32))]
     pub fps: u32,
     /// Where to start, in seconds of play
-    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_hyphen_values = true)]
     pub from: Option<f64>,
     /// Where to stop, in seconds of play
-    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_hyphen_values = true)]
     pub to: Option<f64>,
     /// Resolution at which light is found: half is for small machines
     #[arg(long, value_enum, default_value_t = LightChoice::Full)]
     pub light: LightChoice,
     /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_hyphen_values = true)]
     pub zoom: f64,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
 }
 
@@ -170,7 +173,7 @@ pub struct FrameArgs {
     #[arg(long, value_name = "FILE")]
     pub replay: Option<PathBuf>,
     /// The moment, in seconds of play; by default a recording's end, or a table two seconds after it was switched on
-    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_hyphen_values = true)]
     pub at: Option<f64>,
     /// Size of the frame in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = Size::parse,
@@ -180,17 +183,17 @@ pub struct FrameArgs {
     #[arg(long, value_enum, default_value_t = LightChoice::Full)]
     pub light: LightChoice,
     /// How much larger than the window the table is drawn, 1 to 4; the window follows the ball
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = zoom, allow_hyphen_values = true)]
     pub zoom: f64,
     /// Threads that trace light; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
     /// How light is gathered: exact, or monte-carlo (the slow reference)
     #[arg(long, value_enum, default_value_t = Integrator::Exact)]
     pub integrator: Integrator,
     /// Random samples a lamp and pixel, with --integrator monte-carlo; by default 64
-    #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true,
+        value_parser = whole(1..=65536_u32))]
     pub samples: Option<u32>,
     /// The PNG file to write
     #[arg(long, value_name = "FILE.png", value_parser = png_file)]
@@ -221,14 +224,14 @@ pub enum Integrator {
 #[derive(Args, Debug, Clone)]
 pub struct SimulateArgs {
     /// How many games
-    #[arg(long, default_value_t = 20, value_name = "N", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, default_value_t = 20, value_name = "N", allow_hyphen_values = true,
+        value_parser = whole(1..=1_000_000_u32))]
     pub games: u32,
     /// Seed of the first game; the others count up from it
-    #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 1, value_name = "N", allow_hyphen_values = true, value_parser = whole(0..=u64::MAX))]
     pub seed: u64,
     /// Longest time that one game may take, in minutes of play
-    #[arg(long, default_value_t = 15.0, value_name = "M", value_parser = minutes, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 15.0, value_name = "M", value_parser = minutes, allow_hyphen_values = true)]
     pub minutes: f64,
     /// When a game is over begin another at once, on the same machine, until --minutes are played exactly
     #[arg(long)]
@@ -252,7 +255,7 @@ pub struct SimulateArgs {
     #[arg(long, value_enum, default_value_t = Player::Bot)]
     pub player: Player,
     /// Games that are played at once; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
 }
 
@@ -280,7 +283,7 @@ pub struct CheckArgs {
     #[arg(long)]
     pub json: bool,
     /// Threads that play; by default one for each core
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
 }
 
@@ -347,11 +350,19 @@ fn png_file(text: &str) -> Result<PathBuf, String> {
     }
 }
 
-fn threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(count @ 1..=256) => Ok(count),
-        _ => Err("it must be a whole number from 1 to 256".to_string()),
+/// Reads a whole number in this range.
+fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| match text.parse::<T>() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!("it must be a whole number from {} to {}", range.start(), range.end())),
     }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    whole(1..=256)(text)
 }
 
 fn zoom(text: &str) -> Result<f64, String> {

@@ -1,7 +1,11 @@
 //! Usage errors: what is wrong with a command line, as one sentence.
 
+use super::Cli;
+use crate::storage::because;
 use crate::{Failure, tell};
+use clap::CommandFactory;
 use clap::error::{Error, ErrorKind};
+use std::io::{self, Write};
 
 /// The exit code of a wrong command line.
 const USAGE: i32 = 2;
@@ -10,18 +14,33 @@ const USAGE: i32 = 2;
 /// error and exit code 2.
 pub fn exit(error: &Error) -> ! {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-        error.exit();
+        std::process::exit(answer(error));
     }
-    tell(&Failure::new(sentence(&error.render().to_string())));
+    let asked = std::env::args().nth(1).unwrap_or_default();
+    tell(&Failure::new(sentence(&error.render().to_string(), &asked)));
     std::process::exit(USAGE);
 }
 
-/// The parser's explanation in one line: what is wrong, what it takes, its tips; not the usage that follows.
-fn sentence(explanation: &str) -> String {
+/// Prints help or the version; the exit code. Nothing is wrong when nobody reads on.
+fn answer(error: &Error) -> i32 {
+    match error.print().and_then(|()| io::stdout().flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            tell(&Failure::new(format!("cannot write to standard output: {}", because(&error))));
+            1
+        }
+        _ => 0,
+    }
+}
+
+/// The parser's explanation in one line: what is wrong, what it takes, its tips; not the usage that follows. `asked` is the
+/// first word of the command line.
+fn sentence(explanation: &str, asked: &str) -> String {
     let told = explanation.lines().take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     let words: Vec<&str> = told.flat_map(str::split_whitespace).collect();
     let told = words.join(" ").replace(" tip:", ";").replace(" [possible values:", "; [possible values:");
-    format!("{}; caustic --help says more", told.strip_prefix("error: ").unwrap_or(&told))
+    let is_command = Cli::command().get_subcommands().any(|command| command.get_name() == asked);
+    let command = if is_command { format!("caustic {asked}") } else { "caustic".to_string() };
+    format!("{}; {command} --help says more", told.strip_prefix("error: ").unwrap_or(&told))
 }
 
 #[cfg(test)]
@@ -32,23 +51,33 @@ mod tests {
 
     fn told(words: &[&str]) -> String {
         let error = Cli::try_parse_from([&["caustic"], words].concat()).expect_err("it is wrong");
-        sentence(&error.render().to_string())
+        sentence(&error.render().to_string(), words[0])
     }
 
     #[test]
     fn whatever_is_wrong_is_one_sentence() {
         assert_eq!(
             told(&["frame", "--out", "x.png", "--size", "-5x10"]),
-            "invalid value '-5x10' for '--size <WxH>': write it as WIDTHxHEIGHT, for example 540x1080; caustic --help says more"
+            "invalid value '-5x10' for '--size <WxH>': write it as WIDTHxHEIGHT, for example 540x1080; caustic frame --help says more"
         );
         assert_eq!(
             told(&["replay", "a", "--light", "bright"]),
-            "invalid value 'bright' for '--light <LIGHT>'; [possible values: half, full, auto]; caustic --help says more"
+            "invalid value 'bright' for '--light <LIGHT>'; [possible values: half, full, auto]; caustic replay --help says more"
+        );
+        for zoom in ["-inf", "nan", "-nan", "inf", "--fullscreen", "-1"] {
+            let expected = format!("invalid value '{zoom}' for '--zoom <FACTOR>': it must be a number from 1 to 4");
+            assert_eq!(told(&["play", "--zoom", zoom]), format!("{expected}; caustic play --help says more"));
+            assert_eq!(told(&["--zoom", zoom]), format!("{expected}; caustic --help says more"));
+        }
+        assert_eq!(
+            told(&["simulate", "--games", "many"]),
+            "invalid value 'many' for '--games <N>': it must be a whole number from 1 to 1000000; caustic simulate --help says \
+             more"
         );
         assert!(told(&["pla"]).starts_with("unrecognized subcommand 'pla'; some similar subcommands exist: '"));
         assert_eq!(
             told(&["frame"]),
-            "the following required arguments were not provided: --out <FILE.png>; caustic --help says more"
+            "the following required arguments were not provided: --out <FILE.png>; caustic frame --help says more"
         );
     }
 }

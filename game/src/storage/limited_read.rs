@@ -3,7 +3,7 @@
 //! A file may be a pipe that nobody writes to, a device that never ends, or larger than the memory, and what its metadata
 //! say of its length need not be so. So only what is a plain file is opened, and no more of it is read than a limit.
 
-use std::fs::{self, File, FileType};
+use std::fs::{self, File, FileType, OpenOptions};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub(super) fn read(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
         return Err(too_large(limit_bytes));
     }
     let mut bytes = Vec::new();
-    file.take(limit_bytes + 1).read_to_end(&mut bytes)?;
+    file.take(limit_bytes + 1).read_to_end(&mut bytes).map_err(unending)?;
     if bytes.len() as u64 > limit_bytes { Err(too_large(limit_bytes)) } else { Ok(bytes) }
 }
 
@@ -28,10 +28,30 @@ pub(super) fn read(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// If it cannot be opened or is no plain file.
-#[expect(clippy::disallowed_methods, reason = "this is the function that the others are to use")]
 pub(super) fn open(path: &Path) -> io::Result<File> {
     check_kind(fs::metadata(path)?.file_type())?;
-    File::open(path)
+    without_waiting(OpenOptions::new().read(true)).open(path)
+}
+
+/// The kernel calls some of its own a plain file though what reads them waits for more (`/proc/kmsg`, `trace_pipe`): they
+/// are read as far as they go. On a plain file this changes nothing.
+#[cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
+fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
+    use std::os::unix::fs::OpenOptionsExt;
+    const O_NONBLOCK: i32 = 0o4000;
+    options.custom_flags(O_NONBLOCK)
+}
+
+#[cfg(not(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64"))))]
+fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
+    options
+}
+
+fn unending(error: io::Error) -> io::Error {
+    if error.kind() != ErrorKind::WouldBlock {
+        return error;
+    }
+    io::Error::new(ErrorKind::InvalidInput, "it has no end, but goes on as the system writes it; name a file")
 }
 
 fn too_large(limit_bytes: u64) -> io::Error {

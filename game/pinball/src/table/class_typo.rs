@@ -22,7 +22,8 @@ pub(super) fn meant_for_art(word: &str) -> Option<&'static str> {
     nearest(word, ART.into_iter())
 }
 
-fn nearest(word: &str, known: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
+/// The first known word that a word means but for case, a hyphen, a plural or one letter.
+pub(super) fn nearest(word: &str, known: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
     let word = bare(word);
     let singular = [word.strip_suffix(&['s'][..]), word.strip_suffix(&['e', 's'][..])];
     let is = |known: &str, word: &[char]| bare(known) == word;

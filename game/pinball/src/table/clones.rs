@@ -65,6 +65,8 @@ pub(super) struct Cloner<'c, 'a, 'i> {
     pub cascade: &'c mut Cascade,
     /// What has been copied.
     pub copied: BTreeSet<usize>,
+    /// What of the last copies rules could name if the clone had an id.
+    pub unnamed: Vec<String>,
 }
 
 /// A copy that is being written.
@@ -103,7 +105,7 @@ impl Cloner<'_, '_, '_> {
     /// A `<use>`, as it stands or in the copy that another makes; its clone is called `id`.
     fn user(&mut self, node: Node, around: &Copy, id: Option<String>, out: &mut String) -> Result<(), String> {
         let Some(target) = self.links.target(node) else { return Ok(()) };
-        let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(text, name));
+        let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(node, text, name));
         let (x, y) = (number("x")?, number("y")?);
         let place = if x == 0.0 && y == 0.0 { String::new() } else { format!("translate({x} {y})") };
         let copy = Copy { root: Some(target.id()), id, prefix: around.prefix };
@@ -156,8 +158,11 @@ impl Cloner<'_, '_, '_> {
             }
         };
         // Two elements with one id would be one too many; only things are asked for by name.
-        if element_class(node).is_some() {
-            add("id", &copy.name(node).unwrap_or_default());
+        if let Some(class) = element_class(node) {
+            let own = copy.name(node);
+            add("id", own.as_deref().unwrap_or_default());
+            let wanted = node.attribute("id").filter(|_| own.is_none() && class.needs_id());
+            self.unnamed.extend(wanted.map(str::to_string));
         }
         let instance = Instance { node, root: copy.root };
         let style = self.cascade.style(instance);

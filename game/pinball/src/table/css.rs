@@ -4,9 +4,11 @@
 //! Parsed and matched by the crates that Firefox does it with. The art's rasteriser has a cascade of its own, which
 //! knows less; it gets the result instead of the sheets, so that things and art cannot disagree.
 
+mod brackets;
 mod declarations;
 mod selector;
 mod sheet;
+mod spelling;
 mod value;
 
 pub(super) use selector::Instance;
@@ -16,6 +18,7 @@ use declarations::Declaration;
 use roxmltree::{Document, Node};
 use selectors::matching::SelectorCaches;
 use sheet::Rule;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// Comparisons of a selector's words with elements that a drawing may take: a second or two.
@@ -46,6 +49,7 @@ impl Cascade {
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Result<Cascade, Diagnostic> {
         sheet::check(document).map_err(|(at, why)| source.diagnostic(at, format!("{why}; style it more simply")))?;
+        sheet::unclosed(source, document).map_or(Ok(()), Err)?;
         let mut rules = Vec::new();
         let mut classes = BTreeSet::new();
         for node in sheet::elements(document) {
@@ -162,6 +166,20 @@ pub fn style_declarations(style: &str) -> impl DoubleEndedIterator<Item = (&str,
 /// Whether an element is a sheet.
 pub(super) fn is_sheet(node: Node) -> bool {
     sheet::is_sheet(node)
+}
+
+/// The properties that an element declares itself: in its `style`, and as attributes.
+pub(super) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<Item = Cow<'a, str>> {
+    let own = node.attributes().filter(|attribute| attribute.namespace().is_none());
+    own.flat_map(|attribute| match attribute.name() {
+        "style" => declarations::of_attribute(attribute.value()).into_iter().map(|one| Cow::Owned(one.name)).collect(),
+        name => vec![Cow::Borrowed(name)],
+    })
+}
+
+/// A warning of a property that is none, and nearly one.
+pub(super) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagnostic> {
+    sheet::misspelt(source, line, name)
 }
 
 /// The value of a presentation attribute in plain words, if it is written otherwise.

@@ -51,7 +51,7 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(&source.text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => {
-            Diagnostic::of_file(&source.path, "it has a DOCTYPE; take it out, entities are not read")
+            source.diagnostic(doctype(&source.text), "it has a DOCTYPE; take it out, entities are not read")
         }
         roxmltree::Error::NodesLimitReached => {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
@@ -69,6 +69,20 @@ pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
         }
         None => Ok(document),
     }
+}
+
+/// Where the DOCTYPE is: before the first element, among comments and instructions.
+fn doctype(text: &str) -> usize {
+    let skipped = [("<!--", "-->"), ("<?", "?>")];
+    let mut at = 0;
+    while let Some(start) = text[at..].find('<').map(|start| at + start) {
+        let Some((_, end)) = skipped.iter().find(|(begin, _)| text[start..].starts_with(begin)) else { return start };
+        match text[start..].find(end) {
+            Some(length) => at = start + length + end.len(),
+            None => return start,
+        }
+    }
+    at
 }
 
 /// Where the first element begins that lies too deep in others for what walks through them, shown or not.
@@ -97,6 +111,8 @@ pub(super) struct Element {
     pub thickness_mm: f64,
     pub fill: Paint,
     pub stroke: Paint,
+    /// Whether its drawing says that it is not to be seen.
+    pub is_hidden: bool,
     /// The group that it belongs to.
     pub group: Option<String>,
     /// Its `data-` attributes.
@@ -129,19 +145,17 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the elements; every diagnostic goes to `diagnostics`.
-    pub fn read(written: &WrittenOut, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Drawing {
+    /// Finds the elements; every diagnostic goes to `diagnostics`. Nothing of a drawing whose size is not known: whatever
+    /// were said of its elements would come of that.
+    pub fn read(written: &WrittenOut, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Option<Drawing> {
         let source = &written.source;
         let root = document.root_element();
         let at = root.range().start;
-        let page = Page::of(root).unwrap_or_else(|why| {
-            diagnostics.push(source.diagnostic(at, why));
-            Page { size_mm: DVec2::new(514.0, 1067.0), mm_per_unit: 1.0 }
-        });
-        diagnostics.extend(page.warning().map(|what| source.diagnostic(at, what).into_warning()));
+        let page = Page::of(root).map_err(|why| diagnostics.push(source.diagnostic(at, why))).ok()?;
+        diagnostics.extend(page.warnings().map(|what| source.diagnostic(at, what).into_warning()));
         let mut reader = Reader {
             source,
-            styled: &written.styled,
+            written,
             diagnostics,
             size_mm: page.size_mm,
             elements: Vec::new(),
@@ -153,7 +167,7 @@ impl Drawing {
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
-        Drawing { page, elements, ids, drawn }
+        Some(Drawing { page, elements, ids, drawn })
     }
 }
 
@@ -167,8 +181,7 @@ struct Inherited {
 
 struct Reader<'a> {
     source: &'a Source,
-    /// Words that sheets have as classes.
-    styled: &'a BTreeSet<String>,
+    written: &'a WrittenOut,
     diagnostics: &'a mut Vec<Diagnostic>,
     size_mm: DVec2,
     elements: Vec<Element>,
@@ -236,8 +249,10 @@ impl Reader<'_> {
             if let Some(meant) = class_typo::meant(word).filter(|_| is_shape) {
                 self.diagnostic(node, format!("the class `{word}` means nothing; did you mean `{meant}`?"));
                 self.refuse(node);
+                // A table that lacks what was meant here has no second mistake.
+                self.drawn.extend(ElementClass::from_word(meant).map(|class| (class, node.range().start)));
                 typo = true;
-            } else if !is_thing && !self.styled.contains(word) && self.words.insert(word.to_string()) {
+            } else if !is_thing && !self.written.styled.contains(word) && self.words.insert(word.to_string()) {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
                 let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
                 let what = format!("the class `{word}` means nothing{meant}");
@@ -318,7 +333,7 @@ impl Reader<'_> {
         let like = self.drawn.iter().filter(|(other, _)| other.is_part() == class.is_part()).count();
         let unnamed = format!("{}#{}", class.word(), like - 1);
         let Some(id) = node.attribute("id").filter(|id| !id.is_empty()) else {
-            if class.needs_id() {
+            if class.needs_id() && !self.written.nameless.contains(&self.source.line(node.range().start)) {
                 self.diagnostic(node, format!("this {} has no id, so no rule can name it", class.word()));
             }
             return unnamed;
@@ -391,6 +406,7 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         thickness_mm,
         fill: style::fill(node)?,
         stroke: style::stroke(node)?,
+        is_hidden: matches!(style::property(node, "visibility"), Some("hidden" | "collapse")),
         group: group.map(str::to_string),
         data: data.collect(),
     })

@@ -53,15 +53,23 @@ fn within(what: &str, size_mm: f64) -> Result<f64, String> {
     }
 }
 
-/// A tube shines in the colour of its line, everything else in that of its fill.
-fn color(element: &Element) -> Result<[u8; 3], String> {
-    let tube = element.class == ElementClass::Lamp && element.outline.line().is_some();
-    let (paint, word) = if tube { (element.stroke, "stroke") } else { (element.fill, "fill") };
-    match paint {
+/// The colour of a lamp's light.
+///
+/// # Errors
+/// If it is not one colour.
+pub(super) fn color(element: &Element) -> Result<[u8; 3], String> {
+    let word = light_word(element);
+    match if word == "stroke" { element.stroke } else { element.fill } {
         Paint::Color(color) => Ok(color),
         _ => {
             let what = element.class.word();
             Err(format!("the {word} of a {what} is its light; give it one colour, \"#rrggbb\""))
         }
     }
+}
+
+/// What says it: a tube shines in the colour of its line, everything else in that of its fill.
+pub(super) fn light_word(element: &Element) -> &'static str {
+    let is_tube = element.class == ElementClass::Lamp && element.outline.line().is_some();
+    if is_tube { "stroke" } else { "fill" }
 }

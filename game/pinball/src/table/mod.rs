@@ -18,6 +18,7 @@ mod lamp;
 mod lamps;
 mod layers;
 mod normal_map;
+mod oddities;
 mod outline;
 mod outline_offset;
 mod page;
@@ -34,6 +35,7 @@ mod style;
 pub(crate) mod tests;
 mod text_edit;
 mod transform;
+mod unseen;
 mod viewport;
 mod written_out;
 

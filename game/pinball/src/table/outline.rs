@@ -103,7 +103,7 @@ fn required<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, String> {
 }
 
 fn number(node: Node, name: &str) -> Result<f64, String> {
-    node.attribute(name).map_or(Ok(0.0), |text| style::length(text, name))
+    node.attribute(name).map_or(Ok(0.0), |text| style::length(node, text, name))
 }
 
 fn point(node: Node, x: &str, y: &str) -> Result<DVec2, String> {
@@ -127,7 +127,7 @@ fn corners(node: Node, pen: &mut PathFlattener) -> Result<(), String> {
     let numbers: Result<Vec<f64>, String> = text
         .split(|c: char| c == ',' || c.is_ascii_whitespace())
         .filter(|word| !word.is_empty())
-        .map(|word| style::length(word, "points"))
+        .map(|word| style::length(node, word, "points"))
         .collect();
     let numbers = numbers?;
     if numbers.len() % 2 == 1 || numbers.len() < 4 {
@@ -147,8 +147,8 @@ fn rect(node: Node, pen: &mut PathFlattener) -> Result<(), String> {
         return Err("its `width` and `height` must be more than 0".to_string());
     }
     let rx = node.attribute("rx").or_else(|| node.attribute("ry"));
-    let rx = rx.map_or(Ok(0.0), |text| style::length(text, "rx"))?;
-    let ry = node.attribute("ry").map_or(Ok(rx), |text| style::length(text, "ry"))?;
+    let rx = rx.map_or(Ok(0.0), |text| style::length(node, text, "rx"))?;
+    let ry = node.attribute("ry").map_or(Ok(rx), |text| style::length(node, text, "ry"))?;
     if rx < 0.0 || ry != rx {
         return Err("its corners `rx` and `ry` must be equal, and 0 or more".to_string());
     }

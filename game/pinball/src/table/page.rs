@@ -14,6 +14,8 @@ const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
 const USUAL_MM: std::ops::RangeInclusive<f64> = 200.0..=1500.0;
 /// Scales this near to 1 are 1, and scales this near to each other are equal: sizes are rounded when they are saved.
 const ROUNDED: f64 = 1e-4;
+/// Scales across and down that are farther from each other than this are told: half a millimetre on a playfield.
+const UNEQUAL: f64 = 1e-3;
 
 /// Lengths that say how large something is in print, mm. `px` are units, whatever a screen makes of them.
 const UNITS_MM: [(&str, f64); 6] =
@@ -26,6 +28,8 @@ pub(super) struct Page {
     pub size_mm: DVec2,
     /// Millimetres in a unit of the drawing.
     pub mm_per_unit: f64,
+    /// Millimetres in a unit across and down, as width and height say them, where one was taken for both.
+    unequal: Option<[f64; 2]>,
 }
 
 impl Page {
@@ -44,10 +48,10 @@ impl Page {
             [x, y, width, height] if x == 0.0 && y == 0.0 => DVec2::new(width, height),
             _ => return Err(format!("the viewBox is `{text}`; write {expected}")),
         };
-        let mm_per_unit = mm_per_unit(root, units)?;
+        let Scale { mm_per_unit, unequal } = scale(root, units)?;
         let size_mm = units * mm_per_unit;
         if size_mm.to_array().iter().all(|side| SIDES_MM.contains(side)) {
-            return Ok(Page { size_mm, mm_per_unit });
+            return Ok(Page { size_mm, mm_per_unit, unequal });
         }
         let size = match mm_per_unit {
             1.0 => String::new(),
@@ -60,8 +64,23 @@ impl Page {
         ))
     }
 
-    /// What is odd about the size, if anything is.
-    pub fn warning(&self) -> Option<String> {
+    /// What is odd about the size.
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
+        self.unequal_warning().into_iter().chain(self.unusual_warning())
+    }
+
+    fn unequal_warning(&self) -> Option<String> {
+        let [across, down] = self.unequal?;
+        let (taken, DVec2 { x, y }) = (self.mm_per_unit, self.size_mm);
+        Some(format!(
+            "width and height do not fit the viewBox: they say {across:.4} mm a unit across and {down:.4} down; {taken:.4} \
+             was taken for both, so the playfield is {} x {} mm; give width and height in the viewBox's proportion",
+            rounded(x),
+            rounded(y)
+        ))
+    }
+
+    fn unusual_warning(&self) -> Option<String> {
         let DVec2 { x, y } = self.size_mm;
         let odd = ![x, y].iter().all(|side| USUAL_MM.contains(side));
         odd.then(|| {
@@ -75,23 +94,41 @@ impl Page {
     }
 }
 
+/// How long a unit of a drawing is, for a sentence: `one unit is one millimetre`.
+pub(super) fn unit(node: Node) -> String {
+    let page = node.ancestors().filter(Node::is_element).last().map(Page::of);
+    match page {
+        Some(Ok(Page { mm_per_unit, .. })) if mm_per_unit != 1.0 => {
+            format!("a unit of this drawing is {} mm", (mm_per_unit * 1e4).round() * 1e-4)
+        }
+        _ => "one unit is one millimetre".to_string(),
+    }
+}
+
 /// A length to a hundredth, for a sentence.
 fn rounded(mm: f64) -> f64 {
     (mm * 100.0).round() / 100.0
 }
 
+/// What the size in print says of a drawing's units.
+struct Scale {
+    mm_per_unit: f64,
+    /// See [`Page::unequal`].
+    unequal: Option<[f64; 2]>,
+}
+
 /// Millimetres in a unit: what the size in print says, 1 where it says nothing.
-fn mm_per_unit(root: Node, units: DVec2) -> Result<f64, String> {
+fn scale(root: Node, units: DVec2) -> Result<Scale, String> {
     let side = |name: &str, units: f64| match root.attribute(name).map_or(Ok(None), |text| length_mm(name, text))? {
         Some(mm) => Ok(Some(mm / units)),
         None => Ok::<_, String>(None),
     };
-    let scale = match (side("width", units.x)?, side("height", units.y)?) {
-        (Some(x), Some(y)) => both(root, x, y)?,
-        (Some(one), None) | (None, Some(one)) => one,
-        (None, None) => 1.0,
+    let (scale, unequal) = match (side("width", units.x)?, side("height", units.y)?) {
+        (Some(x), Some(y)) => (both(root, x, y)?, ((x - y).abs() > UNEQUAL * x.max(y)).then_some([x, y])),
+        (Some(one), None) | (None, Some(one)) => (one, None),
+        (None, None) => (1.0, None),
     };
-    Ok(if (scale - 1.0).abs() <= ROUNDED { 1.0 } else { scale })
+    Ok(Scale { mm_per_unit: if (scale - 1.0).abs() <= ROUNDED { 1.0 } else { scale }, unequal })
 }
 
 /// One scale of two, as `preserveAspectRatio` says.
@@ -168,6 +205,13 @@ mod tests {
     fn two_scales_are_one_or_a_mistake() {
         let wide = "viewBox=\"0 0 500 1000\" width=\"1000mm\" height=\"1000mm\"";
         is(wide, (500.0, 1000.0), 1.0);
+        let told: Vec<String> = page(wide).unwrap().warnings().collect();
+        let [told] = &told[..] else { panic!("{told:?}") };
+        assert!(
+            told.contains("2.0000 mm a unit across and 1.0000 down; 1.0000 was taken for both")
+                && told.contains("500 x 1000"),
+            "{told}"
+        );
         is(&format!("{wide} preserveAspectRatio=\"xMinYMin slice\""), (1000.0, 2000.0), 2.0);
         let why = page(&format!("{wide} preserveAspectRatio=\"none\"")).unwrap_err();
         assert!(why.contains("2.0000 mm a unit across and 1.0000 down"), "{why}");
@@ -189,7 +233,7 @@ mod tests {
 
     #[test]
     fn an_odd_size_is_warned_of() {
-        let warning = |sides: &str| page(&format!("viewBox=\"0 0 {sides}\"")).unwrap().warning();
+        let warning = |sides: &str| page(&format!("viewBox=\"0 0 {sides}\"")).unwrap().warnings().next();
         assert_eq!((warning("200 1500"), warning("514 1067")), (None, None));
         assert!(warning("1587.4016 3401.5748").unwrap().contains("1587.4 x 3401.57 mm"));
         assert!(warning("199 400").is_some());

@@ -6,7 +6,7 @@ use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
 use super::written_out::{self, WrittenOut};
-use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts, unseen};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -50,7 +50,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let drawing = written
         .as_ref()
         .zip(document.as_ref())
-        .map(|(written, document)| Drawing::read(written, document, &mut diagnostics));
+        .and_then(|(written, document)| Drawing::read(written, document, &mut diagnostics));
     let ids = drawing.as_ref().map(|drawing| &drawing.ids);
     // Without its numbers a drawing has mistakes that it does not have.
     let Some(toml) = toml else { return Err(failures(diagnostics)) };
@@ -60,6 +60,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     };
     let converted = Converted::new(svg, drawing, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
+    diagnostics.extend(unseen::warnings(svg, &drawing.elements));
     let warnings = failures(diagnostics);
     if warnings.iter().any(|failure| !failure.is_warning()) {
         return Err(warnings);

@@ -98,8 +98,13 @@ fn times_of(property: &str) -> Option<Times> {
     }
 }
 
+/// Whether a property names elements.
+pub(super) fn is_link(property: &str) -> bool {
+    times_of(property).is_some()
+}
+
 /// What an element draws with by its `href`; that of an `<a>` says where a click would lead.
-fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
+pub(super) fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
     let times = match node.tag_name().name() {
         "use" => Times::AsOwn,
         "textPath" | "tref" | "feImage" | "linearGradient" | "radialGradient" | "pattern" | "filter" => Times::Once,

@@ -2,7 +2,7 @@
 //!
 //! Refuses to know sheets: they are written out before.
 
-use super::{color, css};
+use super::{color, css, page};
 use roxmltree::Node;
 
 /// What fills or strokes an element.
@@ -63,18 +63,18 @@ pub(super) fn color(text: &str) -> Result<[u8; 3], String> {
 
 /// The thickness of an element's line in its own units: 1 when nobody says, as in SVG.
 pub(super) fn stroke_width(node: Node) -> Result<f64, String> {
-    property(node, "stroke-width").map_or(Ok(1.0), |text| length(text, "stroke-width"))
+    property(node, "stroke-width").map_or(Ok(1.0), |text| length(node, text, "stroke-width"))
 }
 
-/// A length in user units; `px` are user units.
-pub(super) fn length(text: &str, name: &str) -> Result<f64, String> {
+/// A length of an element in user units; `px` are user units.
+pub(super) fn length(node: Node, text: &str, name: &str) -> Result<f64, String> {
     let text = text.trim();
     let start = text.len().saturating_sub(2);
     let pixels = text.get(start..).is_some_and(|unit| unit.eq_ignore_ascii_case("px"));
     let number = if pixels { text[..start].trim_end() } else { text };
     match number.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(format!("its {name} `{text}` is not a plain number; one unit is one millimetre")),
+        _ => Err(format!("its {name} `{text}` is not a plain number; {}", page::unit(node))),
     }
 }
 
@@ -97,8 +97,17 @@ mod tests {
 
     #[test]
     fn lengths_are_plain_millimetres() {
-        assert!(length("3mm", "r").unwrap_err().contains("one unit is one millimetre"));
-        assert!(length("nan", "r").is_err() && length("inf", "r").is_err() && length("1e999", "r").is_err());
+        let of = |svg: &str, text: &str| with_first_shape(svg, |line| length(line, text, "r"));
+        let (plain, wide) = (
+            "<g><line/></g>",
+            format!(
+                "<svg xmlns=\"{}\" width=\"50mm\" viewBox=\"0 0 200 400\"><g xmlns=\"\"><line/></g></svg>",
+                page::SVG
+            ),
+        );
+        assert!(of(plain, "3mm").unwrap_err().ends_with("`3mm` is not a plain number; one unit is one millimetre"));
+        assert!(of(&wide, "3mm").unwrap_err().ends_with("; a unit of this drawing is 0.25 mm"));
+        assert!(of(plain, "nan").is_err() && of(plain, "inf").is_err() && of(plain, "1e999").is_err());
     }
 
     #[test]

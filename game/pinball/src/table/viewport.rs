@@ -12,7 +12,7 @@ use svgtypes::{Align, AspectRatio, ViewBox};
 /// # Errors
 /// If a length is no plain number.
 pub(super) fn transform(node: Node, user: Option<Node>) -> Result<String, String> {
-    let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(text, name));
+    let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(node, text, name));
     let [x, y] = if node.has_tag_name((super::page::SVG, "svg")) { [number("x")?, number("y")?] } else { [0.0; 2] };
     let moved = if x == 0.0 && y == 0.0 { String::new() } else { format!("translate({x} {y})") };
     let Some(view_box) = node.attribute("viewBox").and_then(|text| ViewBox::from_str(text).ok()) else {
@@ -30,8 +30,8 @@ fn size(node: Node, user: Option<Node>) -> Result<DVec2, String> {
         let text = user.and_then(|user| user.attribute(name)).or_else(|| node.attribute(name)).unwrap_or("auto").trim();
         match text.strip_suffix('%') {
             _ if text == "auto" => Ok(all),
-            Some(share) => style::length(share, name).map(|share| 0.01 * share * all),
-            None => style::length(text, name),
+            Some(share) => style::length(node, share, name).map(|share| 0.01 * share * all),
+            None => style::length(node, text, name),
         }
     };
     Ok(DVec2::new(side("width", around.x)?, side("height", around.y)?))

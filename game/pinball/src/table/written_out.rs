@@ -3,14 +3,14 @@
 //! Whatever reads the drawing afterwards, for things or for art, finds one and the same simple drawing, and every line is
 //! where its maker has it.
 
-use super::amount;
 use super::clones::{Cloner, Holders, XML};
 use super::css::{self, Cascade, Instance};
 use super::drawing::{element_class, parse_xml};
 use super::page::SVG;
-use super::references::{Links, XLINK, href, is_use, plain_href};
+use super::references::{Links, XLINK, href_id, is_use, plain_href};
 use super::source::{Diagnostic, Source};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
+use super::{amount, oddities};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 
@@ -22,15 +22,17 @@ pub(super) struct WrittenOut {
     pub source: Source,
     /// Words that its sheets have as classes.
     pub styled: BTreeSet<String>,
+    /// Lines of clones whose things have no ids, which has been told.
+    pub nameless: BTreeSet<usize>,
 }
 
 /// Writes a drawing out; nothing if it has a mistake that must be mended first.
 pub(super) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Option<WrittenOut> {
     match edits(&source, diagnostics) {
-        Ok((edits, styled)) if edits.is_empty() => Some(WrittenOut { source, styled }),
-        Ok((edits, styled)) => {
+        Ok(Changes { edits, styled, nameless }) if edits.is_empty() => Some(WrittenOut { source, styled, nameless }),
+        Ok(Changes { edits, styled, nameless }) => {
             let text = edited(&source.text, edits);
-            Some(WrittenOut { source: Source::new(source.path, text), styled })
+            Some(WrittenOut { source: Source::new(source.path, text), styled, nameless })
         }
         Err(mistakes) => {
             diagnostics.extend(mistakes);
@@ -39,7 +41,14 @@ pub(super) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Op
     }
 }
 
-fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<(Vec<Edit>, BTreeSet<String>), Vec<Diagnostic>> {
+/// What makes a drawing a written out one; see [`WrittenOut`].
+struct Changes {
+    edits: Vec<Edit>,
+    styled: BTreeSet<String>,
+    nameless: BTreeSet<usize>,
+}
+
+fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, Vec<Diagnostic>> {
     let document = &parse_xml(source).map_err(|one| vec![one])?;
     let mut cascade = Cascade::read(source, document, diagnostics).map_err(|one| vec![one])?;
     let styles: Vec<Option<String>> = document.descendants().map(|node| style(&mut cascade, node)).collect();
@@ -49,19 +58,22 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<(Vec<Edit
     if !mistakes.is_empty() {
         return Err(mistakes.into_iter().map(|(at, why)| source.diagnostic(at, why)).collect());
     }
+    diagnostics.extend(oddities::warnings(source, document, links, style_of));
     let cloner = Cloner {
         text: &source.text,
         links,
         holders: &Holders::of(document, links),
         cascade: &mut cascade,
         copied: BTreeSet::new(),
+        unnamed: Vec::new(),
     };
-    let mut writer = Writer { source, styles: &styles, diagnostics, cloner, edits: Vec::new() };
+    let (edits, nameless) = (Vec::new(), BTreeSet::new());
+    let mut writer = Writer { source, styles: &styles, diagnostics, cloner, edits, nameless };
     writer.element(document.root_element(), true);
     writer.templates(document);
-    let edits = writer.edits;
+    let Writer { edits, nameless, .. } = writer;
     cascade.check(source).map_err(|one| vec![one])?;
-    Ok((edits, cascade.classes))
+    Ok(Changes { edits, styled: cascade.classes, nameless })
 }
 
 fn style(cascade: &mut Cascade, node: Node) -> Option<String> {
@@ -75,6 +87,8 @@ struct Writer<'w, 'a, 'i> {
     diagnostics: &'w mut Vec<Diagnostic>,
     cloner: Cloner<'w, 'a, 'i>,
     edits: Vec<Edit>,
+    /// See [`WrittenOut::nameless`].
+    nameless: BTreeSet<usize>,
 }
 
 impl Writer<'_, '_, '_> {
@@ -87,11 +101,8 @@ impl Writer<'_, '_, '_> {
         if css::is_sheet(node) {
             return self.put(node.range(), "");
         }
-        if is_use(node) && drawn && element_class(node).is_none() && self.is_clone(node) {
-            return match self.cloner.clone_of(node) {
-                Ok(text) => self.put(node.range(), &text),
-                Err(why) => self.diagnostics.push(self.source.diagnostic(node.range().start, why)),
-            };
+        if is_use(node) && drawn && element_class(node).is_none() && self.cloner.holders.has(node) {
+            return self.clone_of_things(node);
         }
         let is_inner_svg = node.has_tag_name((SVG, "svg")) && node.parent_element().is_some();
         if is_inner_svg {
@@ -120,15 +131,19 @@ impl Writer<'_, '_, '_> {
         }
     }
 
-    /// Whether a `<use>` draws things; one that draws nothing is warned of.
-    fn is_clone(&mut self, node: Node) -> bool {
-        if self.cloner.links.target(node).is_none() {
-            let what =
-                href(node).map_or("it has no href".to_string(), |id| format!("there is no `{id}` in the drawing"));
-            let why = format!("this <use> draws nothing: {what}");
-            self.diagnostics.push(self.source.diagnostic(node.range().start, why).into_warning());
+    fn clone_of_things(&mut self, node: Node) {
+        match self.cloner.clone_of(node) {
+            Ok(text) => self.put(node.range(), &text),
+            Err(why) => self.diagnostics.push(self.source.diagnostic(node.range().start, why)),
         }
-        self.cloner.holders.has(node)
+        let unnamed = std::mem::take(&mut self.cloner.unnamed);
+        let Some(thing) = unnamed.first() else { return };
+        let original = href_id(node).unwrap_or_default();
+        let called = if thing == original { String::new() } else { format!("; with id=\"two\" one is `two-{thing}`") };
+        let why =
+            format!("this clone of `{original}` has no id, so no rule can name what it shows; give it one{called}");
+        self.diagnostics.push(self.source.diagnostic(node.range().start, why));
+        self.nameless.insert(self.source.line(node.range().start));
     }
 
     fn declared(&self, node: Node) -> Option<String> {

@@ -1,12 +1,14 @@
 //! Cost of printing: how many pixel operations a tree of art takes, and how much of it is held at once.
 //!
 //! The same for every machine and every picture: it is counted for a picture of [`PICTURE`] pixels, from the tree alone,
-//! as the rasteriser would go through it. A pixel operation is one pixel blended once. Whatever lies so far away that the
+//! as the rasteriser would go through it. A pixel operation is one pixel blended once; all else is told in as many of them as
+//! it takes the time of (`caustic bench art`). Whatever lies so far away that the
 //! rasteriser's numbers would not hold is refused on the way.
 
 mod area;
 mod filter;
 mod path;
+mod rows;
 mod tally;
 
 pub(super) use tally::{Tally, millions};

@@ -2,6 +2,7 @@
 //!
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
+mod art;
 mod clock;
 mod friction_cone;
 mod growth;
@@ -45,6 +46,9 @@ pub struct Row {
     /// How many times longer than a memset of the same bytes on as many threads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub times_memset: Option<f64>,
+    /// Million operations that were estimated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mops: Option<f64>,
     /// The largest difference from the literal way's pictures, in levels of 255.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub most_levels_off: Option<u8>,
@@ -80,6 +84,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Rules | Bench::All) {
         rows.extend(rules::rows()?);
     }
+    if matches!(args.bench, Bench::Art | Bench::All) {
+        rows.extend(art::rows()?);
+    }
     let text = if args.json { json(&rows) } else { table(&rows) };
     print_lines(text.lines())
 }
@@ -97,6 +104,9 @@ fn table(rows: &[Row]) -> String {
         more.extend(row.ms_99th.map(|ms| format!("99th percentile {ms:.4} ms")));
         more.extend(row.times_real_time.map(|times| format!("{times:.0} x real time")));
         more.extend(row.times_memset.map(|times| format!("{times:.1} x memset")));
+        more.extend(
+            row.mops.map(|mops| format!("{mops:.0} million operations estimated, {:.3} ns each", row.ms / mops)),
+        );
         if let (Some(pixels), Some(levels)) = (row.pixels_off, row.most_levels_off) {
             more.push(format!("{pixels} pixels off by more than 1 level (most {levels})"));
         }

@@ -20,6 +20,8 @@ pub(super) struct Declaration {
     /// It is a value of this property, as far as is known.
     pub is_valid: bool,
     pub is_important: bool,
+    /// The line that it begins in, from 0.
+    pub line: usize,
 }
 
 /// The declarations of a `style` attribute, in their order.
@@ -42,14 +44,15 @@ impl<'i> DeclarationParser<'i> for Block {
         &mut self,
         name: CowRcStr<'i>,
         input: &mut Parser<'i>,
-        _start: &ParserState,
+        start: &ParserState,
     ) -> Result<Declaration, ParseError<()>> {
         let name = if name.starts_with("--") { name.to_string() } else { name.to_ascii_lowercase() };
         let mut written = String::new();
         let is_important = read_value(input, &mut written, 0)?;
         let written = written.trim().to_string();
         let plain = value::plain(&name, &written);
-        Ok(Declaration { name, is_valid: plain.is_some(), value: plain.unwrap_or(written), is_important })
+        let line = start.source_location().line as usize;
+        Ok(Declaration { name, is_valid: plain.is_some(), value: plain.unwrap_or(written), is_important, line })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::declarations::{self, Declaration};
 use super::selector::{self, Selectors};
+use super::{brackets, spelling};
 use crate::table::page::SVG;
 use crate::table::source::{Diagnostic, Source};
 use cssparser::{AtRuleParser, CowRcStr, ParseError, Parser, ParserState, QualifiedRuleParser, StyleSheetParser};
@@ -41,11 +42,14 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
         return;
     }
     let mut input = Parser::new(&text);
-    let start = node.first_child().map_or(node.range().start, |child| child.range().start);
-    let first = source.line(start);
+    let first = first_line(source, node);
     for rule in StyleSheetParser::new(&mut input, &mut SheetParser) {
         match rule {
-            Ok(read) => rules.extend(read),
+            Ok(read) => {
+                let declared = read.iter().flat_map(|rule| &rule.declarations);
+                diagnostics.extend(declared.filter_map(|one| misspelt(source, first + one.line, &one.name)));
+                rules.extend(read);
+            }
             Err((_, rule, place)) => {
                 let line = first + place.line as usize;
                 let begin: String = rule.trim().chars().take_while(|&c| c != '{' && c != '\n').take(40).collect();
@@ -54,6 +58,29 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
             }
         }
     }
+}
+
+/// The line in which the text of a sheet begins.
+fn first_line(source: &Source, node: Node) -> usize {
+    source.line(node.first_child().map_or(node.range().start, |child| child.range().start))
+}
+
+/// A warning of a property that is none, and nearly one.
+pub(super) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagnostic> {
+    let meant = spelling::meant(name)?;
+    let what = format!("the property `{name}` means nothing; did you mean `{meant}`?");
+    Some(source.diagnostic_in_line(line, what).into_warning())
+}
+
+/// The first bracket of a drawing's sheets that is never closed, as a mistake.
+pub(super) fn unclosed(source: &Source, document: &Document) -> Option<Diagnostic> {
+    let mut all = elements(document).map(|node| (node, text(node)));
+    all.find_map(|(node, text)| {
+        let (at, bracket) = brackets::unclosed(&text)?;
+        let line = first_line(source, node) + text[..at].matches('\n').count();
+        let what = format!("this `{bracket}` is never closed, so the sheet swallows all that follows it; close it");
+        Some(source.diagnostic_in_line(line, what))
+    })
 }
 
 /// What of a drawing's sheets could take too long to read.

@@ -149,7 +149,7 @@ fn mistakes_in_clones_have_their_line() {
         read(&format!("{post}\n{drawn}"), "").unwrap_err().join("\n")
     };
     let says = |drawn: String, what: &str| assert!(drawn.contains(what), "`{drawn}` does not say `{what}`");
-    says(drawn(r##"<use href="#p" x="50"/>"##), "table.svg:6: this bumper has no id");
+    says(drawn(r##"<use href="#p" x="50"/>"##), "table.svg:6: this clone of `p` has no id");
     says(
         drawn(r##"<use id="p" href="#p" x="50"/>"##),
         "table.svg:6: the id `p` is given twice, and is meant to draw itself; give each its own",

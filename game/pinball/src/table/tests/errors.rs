@@ -79,11 +79,14 @@ fn mistakes_in_words_have_their_line() {
     says(drawn(r#"<line id="w" class="wall rubber" x2="9"/>"#), &["5: it is both wall and rubber"]);
     says(drawn(r#"<line id="w" class="bumper" x2="9"/>"#), &["5: w: a bumper is drawn as a circle"]);
     says(drawn(r#"<circle id="w" class="slingshot" r="9"/>"#), &["5: w: a slingshot is drawn as one straight line"]);
-    says(drawn(r#"<path id="w" class="insert" d="M9 9h9v9"/>"#), &["5: w: an insert is drawn as closed outlines"]);
+    says(
+        drawn(r#"<path id="w" class="insert" fill="red" d="M9 9h9v9"/>"#),
+        &["5: w: an insert is drawn as closed outlines"],
+    );
     says(drawn(r#"<path class="plastic" d="M9 9h9v9"/>"#), &["5: ", "a plastic is drawn as a circle or as one closed"]);
     says(drawn(r#"<circle id="w" class="lamp" r="9" fill="none"/>"#), &["5: w: the fill of a lamp is its light"]);
     says(
-        drawn(r#"<circle id="w" class="lamp" r="9" data-inside="z"/>"#),
+        drawn(r#"<circle id="w" class="lamp" r="9" fill="red" data-inside="z"/>"#),
         &["5: w: data-inside: no solid has the id `z`"],
     );
     says(drawn(r#"<defs><line id="w" class="wall" x2="9"/></defs>"#), &["5: a wall inside `defs` is not drawn"]);

@@ -1,0 +1,54 @@
+//! Unseen: what of a table is there and shows nothing of itself: lamps without light, lines without width, hidden things.
+
+use super::drawing::Element;
+use super::element_class::ElementClass;
+use super::lamps;
+use super::outline::Outline;
+use super::source::{Diagnostic, Source};
+
+/// Warns of what cannot be seen as its maker means it; of many alike once.
+pub(super) fn warnings(source: &Source, elements: &[Element]) -> Vec<Diagnostic> {
+    let lamps = elements.iter().filter(|element| is_dark(element)).map(|lamp| {
+        let paint = lamps::light_word(lamp);
+        let what = format!(
+            "{}: its {paint} is black, so it gives no light unless the rules give it a colour; SVG's {paint} is \
+             black where nobody says another",
+            lamp.name
+        );
+        source.diagnostic(lamp.at, what)
+    });
+    let thin = "its line is 0 wide, so nobody sees it, and a ball bounces off it all the same; give it a stroke-width";
+    let hidden = "its visibility is hidden, and it is there all the same; what is not to be there has display=\"none\"";
+    let once = [once(source, elements, is_thin, thin), once(source, elements, |element| element.is_hidden, hidden)];
+    lamps.chain(once.into_iter().flatten()).map(Diagnostic::into_warning).collect()
+}
+
+/// Says it of the first of those that are so, and how many more there are.
+fn once(source: &Source, elements: &[Element], is_so: impl Fn(&Element) -> bool, what: &str) -> Option<Diagnostic> {
+    let mut those = elements.iter().filter(|element| is_so(element));
+    let first = those.next()?;
+    let more = match those.count() {
+        0 => String::new(),
+        more => format!(" (so it is with {more} more)"),
+    };
+    Some(source.diagnostic(first.at, format!("{}: {what}{more}", first.name)))
+}
+
+fn is_dark(element: &Element) -> bool {
+    matches!(element.class, ElementClass::Lamp | ElementClass::Insert) && lamps::color(element) == Ok([0; 3])
+}
+
+/// Whether a thing is its line, and that has no width.
+fn is_thin(element: &Element) -> bool {
+    let is_line = element.class.is_static()
+        || matches!(
+            element.class,
+            ElementClass::Slingshot
+                | ElementClass::Target
+                | ElementClass::DropTarget
+                | ElementClass::Gate
+                | ElementClass::Spinner
+        );
+    let is_closed = matches!(element.outline, Outline::Circle(_)) || element.outline.polygons().is_some();
+    is_line && element.thickness_mm == 0.0 && !(is_closed && element.fill.is_painted())
+}
