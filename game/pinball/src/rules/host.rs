@@ -191,7 +191,6 @@ pub fn named(name: &str) -> Option<&'static HostFunction> {
 }
 
 /// Every function.
-#[cfg(test)]
 pub fn all() -> impl Iterator<Item = &'static HostFunction> {
     FUNCTIONS.iter()
 }
