@@ -1,7 +1,7 @@
 //! The functions by which a script commands lamps.
 
-use super::host::Searched::Lamps;
-use super::host::{Arguments, HostFunction, ScriptContext, function, time_ms};
+use super::host_function::Searched::Lamps;
+use super::host_function::{Arguments, HostFunction, ScriptContext, function, time_ms};
 use super::script::Data;
 use crate::lamps::{LampEffect, Mode, TimedOverride};
 

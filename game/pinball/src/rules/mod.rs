@@ -7,6 +7,7 @@
 mod ball_search;
 mod display;
 mod host;
+mod host_function;
 mod host_lamps;
 mod literal_names;
 mod memory;

@@ -1,6 +1,6 @@
 //! A compiled script: shared by every simulation of its table.
 
-use super::host::ScriptContext;
+use super::host_function::ScriptContext;
 use super::literal_names::unknown_names;
 use super::memory::Memory;
 use super::names::Names;

@@ -4,7 +4,7 @@
 //! is unknown, and nothing is said of it.
 
 use super::words::{Told, Words};
-use crate::rules::host::HostFunction;
+use crate::rules::host_function::HostFunction;
 use crate::rules::script::{Chain, Data, Kind, Node, Operator, Pattern, Root, Script, StepKind};
 use std::collections::BTreeSet;
 use std::sync::Arc;

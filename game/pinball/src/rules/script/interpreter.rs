@@ -6,7 +6,7 @@ use super::node::{Assign, Chain, For, Kind, Node, Pattern, Root, Switch, Try};
 use super::operators;
 use super::stop::{Answer, FailureKind, Stop, fail};
 use super::{Script, text, told};
-use crate::rules::host::{HostFunction, ScriptContext};
+use crate::rules::host_function::{HostFunction, ScriptContext};
 
 /// Deepest nesting of calls.
 pub const MAX_CALLS: usize = 24;

@@ -11,6 +11,7 @@ mod meter;
 mod node;
 mod operators;
 mod place;
+mod position;
 mod read;
 mod read_expression;
 mod stop;
@@ -30,7 +31,7 @@ pub use read::Mistake;
 pub use stop::{Failed, Stop, fail};
 pub use tokens::too_many;
 
-use crate::rules::host::ScriptContext;
+use crate::rules::host_function::ScriptContext;
 use interpreter::Frame;
 use read::Reader;
 use rhai::{ASTFlags, Stmt};

@@ -1,7 +1,7 @@
 //! A script as the interpreter runs it: a tree in which every name is already the number of what it names.
 
 use super::library::Function as LibraryFunction;
-use crate::rules::host::HostFunction;
+use crate::rules::host_function::HostFunction;
 use std::sync::Arc;
 
 /// One expression or statement; a statement is an expression whose value is `()`.

@@ -8,7 +8,7 @@ mod twin;
 
 use super::{Data, Failed, Meter, Mistake, Script, Stop};
 use crate::lamps::LampController;
-use crate::rules::host::ScriptContext;
+use crate::rules::host_function::ScriptContext;
 use crate::rules::names::Names;
 use crate::rules::script_state::ScriptState;
 use crate::rules::tests::bench::table;

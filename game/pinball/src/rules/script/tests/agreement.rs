@@ -4,7 +4,7 @@ use super::random_script::random_script;
 use super::twin::Twin;
 use super::{PLENTY, context, try_read};
 use crate::lamps::LampController;
-use crate::rules::host::ScriptContext;
+use crate::rules::host_function::ScriptContext;
 use crate::rules::names::Names;
 use crate::rules::script::data::{Data, Entries};
 use crate::rules::script::library;
