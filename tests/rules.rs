@@ -4,11 +4,13 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// A box with a plunger, a drain and two flippers.
+/// A box with a bend, a plunger, a drain and two flippers.
 const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 514 1067">
 <path class="wall" d="M8 1060 V8 H506 V1060" stroke-width="8" fill="none"/>
 <path class="wall" d="M462 1060 V200" stroke-width="8" fill="none"/>
 <path class="wall" d="M462 1020 H506" stroke-width="8"/>
+<path class="wall" d="M506 90 L420 8" stroke-width="8"/>
+<path class="wall" d="M8 820 L145 900 M462 820 L324 900" stroke-width="8"/>
 <line class="flipper" id="lf" x1="145.5" y1="900" x2="205" y2="933" stroke-width="18" data-side="left" data-up-deg="51"/>
 <line class="flipper" id="rf" x1="324.5" y1="900" x2="265" y2="933" stroke-width="18" data-side="right" data-up-deg="51"/>
 <line class="plunger" id="plunger" x1="484" y1="960" x2="484" y2="1006" stroke-width="30"/>
@@ -108,4 +110,41 @@ fn a_sort_by_chance_prints_no_panic() {
     let sort = "let a = []; for i in 0..200 { a.push(random(100)); } a.sort(|x, y| random(3) - 1); score(1);";
     let rules = format!("{GAME}fn on_launch() {{ {sort} }}\n");
     ends_at_once("sort", &rules, 3, "sort's function contradicts itself: ");
+}
+
+/// What `check` says of rules, one sentence a line.
+fn check(name: &str, words: &[&str], rules: &str) -> (Option<i32>, String) {
+    let (code, _, complained) = Folder::new(name, rules).run(words);
+    (code, complained)
+}
+
+/// A case with a misspelt name was silently dead, and the table was good.
+#[test]
+fn a_case_that_never_comes_is_told_with_its_line_and_with_what_was_meant() {
+    let rules = format!("{GAME}fn on_open(n) {{\n  switch n {{\n    \"drian\" => score(1),\n  }}\n}}\n");
+    let (code, complained) = check("case", &["check", "--quick"], &rules);
+    assert_eq!((code, complained.lines().count()), (Some(1), 1), "{complained}");
+    let expected = "rules.rhai:5: there is no part called \"drian\" in the drawing; did you mean \"drain\"?\n";
+    assert!(complained.ends_with(expected), "{complained}");
+}
+
+/// The game ended with its first ball, in a silence that only the ball search broke, and the table was good.
+#[test]
+fn a_lost_ball_that_nobody_hears_of_is_told() {
+    let rules = GAME.replace("n == \"drain\"", "n.len() == 99");
+    let (code, complained) = check("lost", &["check"], &rules);
+    assert_eq!((code, complained.lines().count()), (Some(1), 1), "{complained}");
+    assert!(complained.contains("rules.rhai: the ball is lost and nothing follows for 14 s"), "{complained}");
+    assert_eq!(check("whole", &["check"], GAME).0, Some(0));
+}
+
+/// Letters without dots were gaps, and nobody said so.
+#[test]
+fn letters_that_the_display_has_no_dots_for_are_told() {
+    let rules =
+        format!("{GAME}fn on_bob() {{ message(`\u{65e5}\u{672c} ${{now()}}`, \"\u{c4}\u{d6}\u{dc}\", 900); }}\n");
+    let (code, complained) = check("letters", &["check", "--quick"], &rules);
+    assert_eq!((code, complained.lines().count()), (Some(0), 1), "{complained}");
+    let expected = "rules.rhai:3: the display has no dots for `\u{65e5}`, `\u{672c}` of the message `\u{65e5}\u{672c} `: it leaves";
+    assert!(complained.contains(expected), "{complained}");
 }

@@ -251,7 +251,19 @@ const ORDER: [(&str, &[&str]); 4] = [
     ("physics", &["constants", "part", "ball", "collision", "mechanisms", "layout", "solver", "machine"]),
     (
         "game/pinball",
-        &["buttons", "failure", "table", "lamps", "rules", "simulation", "timeline", "recording", "bot", "playtest"],
+        &[
+            "buttons",
+            "failure",
+            "spelling",
+            "table",
+            "lamps",
+            "rules",
+            "simulation",
+            "timeline",
+            "recording",
+            "bot",
+            "playtest",
+        ],
     ),
     (
         "game",

@@ -14,6 +14,7 @@ pub mod playtest;
 pub mod recording;
 pub mod rules;
 pub mod simulation;
+mod spelling;
 pub mod table;
 pub mod timeline;
 

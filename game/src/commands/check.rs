@@ -1,5 +1,6 @@
 //! `caustic check`: every mistake in a table, and what play shows of it; or a line that says it is good.
 
+mod messages;
 mod report;
 mod trial;
 
@@ -7,8 +8,7 @@ use super::parallel::pool;
 use super::print::{print, print_lines};
 use crate::art::{self, PrintCost};
 use crate::cli::CheckArgs;
-use crate::hud;
-use crate::rules::literal_messages;
+use crate::rules::Review;
 use crate::storage::tables;
 use crate::table::FILES;
 use crate::{Buttons, Failure, Simulation, Table, tell};
@@ -51,11 +51,15 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     };
     report.table = Some(table.clone());
     report.found.extend(table.warnings.iter().cloned());
-    report.found.extend(hurried_messages(&table));
+    let review = Review::of(&table);
+    report.found.extend(messages::warnings(&review.messages, &table));
     match Simulation::new(table.clone(), 0) {
         Ok(simulation) => report.found.extend(first_ball(simulation).into_iter().map(Failure::new)),
         Err(failure) => report.found.push(failure),
     }
+    // What the rules have complained about is told once.
+    let more = review.findings.into_iter().filter(|finding| !report.found.contains(finding)).collect::<Vec<_>>();
+    report.found.extend(more);
     match print_once(&table) {
         Ok(cost) => report.print_mops = Some((cost.operations * 1e-6).ceil()),
         Err(failure) => report.found.push(failure),
@@ -84,22 +88,4 @@ fn first_ball(mut simulation: Simulation) -> Vec<String> {
         (0..ticks).for_each(|_| simulation.tick(buttons));
     }
     simulation.complaints()
-}
-
-/// A warning for each message that the rules say in so many words and that has no time to walk past.
-fn hurried_messages(table: &Table) -> Vec<Failure> {
-    let messages = literal_messages(&table.rules).into_iter();
-    let warning = |message: crate::rules::LiteralMessage| {
-        let lines: Vec<&str> = message.lines.iter().map(String::as_str).collect();
-        let needed = hud::reading_ms(&lines).filter(|needed| message.ms > 0 && message.ms < *needed)?;
-        let widest = lines.iter().max_by_key(|line| line.chars().count())?;
-        Some(Failure::warning(format!(
-            "{}:{}: the message `{widest}` is wider than the display and hurries past in its {} ms: give it {needed} ms, or \
-             fewer letters",
-            table.file(FILES[2]),
-            message.line,
-            message.ms
-        )))
-    };
-    messages.filter_map(warning).collect()
 }

@@ -19,7 +19,7 @@ mod ui_state;
 
 pub use debug_overlay::{DebugInfo, TrailContact};
 pub use dialog::Dialog;
-pub use dmd::reading_ms;
+pub use dmd::{has_dots, reading_ms};
 pub use frame_times::{FrameRates, FrameTimes};
 pub use key_help::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
 pub use replay_bar::ReplayProgress;

@@ -41,6 +41,14 @@ pub enum FindingKind {
     Unreachable,
     /// No game begins when start is pressed.
     NoGame,
+    /// A game has begun, and no ball comes.
+    NoBall,
+    /// The ball is lost, and neither another comes nor does the game end.
+    BallWithoutEnd,
+    /// The flippers do not obey their buttons while a ball is in play.
+    DeadFlippers,
+    /// The rules never throw a saucer's ball out.
+    NeverEjected,
 }
 
 /// One thing that only play shows.
@@ -153,6 +161,19 @@ impl Finding {
             }
             FindingKind::NoGame => "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
                                     `on_button(name)`"
+                .to_string(),
+            FindingKind::NoBall => "a game begins and no ball comes for 14 s, until the ball search gives one; call \
+                                    `add_ball()` behind `start_game`"
+                .to_string(),
+            FindingKind::BallWithoutEnd => "the ball is lost and nothing follows for 14 s, until the ball search gives \
+                                            another; when `on_switch` hears the drain, which needs an `id`, and \
+                                            `balls_in_play()` is 0, call `next_player()` and `add_ball()`, or `game_over()`"
+                .to_string(),
+            FindingKind::DeadFlippers => "the flippers are dead while the first ball is in play; call `flippers(true)` \
+                                          where a game or a ball begins"
+                .to_string(),
+            FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
+                                          timer that `on_switch` starts"
                 .to_string(),
         }
     }

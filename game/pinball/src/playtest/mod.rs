@@ -6,6 +6,7 @@
 
 mod coils;
 mod finding;
+mod first_game;
 mod let_go;
 mod plunger;
 mod reach;
@@ -130,6 +131,14 @@ impl Playtest {
         }
     }
 
+    /// What the rules do wrong, or leave undone, in a game's first ball.
+    ///
+    /// # Errors
+    /// If they do not run.
+    pub fn first_game(&self) -> Result<Vec<Finding>, Failure> {
+        first_game::try_rules(&self.table)
+    }
+
     /// A bot's first minute.
     ///
     /// # Errors
@@ -160,6 +169,9 @@ impl Playtest {
         if findings.iter().any(|finding| finding.kind == FindingKind::OpenEdge) {
             findings.retain(|finding| finding.kind != FindingKind::Escaped);
         }
+        let dead: Vec<_> =
+            findings.iter().filter(|one| one.kind == FindingKind::KeepsItsBall).map(|one| one.part).collect();
+        findings.retain(|finding| finding.kind != FindingKind::NeverEjected || !dead.contains(&finding.part));
         finding::merged(findings)
     }
 }

@@ -1,7 +1,7 @@
 //! The functions by which a script commands lamps.
 
-use super::host::Searched::Lamps;
-use super::host::{Arguments, HostFunction, ScriptContext, function, time_ms};
+use super::host_function::Searched::Lamps;
+use super::host_function::{Arguments, HostFunction, ScriptContext, function, time_ms};
 use super::script::Data;
 use crate::lamps::{LampEffect, Mode, TimedOverride};
 
@@ -56,7 +56,11 @@ fn override_lamps(
     Ok(Data::Unit)
 }
 
-fn effect(mode: &str, period: Option<i64>, shift: i64) -> Result<LampEffect, String> {
+/// What a lamp does in this mode.
+///
+/// # Errors
+/// A sentence if there is no such mode or time.
+pub fn effect(mode: &str, period: Option<i64>, shift: i64) -> Result<LampEffect, String> {
     let unknown = || format!("a lamp cannot do \"{mode}\"; it can do {}", Mode::NAMES.join(", "));
     let mode = Mode::named(mode).ok_or_else(unknown)?;
     let period_ms = match period {
@@ -78,7 +82,18 @@ fn color(arguments: &Arguments, place: usize) -> Result<Option<[u8; 3]>, String>
     if arguments.count() <= place {
         return Ok(None);
     }
-    let text = arguments.text(place)?;
+    read_color(arguments.text(place)?).map(Some)
+}
+
+/// Whether this is a colour.
+///
+/// # Errors
+/// A sentence if not.
+pub fn check_color(text: &str) -> Result<(), String> {
+    read_color(text).map(|_| ())
+}
+
+fn read_color(text: &str) -> Result<[u8; 3], String> {
     let wrong = || format!("a colour is written \"#rrggbb\", not \"{text}\"");
     let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6).ok_or_else(wrong)?;
     if !digits.chars().all(|digit| digit.is_ascii_hexdigit()) {
@@ -86,5 +101,5 @@ fn color(arguments: &Arguments, place: usize) -> Result<Option<[u8; 3]>, String>
     }
     let number = u32::from_str_radix(digits, 16).map_err(|_| wrong())?;
     let [_, red, green, blue] = number.to_be_bytes();
-    Ok(Some([red, green, blue]))
+    Ok([red, green, blue])
 }

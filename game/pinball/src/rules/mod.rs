@@ -7,12 +7,14 @@
 mod ball_search;
 mod display;
 mod host;
+mod host_function;
 mod host_lamps;
-mod literals;
+mod literal_names;
 mod memory;
 mod names;
 mod part_commands;
 mod program;
+mod review;
 mod score;
 mod script;
 mod script_state;
@@ -25,8 +27,8 @@ mod work;
 pub(crate) mod tests;
 
 pub use display::Display;
-pub use literals::{LiteralMessage, messages as literal_messages};
 pub use program::Program;
+pub use review::{KnownMessage, Review};
 pub use score::Score;
 pub use script_state::ScriptState;
 pub use value::Value;

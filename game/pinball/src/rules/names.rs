@@ -1,7 +1,7 @@
 //! The names that a script may use: the parts and lamps of its table.
 
 use super::part_commands::PartCommand;
-use crate::Table;
+use crate::{Table, spelling};
 use physics::{Kind, PartId};
 use std::collections::BTreeMap;
 
@@ -95,31 +95,8 @@ impl Names {
     }
 }
 
-/// Longest name for which another is sought that is like it, bytes.
-const MAX_SOUGHT: usize = 64;
-
 /// `; did you mean "..."?` if a name differs by little.
 fn near<'a>(name: &str, names: impl Iterator<Item = &'a String>) -> String {
-    let names = names.filter(|other| name.len().max(other.len()) <= MAX_SOUGHT);
-    let best = names.map(|other| (distance(name, other), other)).min();
-    match best {
-        Some((distance, other)) if distance <= 2 => format!("; did you mean \"{other}\"?"),
-        _ => String::new(),
-    }
-}
-
-/// Levenshtein's distance between two names.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.chars().enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, other) in b.iter().enumerate() {
-            let replaced = corner + usize::from(letter != *other);
-            corner = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(corner + 1);
-        }
-    }
-    row[b.len()]
+    let meant = spelling::near_name(name, names.map(String::as_str));
+    meant.map_or_else(String::new, |meant| format!("; did you mean \"{meant}\"?"))
 }

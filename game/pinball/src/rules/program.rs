@@ -1,10 +1,10 @@
 //! A compiled script: shared by every simulation of its table.
 
-use super::host::ScriptContext;
-use super::literals;
+use super::host_function::ScriptContext;
+use super::literal_names::unknown_names;
 use super::memory::Memory;
 use super::names::Names;
-use super::script::{Data, Failed, Meter, Mistake, Script};
+use super::script::{Data, Failed, Meter, Mistake, Script, too_many};
 use super::script_state::ScriptState;
 use super::value::Value;
 use super::work::Work;
@@ -65,15 +65,12 @@ impl Program {
         if table.rules.len() as u64 > LIMITS_BYTES[2] {
             return Err(Failure::new(format!("{file}: it is larger than {} kB", LIMITS_BYTES[2] / 1024)));
         }
-        if let Some((line, what)) = literals::too_many(&table.rules) {
+        if let Some((line, what)) = too_many(&table.rules) {
             return Err(Failure::new(format!("{file}:{line}: {what}")));
         }
-        let (script, mut mistakes) = match Script::read(&table.rules) {
-            Ok(script) => (script, Vec::new()),
-            Err(mistakes) => (Script::default(), mistakes),
-        };
+        let (script, mut mistakes) = Script::read(&table.rules);
         mistakes.extend(wrong_calls(&script, &table.rules));
-        mistakes.extend(literals::unknown_names(&table.rules, &names));
+        mistakes.extend(unknown_names(&script, &names));
         if !mistakes.is_empty() {
             mistakes.sort();
             mistakes.dedup();
@@ -85,6 +82,11 @@ impl Program {
         let call = |name: &str, number| (name.to_string(), (number, line_of(name, &table.rules)));
         let calls = numbered.map(|(function, number)| call(&function.name, number)).collect();
         Ok(Program { script, calls, names, file })
+    }
+
+    /// What was read.
+    pub fn script(&self) -> &Script {
+        &self.script
     }
 
     /// The parts and lamps.
@@ -123,15 +125,16 @@ impl Program {
         let answer = self.script.call(function, arguments, &mut this, &mut context, meter);
         (*script, *lamps) = (context.script, context.lamps);
         let call = happening.call;
+        let answer = answer.map_err(|failed| self.sentence(&failed, line, &this));
         memory.set(Value::from_script(this).map_err(|what| {
             format!("{}:{line}: after {call}, `this` holds {what}, which cannot be remembered", self.file)
         })?);
-        answer.map_err(|failed| self.sentence(&failed, line))
+        answer
     }
 
-    fn sentence(&self, failed: &Failed, called: usize) -> String {
+    fn sentence(&self, failed: &Failed, called: usize, this: &Data) -> String {
         let line = if failed.line == 0 { called } else { failed.line as usize };
-        format!("{}:{line}: {}", self.file, failed.sentence(&spent()))
+        format!("{}:{line}: {}", self.file, failed.told(&spent(), this))
     }
 }
 

@@ -30,7 +30,7 @@ impl Switches {
 }
 
 /// The buttons as the script names them.
-const BUTTONS: [(Buttons, &str); 8] = [
+pub const BUTTONS: [(Buttons, &str); 8] = [
     (Buttons::LEFT, "left"),
     (Buttons::RIGHT, "right"),
     (Buttons::PLUNGER, "plunger"),

@@ -18,6 +18,7 @@ pub use snapshot::Snapshot;
 use crate::lamps::{ADAPTATION_TICKS, ExposureAdaptation, LampBrightness, LampController};
 use crate::rules::{Program, Rules, TickInput};
 use crate::{Buttons, Failure, Table};
+use geometry::DVec2;
 use physics::{Controls, Event, Fingerprint, Machine, Pose, TickEvent, fingerprint};
 use save::Saved;
 use std::borrow::Cow;
@@ -55,6 +56,19 @@ pub struct Hashes {
     pub rules: u64,
     /// The lamps.
     pub lamps: u64,
+}
+
+/// What the rules have decided about a moment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SimulationRules {
+    /// A game is on.
+    pub playing: bool,
+    /// The machine is tilted.
+    pub tilted: bool,
+    /// Flippers obey their buttons.
+    pub flippers_live: bool,
+    /// Balls that were asked for and have not arrived yet.
+    pub owed: u32,
 }
 
 impl Simulation {
@@ -149,6 +163,18 @@ impl Simulation {
     /// What the display shows (cheaper than [`Simulation::snapshot`]).
     pub fn display(&self) -> Display {
         self.rules.script_state().display()
+    }
+
+    /// What the rules have decided about this moment.
+    pub(crate) fn rules_state(&self) -> SimulationRules {
+        let state = self.rules.script_state();
+        let (playing, tilted) = (state.score.playing, state.score.tilted);
+        SimulationRules { playing, tilted, flippers_live: state.flippers, owed: state.owed }
+    }
+
+    /// Puts a ball on the playfield, at rest: no game does that, trials do.
+    pub(crate) fn put_ball(&mut self, center: DVec2) {
+        self.machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
     }
 
     /// The steps that the rules have taken in the last tick.

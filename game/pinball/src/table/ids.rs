@@ -37,6 +37,11 @@ impl Ids {
         self.things.get(id).map(|(class, _)| *class)
     }
 
+    /// Every id of a thing.
+    pub fn all(&self) -> impl Iterator<Item = &str> {
+        self.things.keys().map(String::as_str)
+    }
+
     /// Whether a mistake in what has this id has been told.
     pub fn is_refused(&self, id: &str) -> bool {
         self.refused.contains(id)

@@ -43,11 +43,13 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     };
     // Of a table whose plunger fails, what a game shows is a consequence too.
     let plays = is_sound && playtest.launch().is_empty();
-    let (run, found) = rayon::join(|| plays.then(|| playtest.bot_run()).transpose(), let_go);
+    let bot = || plays.then(|| playtest.bot_run()).transpose();
+    let first_game = || if plays { playtest.first_game() } else { Ok(Vec::new()) };
+    let (run, (rules, found)) = rayon::join(bot, || rayon::join(first_game, let_go));
     bar.finish_and_clear();
     let (played, score, complaints) =
         run?.map_or_else(Default::default, |BotRun { findings, score, complaints }| (findings, score, complaints));
-    let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played].concat();
+    let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played, rules?].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
     let findings = complaints.into_iter().map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
     let findings = first_of(findings.collect());

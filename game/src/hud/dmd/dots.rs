@@ -160,15 +160,26 @@ fn doubled(letter: &Letter) -> Letter {
     (0..2 * height).map(|y| (0..2 * width).map(|x| corner(x, y)).collect()).collect()
 }
 
+/// Whether the font has this letter, or it is a space.
+pub fn has_dots(character: char) -> bool {
+    font().contains_key(&upper(character))
+}
+
 fn letter(character: char) -> &'static Letter {
+    font().get(&upper(character)).unwrap_or_else(|| &font()[&' '])
+}
+
+fn upper(character: char) -> char {
+    character.to_uppercase().next().unwrap_or(character)
+}
+
+fn font() -> &'static BTreeMap<char, Letter> {
     static FONT: OnceLock<BTreeMap<char, Letter>> = OnceLock::new();
-    let font = FONT.get_or_init(|| {
+    FONT.get_or_init(|| {
         let mut font: BTreeMap<char, Letter> = LETTERS.lines().filter_map(parse).collect();
         font.insert(' ', vec![vec![false; 3]; LETTER_ROWS]);
         font
-    });
-    let upper = character.to_uppercase().next().unwrap_or(character);
-    font.get(&upper).unwrap_or_else(|| &font[&' '])
+    })
 }
 
 fn parse(line: &str) -> Option<(char, Letter)> {

@@ -5,5 +5,5 @@ mod dots;
 mod raster;
 
 pub use animation::{animation_dots, grouped, reading_ms};
-pub use dots::Dots;
+pub use dots::{Dots, has_dots};
 pub use raster::{DmdRaster, housing};

@@ -90,6 +90,19 @@ impl Data {
         Data::Int(count as i64)
     }
 
+    /// The whole number that it is, if it is one.
+    pub fn number(&self) -> Option<i64> {
+        match self {
+            Data::Int(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// Whether it is this text.
+    pub fn is_text(&self, text: &str) -> bool {
+        matches!(self, Data::Text(own) if **own == *text)
+    }
+
     /// What it is, in Rhai's words.
     pub fn type_name(&self) -> &'static str {
         match self {

@@ -2,11 +2,11 @@
 
 use super::data::{Data, Entries};
 use super::meter::{self, Meter};
-use super::node::{Assign, Case, Chain, For, Kind, Node, Pattern, Root, Switch, Try};
+use super::node::{Assign, Chain, For, Kind, Node, Pattern, Root, Switch, Try};
 use super::operators;
-use super::stop::{Answer, Failed, FailureKind, Stop, fail};
-use super::{Script, text};
-use crate::rules::host::{HostFunction, ScriptContext};
+use super::stop::{Answer, FailureKind, Stop, fail};
+use super::{Script, text, told};
+use crate::rules::host_function::{HostFunction, ScriptContext};
 
 /// Deepest nesting of calls.
 pub const MAX_CALLS: usize = 24;
@@ -46,7 +46,7 @@ impl Interpreter<'_> {
     /// Why it has none.
     pub fn eval(&mut self, node: &Node, frame: &mut Frame) -> Answer {
         self.meter.charge(1).map_err(|stop| stop.at(node.line))?;
-        self.eval_kind(node, frame).map_err(|stop| stop.at(node.line))
+        self.eval_kind(node, frame).map_err(|stop| told::with_unset(stop.at(node.line), node, frame))
     }
 
     fn eval_kind(&mut self, node: &Node, frame: &mut Frame) -> Answer {
@@ -183,22 +183,29 @@ impl Interpreter<'_> {
     fn switch(&mut self, switch: &Switch, frame: &mut Frame) -> Answer {
         let subject = self.eval(&switch.subject, frame)?;
         for case in &switch.cases {
-            if self.fits(case, &subject, frame)? {
-                return self.eval(&case.body, frame);
+            let branch = &switch.branches[case.branch];
+            if self.fits(&case.pattern, branch.condition.as_ref(), &subject, frame)? {
+                return self.eval(&branch.body, frame);
             }
         }
         Ok(Data::Unit)
     }
 
-    fn fits(&mut self, case: &Case, subject: &Data, frame: &mut Frame) -> Result<bool, Stop> {
+    fn fits(
+        &mut self,
+        pattern: &Pattern,
+        condition: Option<&Node>,
+        subject: &Data,
+        frame: &mut Frame,
+    ) -> Result<bool, Stop> {
         self.meter.charge(1)?;
-        let fits = match (&case.pattern, subject) {
+        let fits = match (pattern, subject) {
             (Pattern::Any, _) => true,
             (Pattern::Value(value), subject) => value.same(subject, self.meter)?,
             (Pattern::Range(range), Data::Int(number)) => range.contains(*number),
             (Pattern::Range(_), _) => false,
         };
-        match &case.condition {
+        match condition {
             Some(condition) if fits => self.eval(condition, frame)?.condition(),
             _ => Ok(fits),
         }
@@ -274,7 +281,7 @@ impl Interpreter<'_> {
 
     fn attempt(&mut self, parts: &Try, frame: &mut Frame) -> Answer {
         let answer = match self.eval(&parts.body, frame) {
-            Err(Stop::Failed(failed)) if failed.kind == FailureKind::Catchable => {
+            Err(Stop::Failed(failed)) if matches!(failed.kind, FailureKind::Catchable | FailureKind::Thrown) => {
                 if let Some(slot) = parts.variable {
                     frame.locals[usize::from(slot)] = failed.what;
                 }
@@ -347,16 +354,4 @@ impl Interpreter<'_> {
 fn this<'a>(frame: &'a mut Frame) -> Result<&'a mut Data, Stop> {
     let missing = "`this` is not known here: call the function as `this.name(...)`";
     frame.this.as_deref_mut().ok_or_else(|| fail(missing))
-}
-
-impl Failed {
-    /// The failure as a sentence.
-    pub fn sentence(&self, spent: &str) -> String {
-        match (&self.what, self.kind) {
-            (_, FailureKind::Spent) => spent.to_string(),
-            (Data::Text(text), _) => text.to_string(),
-            (Data::Int(number), _) => number.to_string(),
-            (other, _) => format!("the script has thrown a {}", other.type_name()),
-        }
-    }
 }

@@ -11,11 +11,14 @@ mod meter;
 mod node;
 mod operators;
 mod place;
+mod position;
 mod read;
 mod read_expression;
 mod stop;
 mod syntax;
 mod text;
+mod tokens;
+mod told;
 
 #[cfg(test)]
 mod tests;
@@ -23,17 +26,18 @@ mod tests;
 pub use data::Data;
 pub use interpreter::Interpreter;
 pub use meter::{Meter, text_steps};
+pub use node::{Chain, Kind, Node, Operator, Pattern, Root, Step, StepKind, Switch};
 pub use read::Mistake;
 pub use stop::{Failed, Stop, fail};
+pub use tokens::too_many;
 
-use crate::rules::host::ScriptContext;
-use crate::rules::literals::MAX_CONSTANTS;
+use crate::rules::host_function::ScriptContext;
 use interpreter::Frame;
-use node::Node;
 use read::Reader;
 use rhai::{ASTFlags, Stmt};
 use std::collections::BTreeMap;
 use syntax::SyntaxTree;
+use tokens::MAX_CONSTANTS;
 
 /// Most steps that evaluating the constants may take.
 const READING_STEPS: u64 = 1_000_000;
@@ -54,17 +58,18 @@ pub struct Function {
     /// How many values it takes.
     pub parameters: usize,
     /// How many variables it has, its parameters among them.
-    locals: usize,
-    body: Node,
+    pub locals: usize,
+    /// What it does.
+    pub body: Node,
 }
 
 impl Script {
-    /// Reads a script.
-    ///
-    /// # Errors
-    /// Every mistake, with its line.
-    pub fn read(text: &str) -> Result<Script, Vec<Mistake>> {
-        let tree = SyntaxTree::parse(text).map_err(|mistake| vec![mistake])?;
+    /// Reads a script: what of it is good, and every mistake with its line.
+    pub fn read(text: &str) -> (Script, Vec<Mistake>) {
+        let tree = match SyntaxTree::parse(text) {
+            Ok(tree) => tree,
+            Err(mistake) => return (Script::default(), vec![mistake]),
+        };
         let found = tree.functions();
         let names = found.iter().map(|(name, parameters)| (name.clone(), parameters.len()));
         let numbers: BTreeMap<(String, usize), u16> = names.zip(0..u16::MAX).collect();
@@ -80,11 +85,10 @@ impl Script {
             script.functions.push(Function { name, parameters, locals: reader.locals, body });
         }
         if mistakes.is_empty() {
-            script.evaluate(&statements, constants.len(), locals).map_err(|mistake| vec![mistake])?;
-            return Ok(script);
+            mistakes.extend(script.evaluate(&statements, constants.len(), locals).err());
         }
         mistakes.sort();
-        Err(mistakes)
+        (script, mistakes)
     }
 
     /// Runs what stands outside of functions.
@@ -131,6 +135,11 @@ impl Script {
     /// The functions by number.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         self.functions.iter()
+    }
+
+    /// The value of a constant, if it has one.
+    pub fn constant_value(&self, number: u16) -> Option<&Data> {
+        self.constants.get(usize::from(number))?.as_ref()
     }
 
     fn function(&self, number: u16) -> &Function {

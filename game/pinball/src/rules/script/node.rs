@@ -1,7 +1,7 @@
 //! A script as the interpreter runs it: a tree in which every name is already the number of what it names.
 
 use super::library::Function as LibraryFunction;
-use crate::rules::host::HostFunction;
+use crate::rules::host_function::HostFunction;
 use std::sync::Arc;
 
 /// One expression or statement; a statement is an expression whose value is `()`.
@@ -167,6 +167,8 @@ pub struct Switch {
     pub subject: Node,
     /// The cases in the order of the script, the one for everything else last.
     pub cases: Vec<Case>,
+    /// What the cases do: several may do the same.
+    pub branches: Vec<Branch>,
 }
 
 /// One case.
@@ -174,6 +176,13 @@ pub struct Switch {
 pub struct Case {
     /// What the subject must be.
     pub pattern: Pattern,
+    /// Which branch it leads to.
+    pub branch: usize,
+}
+
+/// What a case does.
+#[derive(Debug)]
+pub struct Branch {
     /// What else must be true.
     pub condition: Option<Node>,
     /// What is done then.
@@ -224,4 +233,81 @@ pub struct Try {
     pub variable: Option<u16>,
     /// What is done then.
     pub handler: Node,
+}
+
+impl Node {
+    /// Whether it is there already: nothing has to be done for it.
+    pub fn is_plain(&self) -> bool {
+        use Kind::{Bool, Constant, Int, Local, Text, Unit};
+        matches!(self.kind, Unit | Bool(_) | Int(_) | Text(_) | Local(_) | Constant(_))
+    }
+
+    /// Calls `each` with every node that stands directly in this one, in the order of the script.
+    pub fn for_each_child<'a>(&'a self, each: &mut dyn FnMut(&'a Node)) {
+        match &self.kind {
+            Kind::Joined(nodes)
+            | Kind::List(nodes)
+            | Kind::And(nodes)
+            | Kind::Or(nodes)
+            | Kind::Coalesce(nodes)
+            | Kind::Script(_, nodes)
+            | Kind::Library(_, nodes)
+            | Kind::Host(_, nodes)
+            | Kind::Block(nodes) => nodes.iter().for_each(each),
+            Kind::Map(entries) => entries.iter().for_each(|(_, node)| each(node)),
+            Kind::Binary(_, nodes) | Kind::While(nodes) | Kind::Do(nodes, _) => nodes.iter().for_each(each),
+            Kind::If(nodes) => nodes.iter().for_each(each),
+            Kind::Not(node)
+            | Kind::Negative(node)
+            | Kind::Let(_, node)
+            | Kind::Return(node)
+            | Kind::Throw(node)
+            | Kind::Break(node) => each(node),
+            Kind::Chain(chain) => chain.for_each_child(each),
+            Kind::Switch(switch) => switch.for_each_child(each),
+            Kind::For(parts) => [&parts.subject, &parts.body].into_iter().for_each(each),
+            Kind::Assign(assign) => {
+                assign.place.for_each_child(each);
+                each(&assign.value);
+            }
+            Kind::Try(parts) => [&parts.body, &parts.handler].into_iter().for_each(each),
+            Kind::Unit
+            | Kind::Bool(_)
+            | Kind::Int(_)
+            | Kind::Text(_)
+            | Kind::Function(_)
+            | Kind::Local(_)
+            | Kind::Constant(_)
+            | Kind::This
+            | Kind::Continue => {}
+        }
+    }
+}
+
+impl Chain {
+    fn for_each_child<'a>(&'a self, each: &mut dyn FnMut(&'a Node)) {
+        if let Root::Value(node) = &self.root {
+            each(node);
+        }
+        for step in &self.steps {
+            match &step.kind {
+                StepKind::Property(_) => {}
+                StepKind::Index(node) => each(node),
+                StepKind::Script(_, nodes)
+                | StepKind::Library(_, nodes)
+                | StepKind::Host(_, nodes)
+                | StepKind::Call(nodes) => nodes.iter().for_each(&mut *each),
+            }
+        }
+    }
+}
+
+impl Switch {
+    fn for_each_child<'a>(&'a self, each: &mut dyn FnMut(&'a Node)) {
+        each(&self.subject);
+        for branch in &self.branches {
+            branch.condition.iter().for_each(&mut *each);
+            each(&branch.body);
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::data::Data;
 use super::meter::{self, Meter};
+use super::position::position;
 use super::stop::{Stop, fail};
 use super::text;
 use std::sync::Arc;
@@ -110,21 +111,4 @@ fn name<'a>(key: &'a Key, meter: &mut Meter) -> Result<&'a Arc<str>, Stop> {
     // A map finds an entry with a dozen comparisons, four of which are a step.
     meter.charge(1 + meter::text_steps(name.len()) * 3)?;
     Ok(name)
-}
-
-/// The position from which a function goes on: from the front, or (below 0) from the back; the length where that is past
-/// the end.
-pub fn offset(start: i64, length: usize) -> usize {
-    let from_end = usize::try_from(start.unsigned_abs()).unwrap_or(usize::MAX).min(length);
-    if start < 0 { length - from_end } else { from_end }
-}
-
-/// The position of an index from the front, or (below 0) from the back.
-///
-/// # Errors
-/// If there is nothing.
-pub fn position(index: i64, length: usize) -> Result<usize, Stop> {
-    let from_front = if index < 0 { index.saturating_add(length as i64) } else { index };
-    let found = usize::try_from(from_front).ok().filter(|position| *position < length);
-    found.ok_or_else(|| fail(format!("there is no item {index} among {length}")))
 }

@@ -3,7 +3,7 @@
 
 use super::data::{Data, Range};
 use super::library;
-use super::node::{Assign, Case, For, Kind, Node, Pattern, Switch, Try};
+use super::node::{Assign, Branch, Case, For, Kind, Node, Pattern, Switch, Try};
 use super::operators;
 use super::syntax::SyntaxTree;
 use rhai::{ASTFlags, Expr, FlowControl, Position, RangeCase, Stmt, StmtBlock, SwitchCasesCollection};
@@ -54,7 +54,8 @@ impl<'a> Reader<'a> {
     /// The statements of a function; the mistakes stand beside them.
     pub fn body(&mut self, tree: &SyntaxTree) -> Node {
         let mut nodes = Vec::new();
-        tree.for_each_statement(|statement| nodes.extend(self.statement_or_mistake(statement)));
+        let walked = tree.for_each_statement(|statement| nodes.extend(self.statement_or_mistake(statement)));
+        self.mistakes.extend(walked.err());
         Node { line: nodes.first().map_or(0, |node| node.line), kind: Kind::Block(nodes) }
     }
 
@@ -190,15 +191,17 @@ impl<'a> Reader<'a> {
         found.extend(parts.ranges.iter().map(|range| (range.index(), Pattern::Range(numbers(range)))));
         found.extend(parts.def_case.map(|block| (block, Pattern::Any)));
         let subject = self.expression(subject)?;
-        let mut cases = Vec::new();
-        for (block, pattern) in found {
-            let condition = match &parts.expressions[block].lhs {
+        let cases = found.into_iter().map(|(branch, pattern)| Case { pattern, branch }).collect();
+        // Each is read once, however many cases lead to it: branches nest.
+        let branches = parts.expressions.iter().map(|branch| {
+            let condition = match &branch.lhs {
                 Expr::BoolConstant(true, _) => None,
                 condition => Some(self.expression(condition)?),
             };
-            cases.push(Case { pattern, condition, body: self.expression(&parts.expressions[block].rhs)? });
-        }
-        Ok(Switch { subject, cases })
+            Ok(Branch { condition, body: self.expression(&branch.rhs)? })
+        });
+        let branches = branches.collect::<Reading<_>>()?;
+        Ok(Switch { subject, cases, branches })
     }
 
     /// The variable or constant of this name.

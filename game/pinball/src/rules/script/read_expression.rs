@@ -4,6 +4,7 @@ use super::node::{Chain, Kind, Node, Operator, Root, Step, StepKind};
 use super::operators;
 use super::read::{Reader, Reading, line, mistake, node, unknown_operator};
 use crate::rules::host;
+use crate::spelling;
 use rhai::{ASTFlags, Expr, FnCallExpr, FnPtr, Position};
 
 /// Longest chain.
@@ -117,11 +118,20 @@ impl Reader<'_> {
             || super::library::named(name).is_some()
             || self.functions.keys().any(|(other, _)| other == name);
         let what = match (known, count) {
-            (false, _) => format!("there is no function called {name}"),
+            (false, _) => format!("there is no function called {name}{}", self.meant(name)),
             (true, 1) => format!("{name} cannot be called with one value"),
             (true, count) => format!("{name} cannot be called with {count} values"),
         };
         mistake(position, what)
+    }
+
+    /// `; did you mean ...?` if a function's name is like this one.
+    fn meant(&self, name: &str) -> String {
+        let own = self.functions.keys().map(|(name, _)| name.as_str());
+        let known =
+            host::all().map(|function| function.name).chain(super::library::all().map(|function| function.name));
+        let meant = spelling::near(name, known.chain(own));
+        meant.map_or_else(String::new, |meant| format!("; did you mean {meant}?"))
     }
 
     fn root(&mut self, expression: &Expr) -> Reading<Root> {

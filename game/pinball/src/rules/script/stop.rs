@@ -1,6 +1,7 @@
 //! Why the evaluation of a node ended before its value was there.
 
 use super::data::Data;
+use std::sync::Arc;
 
 /// What a node gives.
 pub type Answer = Result<Data, Stop>;
@@ -27,6 +28,8 @@ pub struct Failed {
     pub line: u32,
     /// What it is to the script.
     pub kind: FailureKind,
+    /// Where in what the script remembers nothing stands, because of which it failed; `None` as long as nobody has looked.
+    pub unset: Option<Vec<Arc<str>>>,
 }
 
 /// What a failure is to the script.
@@ -34,6 +37,8 @@ pub struct Failed {
 pub enum FailureKind {
     /// `try` may catch it.
     Catchable,
+    /// The script has thrown it; `try` may catch it.
+    Thrown,
     /// Calls nest too deep: no `try` is to go on from there.
     Final,
     /// No steps are left.
@@ -43,17 +48,17 @@ pub enum FailureKind {
 impl Stop {
     /// No steps are left.
     pub fn spent() -> Stop {
-        Stop::Failed(Box::new(Failed { what: Data::Unit, line: 0, kind: FailureKind::Spent }))
+        Stop::Failed(Box::new(Failed { what: Data::Unit, line: 0, kind: FailureKind::Spent, unset: None }))
     }
 
     /// A failure that no `try` catches.
     pub fn last(what: &str) -> Stop {
-        Stop::Failed(Box::new(Failed { what: Data::Text(what.into()), line: 0, kind: FailureKind::Final }))
+        Stop::Failed(Box::new(Failed { what: Data::Text(what.into()), line: 0, kind: FailureKind::Final, unset: None }))
     }
 
     /// The script has thrown this.
     pub fn thrown(what: Data) -> Stop {
-        Stop::Failed(Box::new(Failed { what, line: 0, kind: FailureKind::Catchable }))
+        Stop::Failed(Box::new(Failed { what, line: 0, kind: FailureKind::Thrown, unset: None }))
     }
 
     /// The same, on this line if none is known yet.
@@ -69,5 +74,6 @@ impl Stop {
 
 /// A failure that is told in this sentence.
 pub fn fail(what: impl AsRef<str>) -> Stop {
-    Stop::thrown(Data::Text(what.as_ref().into()))
+    let what = Data::Text(what.as_ref().into());
+    Stop::Failed(Box::new(Failed { what, line: 0, kind: FailureKind::Catchable, unset: None }))
 }

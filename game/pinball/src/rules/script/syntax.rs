@@ -1,12 +1,15 @@
 //! What Rhai's parser gives: nothing of it is run by Rhai.
 
 use super::read::Mistake;
-use rhai::{AST, ASTNode, Engine, OptimizationLevel, Stmt};
+use super::tokens;
+use rhai::{AST, ASTNode, Engine, OptimizationLevel, ParseError, ParseErrorType, Stmt};
 
 /// Deepest nesting of expressions.
 const MAX_EXPRESSIONS: usize = 48;
 /// Most functions of a script.
 const MAX_FUNCTIONS: usize = 512;
+/// Most parts of a script that are come by on the way to its statements.
+const MAX_WALK: usize = 1_000_000;
 
 /// Statements: of a whole script outside of its functions, or of one function.
 pub struct SyntaxTree(AST);
@@ -25,8 +28,7 @@ impl SyntaxTree {
             .set_max_array_size(super::meter::MAX_ITEMS)
             .set_max_map_size(super::meter::MAX_ITEMS)
             .set_optimization_level(OptimizationLevel::None);
-        let wrong = |error: rhai::ParseError| (error.position().line().unwrap_or(1), error.err_type().to_string());
-        engine.compile(text).map(SyntaxTree).map_err(wrong)
+        engine.compile(text).map(SyntaxTree).map_err(|error| mistake(&error, text))
     }
 
     /// The functions by name: names and parameters.
@@ -53,13 +55,39 @@ impl SyntaxTree {
     }
 
     /// Goes through the statements, of a whole script also through those of its functions.
-    pub fn for_each_statement(&self, mut each: impl FnMut(&Stmt)) {
-        // The walk comes by every part of a statement too, with all that it is a part of before it.
-        self.0.walk(&mut |path: &[ASTNode]| {
+    ///
+    /// # Errors
+    /// If that takes too long.
+    pub fn for_each_statement(&self, mut each: impl FnMut(&Stmt)) -> Result<(), Mistake> {
+        // The walk comes by every part of a statement too, with all that it is a part of before it; by what a `switch`
+        // does as often as there are cases that lead to it, and that again in what stands in them.
+        let (mut parts, mut line) = (0, 1);
+        let ends = self.0.walk(&mut |path: &[ASTNode]| {
             if let [ASTNode::Stmt(statement)] = path {
+                line = statement.position().line().unwrap_or(line);
                 each(statement);
             }
-            true
+            parts += 1;
+            parts <= MAX_WALK
         });
+        let what = "too many cases of a `switch` stand in cases of another: put them into functions of their own";
+        if ends { Ok(()) } else { Err((line, what.to_string())) }
+    }
+}
+
+/// What the parser says, where a person sees it: what is missing is missing behind the last word that is there.
+fn mistake(error: &ParseError, text: &str) -> Mistake {
+    let (line, column) = (error.position().line().unwrap_or(1), error.position().position().unwrap_or(1));
+    if let Some(fraction) = tokens::fraction_at(text, line, column) {
+        return (line, format!("a whole number is expected, not {fraction}: rules know no fractions"));
+    }
+    match error.err_type() {
+        ParseErrorType::MissingToken(missing, _) if missing == ";" => {
+            let last = tokens::last_before(text, line, column);
+            let (line, behind) =
+                last.map_or((line, String::new()), |last| (last.last_line(), format!(" behind `{}`", last.text)));
+            (line, format!("a `;` is missing{behind}"))
+        }
+        other => (line, other.to_string()),
     }
 }

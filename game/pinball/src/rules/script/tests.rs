@@ -6,9 +6,9 @@ mod language;
 mod random_script;
 mod twin;
 
-use super::{Data, Failed, Meter, Script, Stop};
+use super::{Data, Failed, Meter, Mistake, Script, Stop};
 use crate::lamps::LampController;
-use crate::rules::host::ScriptContext;
+use crate::rules::host_function::ScriptContext;
 use crate::rules::names::Names;
 use crate::rules::script_state::ScriptState;
 use crate::rules::tests::bench::table;
@@ -25,7 +25,12 @@ fn context() -> ScriptContext {
 }
 
 fn read(text: &str) -> Script {
-    Script::read(text).unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
+    try_read(text).unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
+}
+
+fn try_read(text: &str) -> Result<Script, Vec<Mistake>> {
+    let (script, mistakes) = Script::read(text);
+    if mistakes.is_empty() { Ok(script) } else { Err(mistakes) }
 }
 
 /// Runs `fn main()` with a map as `this`; what is in its `out` afterwards, as a text, or the failure's line and

@@ -99,7 +99,7 @@ pub fn letters(text: &str) -> impl Iterator<Item = Data> {
 /// If there is none.
 pub fn letter(text: &str, index: i64, meter: &mut Meter) -> Answer {
     meter.bytes(2 * text.len())?;
-    let position = super::place::position(index, text.chars().count())?;
+    let position = super::position::position(index, text.chars().count())?;
     let letter = text.chars().nth(position).unwrap_or_default();
     Ok(Data::text(letter.encode_utf8(&mut [0; 4])))
 }

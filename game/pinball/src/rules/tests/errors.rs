@@ -94,3 +94,77 @@ fn the_deepest_script_that_is_taken_ends_with_a_sentence_on_a_small_stack() {
         assert!(complaints.len() == 1 && complaints[0].contains("overflow"), "{open}: {complaints:?}");
     }
 }
+
+/// Eight switches in each other took half a minute to read: what nine cases did alike was read nine times, in each of nine.
+#[test]
+fn cases_that_do_the_same_are_read_once() {
+    let cases = |count: usize| (0..count).map(|case| case.to_string()).collect::<Vec<_>>().join(" | ");
+    let nested = |count: usize, depth: usize| {
+        let open = format!("switch x {{ {} => {{", cases(count)).repeat(depth);
+        format!("fn on_start() {{ let x = 1; {open} now(); {} }}", "}}".repeat(depth))
+    };
+    assert_eq!(mistake(&nested(9, 3)), "");
+    let told = mistake(&nested(50, 8));
+    let expected = "bench/rules.rhai:1: too many cases of a `switch` stand in cases of another: put them into functions of their own";
+    assert_eq!(told, expected);
+}
+
+#[test]
+fn what_is_missing_is_told_where_it_is_missing() {
+    let told = mistake("fn on_start() {\n  score(1) // no more\n\n  score(2);\n}");
+    assert_eq!(told, "bench/rules.rhai:2: a `;` is missing behind `)`");
+    let told = mistake("fn on_start() {\n  score(1.5);\n}");
+    assert_eq!(told, "bench/rules.rhai:2: a whole number is expected, not 1.5: rules know no fractions");
+}
+
+#[test]
+fn a_function_that_does_not_exist_is_told_with_one_like_it() {
+    for (call, meant) in [("lmap(\"red\", \"on\")", "lamp"), ("scor(1)", "score"), ("twce(1)", "twice")] {
+        let told = mistake(&format!("fn twice(x) {{ x * 2 }}\nfn on_start() {{ {call}; }}"));
+        assert!(told.ends_with(&format!("; did you mean {meant}?")), "{told}");
+    }
+    assert!(mistake("fn on_start() { xyzzy(1); }").ends_with("there is no function called xyzzy"));
+}
+
+/// What a script complains of when a ball is launched.
+fn complaint(body: &str) -> String {
+    let rules =
+        format!("fn on_start() {{ this.jackpot = 5; this.me = #{{ won: 1 }}; }}\nfn on_launch() {{\n{body}\n}}");
+    let mut bench = Bench::new(table(&rules, &["lane"], &["red"])).expect("the rules are sound");
+    bench.launch();
+    bench.rules.take_complaints().concat()
+}
+
+/// Sentences said `()` and i64, and not what was misspelt.
+#[test]
+fn what_was_never_set_is_told_by_its_name() {
+    for (body, what) in [
+        (
+            "score(this.jakpot);",
+            "score cannot be called with nothing: this.jakpot was never set; did you mean this.jackpot?",
+        ),
+        ("score(\"5\");", "score cannot be called with a text"),
+        ("this.down.clear();", "clear cannot be called with nothing: this.down was never set"),
+        (
+            "let x = this.me.wno + 1;",
+            "`+` does not go between nothing and a whole number: this.me.wno was never set; did you mean this.me.won?",
+        ),
+        ("if this.lit { score(1); }", "a condition must be true or false, not nothing: this.lit was never set"),
+        ("let x = this.you.won;", "nothing has no property \"won\": this.you was never set"),
+        ("this.count += 1;", "`+` does not go between nothing and a whole number: this.count was never set"),
+        (
+            "for x in this.all { score(x); }",
+            "`for` goes through a list, a text or a range, not nothing: this.all was never set",
+        ),
+        ("throw \"a () of mine\";", "a () of mine"),
+    ] {
+        assert_eq!(complaint(body), format!("bench/rules.rhai:3: {what}"), "{body}");
+    }
+}
+
+/// What a script catches is in what it remembers, and so in recordings.
+#[test]
+fn what_a_script_catches_is_told_as_ever() {
+    let told = complaint("try { score(this.jakpot); } catch (e) { throw e; }");
+    assert_eq!(told, "bench/rules.rhai:3: score cannot be called with (())");
+}

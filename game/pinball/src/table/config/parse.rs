@@ -3,6 +3,7 @@
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
 use super::{Config, FinishOverrides, Settings};
+use crate::spelling;
 use crate::table::Profile;
 use crate::table::element_class::{ElementClass, Parameter};
 use crate::table::ids::Ids;
@@ -27,6 +28,16 @@ pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics:
     let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken };
     reader.root(root.get_ref());
     reader.config
+}
+
+/// The words at the head of the file.
+const TOP: [&str; 6] = ["name", "slope_deg", "playfield_friction", "ambient", "ambient_power", "relief_mm"];
+/// The words in brackets.
+const TABLES: [&str; 5] = ["relief", "material", "finish", "class", "part"];
+
+/// ` (did you mean ...?)` if a known word is like this one.
+fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    spelling::near(word, known).map_or_else(String::new, |meant| format!(" (did you mean `{meant}`?)"))
 }
 
 type Value<'i> = Spanned<DeValue<'i>>;
@@ -79,13 +90,15 @@ impl Reader<'_> {
             "relief_mm" => self.set(value, "relief_mm", 0.0..=5.0, |config, x| config.normal_map.height_mm = x),
             "relief" => self.normal_map(value),
             "material" | "finish" | "class" | "part" => {}
-            other => self.diagnostic(
-                key.span().start,
-                format!(
-                    "`{other}` is not known; there are name, slope_deg, playfield_friction, ambient, ambient_power, \
-                     relief_mm, [relief], [material.NAME], [finish.NAME], [class.NAME] and [part.ID]"
-                ),
-            ),
+            other => {
+                let what = format!(
+                    "`{other}` is not known{}; there are {}, [relief], [material.NAME], [finish.NAME], [class.NAME] and \
+                     [part.ID]",
+                    meant(other, TOP.into_iter().chain(TABLES)),
+                    TOP.join(", ")
+                );
+                self.diagnostic(key.span().start, what);
+            }
         }
     }
 
@@ -139,7 +152,11 @@ impl Reader<'_> {
                     let settings = self.settings(class, table);
                     self.config.classes.insert(class, settings);
                 }
-                None => self.diagnostic(at, format!("there is no class `{name}`; there are {}", ElementClass::words())),
+                None => {
+                    let meant = meant(&name, ElementClass::ALL.into_iter().map(ElementClass::word));
+                    let known = ElementClass::words();
+                    self.diagnostic(at, format!("there is no class `{name}`{meant}; there are {known}"));
+                }
             },
             _ => self.part(at, name, table),
         }
@@ -153,7 +170,10 @@ impl Reader<'_> {
                 self.config.parts.insert(name, settings);
             }
             None if drawn.is_refused(&name) => {}
-            None => self.diagnostic(at, format!("no thing in the drawing has the id `{name}`")),
+            None => {
+                let meant = meant(&name, drawn.all());
+                self.diagnostic(at, format!("no thing in the drawing has the id `{name}`{meant}"));
+            }
         }
     }
 
@@ -244,7 +264,8 @@ impl Reader<'_> {
         }
         let known: Vec<&str> = self.config.materials.keys().map(String::as_str).collect();
         let known = known.join(", ");
-        self.diagnostic(value.span().start, format!("there is no material `{word}`; there are {known}"));
+        let meant = meant(&word, known.split(", "));
+        self.diagnostic(value.span().start, format!("there is no material `{word}`{meant}; there are {known}"));
         None
     }
 
@@ -254,14 +275,16 @@ impl Reader<'_> {
             return Some(word);
         }
         let known: Vec<&str> = self.config.finishes.keys().map(String::as_str).collect();
+        let meant = meant(&word, known.iter().copied());
         let known = if known.is_empty() { "none yet; write [finish.NAME]".to_string() } else { known.join(", ") };
-        self.diagnostic(value.span().start, format!("there is no finish `{word}`; there are {known}"));
+        self.diagnostic(value.span().start, format!("there is no finish `{word}`{meant}; there are {known}"));
         None
     }
 
     fn unknown(&mut self, at: usize, word: &str, known: &str) {
+        let meant = meant(word, known.split(", "));
         let known = if known.is_empty() { "nothing" } else { known };
-        self.diagnostic(at, format!("`{word}` is not known here; there are {known}"));
+        self.diagnostic(at, format!("`{word}` is not known here{meant}; there are {known}"));
     }
 
     fn table<'t, 'i>(&mut self, name: &str, value: &'t Value<'i>) -> Option<&'t DeTable<'i>> {

@@ -164,8 +164,10 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("playfield_friction = \"low\""), &["1: `playfield_friction` must be a number from 0 to 1"]);
     says(numbers("name = 3"), &["1: `name` must be text in quotes"]);
     says(numbers("ambient = \"#12\""), &["1: ambient: `#12` is not a colour"]);
-    says(numbers("[class.bumpr]\n"), &["1: there is no class `bumpr`; there are wall, "]);
+    says(numbers("[class.bumpr]\n"), &["1: there is no class `bumpr` (did you mean `bumper`?); there are wall, "]);
     says(numbers("[part.pip]\n"), &["1: no thing in the drawing has the id `pip`"]);
+    says(numbers("slope_dg = 6"), &["1: `slope_dg` is not known (did you mean `slope_deg`?); there are name, "]);
+    says(numbers("[class.bumper]\nkik_m_s = 6"), &["2: `kik_m_s` is not known here (did you mean `kick_m_s`?); there"]);
     says(
         numbers("[part.pop]\nkick = 2"),
         &["2: `kick` is not known here; there are material, finish, shadow, kick_m_s"],

@@ -3,7 +3,7 @@
 use super::{Function, change, read, unfit};
 use crate::rules::script::data::Data;
 use crate::rules::script::meter::{self, Meter};
-use crate::rules::script::place::{offset, position};
+use crate::rules::script::position::{offset, position};
 use crate::rules::script::stop::{Answer, Stop, fail};
 
 pub static FUNCTIONS: [Function; 11] = [

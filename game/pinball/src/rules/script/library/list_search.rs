@@ -4,7 +4,7 @@ use super::{Function, change, list, read, unfit};
 use crate::rules::script::Interpreter;
 use crate::rules::script::data::Data;
 use crate::rules::script::meter::{self, Meter};
-use crate::rules::script::place::offset;
+use crate::rules::script::position::offset;
 use crate::rules::script::stop::{Answer, Stop, fail};
 
 pub static FUNCTIONS: [Function; 11] = [

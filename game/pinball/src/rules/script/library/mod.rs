@@ -147,7 +147,7 @@ static VALUES: [Function; 9] = [
         Ok(Data::Unit)
     }),
     read("get", 1, 1, |interpreter, subject, mut arguments| match (subject, arguments.remove(0)) {
-        (Data::List(items), Data::Int(index)) => match items.get(super::place::offset(index, items.len())) {
+        (Data::List(items), Data::Int(index)) => match items.get(super::position::offset(index, items.len())) {
             Some(item) => item.copy(interpreter.meter),
             None => Ok(Data::Unit),
         },
@@ -162,7 +162,7 @@ static VALUES: [Function; 9] = [
     change("set", 2, 2, |interpreter, subject, mut arguments| {
         let key = arguments.remove(0);
         if let (Data::List(items), Data::Int(index)) = (&mut *subject, &key) {
-            let position = super::place::offset(*index, items.len());
+            let position = super::position::offset(*index, items.len());
             // Where there is no item, none is set.
             if let Some(item) = items.get_mut(position) {
                 *item = arguments.remove(0);

@@ -2,9 +2,9 @@
 
 use super::random_script::random_script;
 use super::twin::Twin;
-use super::{PLENTY, context};
+use super::{PLENTY, context, try_read};
 use crate::lamps::LampController;
-use crate::rules::host::ScriptContext;
+use crate::rules::host_function::ScriptContext;
 use crate::rules::names::Names;
 use crate::rules::script::data::{Data, Entries};
 use crate::rules::script::library;
@@ -72,7 +72,7 @@ fn call(
 /// # Errors
 /// How they differ.
 fn agree(script: &str) -> Result<bool, String> {
-    let own = Script::read(script);
+    let own = try_read(script);
     let twin = Twin::read(script).unwrap_or_else(|error| panic!("{script}\n{error}"));
     let (mut twin_this, mut twin_context) = (Data::Map(Entries::new()), context());
     let error = twin.call("main", &[], &mut twin_this, &mut twin_context).err();
@@ -155,7 +155,7 @@ const NO_TWIN: [&str; 2] = ["chars", "range"];
 
 /// Whether the interpreter will have nothing of a function called so.
 fn is_refused(script: &str) -> bool {
-    let Ok(script) = Script::read(script) else { return true };
+    let Ok(script) = try_read(script) else { return true };
     let failed = call(&script, "main", &[], &mut Data::Map(Entries::new()), &mut context());
     failed.is_some_and(|failed| failed.sentence("").contains(" cannot be called with "))
 }
@@ -214,7 +214,7 @@ impl Pair {
             ScriptContext { script, lamps, names: names.clone() }
         };
         Pair {
-            own: Script::read(&table.rules).expect("sound rules"),
+            own: try_read(&table.rules).expect("sound rules"),
             twin: Twin::read(&table.rules).expect("sound rules"),
             this: [Data::Map(Entries::new()), Data::Map(Entries::new())],
             contexts: [context(), context()],

@@ -1,6 +1,6 @@
 //! What expressions and statements mean: what they mean in Rhai.
 
-use super::{Script, run, value};
+use super::{run, try_read, value};
 use crate::rules::host;
 use crate::rules::script::library;
 
@@ -189,7 +189,7 @@ fn what_does_not_exist_is_found_before_play() {
         ("LIST = [2]", "a constant cannot be changed"),
         ("let n = 1; [1].map(|x| x + n)", "there is no variable or constant called n here"),
     ] {
-        let mistakes = Script::read(&format!("const LIST = [1];\nfn main() {{\n  {body};\n}}")).expect_err(body);
+        let mistakes = try_read(&format!("const LIST = [1];\nfn main() {{\n  {body};\n}}")).expect_err(body);
         assert_eq!(mistakes, [(3, what.to_string())], "{body}");
     }
 }

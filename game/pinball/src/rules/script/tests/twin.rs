@@ -1,7 +1,8 @@
 //! The slow honest twin: Rhai's own engine runs the same text. Only the functions of the game are the project's, and
 //! work on a context of the twin's own.
 
-use crate::rules::host::{self, HostFunction, ScriptContext};
+use crate::rules::host;
+use crate::rules::host_function::{HostFunction, ScriptContext};
 use crate::rules::script::data::{Data, Range};
 use rhai::{AST, CallFnOptions, Dynamic, Engine, EvalAltResult, FnPtr, Module, NativeCallContext, Scope};
 use std::any::TypeId;

@@ -1,0 +1,62 @@
+//! A review of the rules: what can be seen of them without play and is no reason not to play, as a name that nothing has.
+//! A recording plays whatever its rules are; a table's maker wants to know.
+
+mod calls;
+mod facts;
+mod memory;
+mod messages;
+mod names;
+mod remark;
+mod timers;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use messages::KnownMessage;
+
+use super::program::Program;
+use crate::table::FILES;
+use crate::{Failure, Table};
+use facts::Facts;
+use remark::Remark;
+
+/// Remarks that are worth reading at once.
+const MAX_REMARKS: usize = 100;
+
+/// What a review has found.
+#[derive(Debug, Default)]
+pub struct Review {
+    /// Mistakes and warnings, with file and line.
+    pub findings: Vec<Failure>,
+    /// The messages that the rules show.
+    pub messages: Vec<KnownMessage>,
+}
+
+impl Review {
+    /// The review of a table's rules; nothing is said of rules that cannot be played at all.
+    pub fn of(table: &Table) -> Review {
+        let Ok(program) = Program::new(table) else { return Review::default() };
+        let (script, names) = (program.script(), program.names());
+        let facts = Facts::new(script);
+        let mut remarks = [
+            names::remarks(&facts, names, &table.rules),
+            timers::remarks(&facts, script, &table.rules),
+            memory::remarks(script),
+            calls::remarks(&facts, names),
+        ]
+        .concat();
+        remarks.sort();
+        remarks.dedup();
+        remarks.truncate(MAX_REMARKS);
+        let findings = remarks.iter().map(|remark| failure(remark, table)).collect();
+        Review { findings, messages: messages::messages(&facts, script) }
+    }
+}
+
+fn failure(remark: &Remark, table: &Table) -> Failure {
+    let file = table.file(FILES[2]);
+    let Remark { line, what, is_warning } = remark;
+    let sentence = if *line == 0 { format!("{file}: {what}") } else { format!("{file}:{line}: {what}") };
+    if *is_warning { Failure::warning(sentence) } else { Failure::new(sentence) }
+}

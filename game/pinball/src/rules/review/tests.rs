@@ -1,0 +1,182 @@
+//! What a table's maker is told of rules that can be played and do not do what they say.
+
+use super::Review;
+use crate::rules::tests::bench::table;
+use crate::table::tests::spectrum;
+
+const PARTS: [&str; 6] = ["dock", "drain", "lane-1", "lane-2", "plunger", "target"];
+
+/// What is told of rules, without the file's name.
+fn told(rules: &str) -> Vec<String> {
+    told_of(rules, &PARTS)
+}
+
+fn told_of(rules: &str, parts: &[&str]) -> Vec<String> {
+    let table = table(rules, parts, &["red", "light-1", "light-2"]);
+    super::Program::new(&table).map(|_| ()).unwrap_or_else(|failure| panic!("{failure}"));
+    let findings = Review::of(&table).findings;
+    findings.iter().map(|finding| finding.to_string().replace("bench/rules.rhai:", "")).collect()
+}
+
+const DOCK: &str = "1: there is no part called \"dokc\" in the drawing; did you mean \"dock\"?";
+
+/// An arm with a misspelt name never came, and nobody said so.
+#[test]
+fn a_name_that_no_event_has_is_told_wherever_it_is_compared() {
+    for rules in [
+        "fn on_switch(name) { switch name { \"dokc\" => score(1), \"drain\" => score(2) } }",
+        "fn on_switch(name) { switch name { \"drain\" | \"dokc\" => score(2) } }",
+        "fn on_open(n) { if n == \"dokc\" { score(1); } }",
+        "fn on_open(n) { if \"dokc\" != n { score(1); } }",
+        "const DOCK = \"dokc\"; fn on_open(n) { if n == DOCK { score(1); } }",
+        "fn on_open(n) { let m = n; if m == \"dokc\" { score(1); } }",
+        "fn hit(part) { if part == \"dokc\" { score(1); } } fn on_switch(name) { this.hit(name); }",
+    ] {
+        assert_eq!(told(rules), [DOCK], "{rules}");
+    }
+    let below = "fn on_switch(name) {\n  switch name {\n    \"drain\" |\n    \"dokc\" =>\n      score(1),\n  }\n}";
+    assert_eq!(told(below), [DOCK.replace("1:", "4:")]);
+}
+
+#[test]
+fn a_name_that_may_be_another_is_warned_of_or_left_alone() {
+    let listed = "const ALL = [\"dock\", \"dokc\"];\nfn on_switch(name) { if name in ALL { score(1); } }";
+    assert_eq!(told(listed), [format!("warning: {DOCK}")]);
+    assert_eq!(told(&listed.replace("name in ALL", "ALL.contains(name)")), [format!("warning: {DOCK}")]);
+    for rules in [
+        "fn on_switch(name) { if exists(\"dokc\") && name == \"dokc\" { score(1); } }",
+        "fn on_switch(name) { name = \"x-\" + name; if name == \"x-dock\" { score(1); } }",
+        "fn on_switch(name) { if name == \"dokc\" { score(1); } } fn on_feed() { this.on_switch(\"dokc\"); }",
+        "fn on_switch(name) { let n = name.len(); if `${n}` == \"dokc\" { score(1); } }",
+        "fn on_switch(name) { [1].for_each(|x| this == \"dokc\"); score(1); }",
+        "fn hit(word) { if word == \"dokc\" { score(1); } } fn on_feed() { this.hit(\"dokc\"); }",
+        "fn on_switch(name) { if name == \"\" { score(1); } }",
+    ] {
+        assert_eq!(told(rules), Vec::<String>::new(), "{rules}");
+    }
+}
+
+#[test]
+fn buttons_lamps_and_parts_without_a_switch_are_told_apart() {
+    let start = "fn on_button(name) { if name == \"strat\" { score(1); } }";
+    let buttons = "left, right, plunger, nudge-left, nudge-right, nudge-up, nudge-down, start";
+    let expected = format!("1: there is no button called \"strat\"; did you mean \"start\"? (there are {buttons})");
+    assert_eq!(told(start), [expected]);
+    let lamp = "fn on_switch(name) { if name == \"red\" { score(1); } }";
+    assert_eq!(told(lamp), ["1: \"red\" is a lamp, and no event is ever about a lamp; name a part"]);
+    let silent = "fn on_switch(name) { if name == \"plunger\" { score(1); } }";
+    assert_eq!(told(silent), ["warning: 1: \"plunger\" has no switch, so no event is ever about it"]);
+}
+
+/// A name in a constant was found only when it was used in play.
+#[test]
+fn names_modes_and_colours_are_followed_to_the_call() {
+    let lamp = "1: there is no lamp called \"rde\" in the drawing; did you mean \"red\"?";
+    for rules in [
+        "const LAMP = \"rde\"; fn on_feed() { lamp(LAMP, \"on\"); }",
+        "fn on_feed() { for name in [\"red\", \"rde\"] { lamp(name, \"on\"); } }",
+        "fn on_feed() { let name = \"r\" + \"de\"; flash(name, 100); }",
+        "fn on_feed() { lamp(if playing() { \"red\" } else { \"rde\" }, 500); }",
+        "const LIGHT = #{ dock: \"rde\" }; fn on_feed() { lamp(LIGHT.dock, \"on\"); lamp(LIGHT[\"dock\"], \"on\"); }",
+        "fn lit(name) { lamp(name, \"on\"); } fn on_feed() { this.lit(\"rde\"); this.lit(\"red\"); }",
+    ] {
+        assert_eq!(told(rules), [lamp], "{rules}");
+    }
+    let wrong =
+        "fn on_feed() { lamp_color(\"red\", \"blue\"); flash(\"red\", 1, \"#12345\"); lamp(\"red\", \"puls\"); }";
+    let told = told(wrong);
+    assert_eq!(told.len(), 3, "{told:?}");
+    assert!(told.contains(&"1: a colour is written \"#rrggbb\", not \"blue\"".to_string()), "{told:?}");
+}
+
+#[test]
+fn timers_that_nobody_starts_or_hears_are_told_once() {
+    let rules = |timer: &str, case: &str| {
+        format!(
+            "fn on_feed() {{ after(100, \"{timer}\"); }} fn on_timer(name) {{ switch name {{ \"{case}\" => score(1) }} }}"
+        )
+    };
+    assert_eq!(told(&rules("eject", "eject")), Vec::<String>::new());
+    let started = "warning: 1: no timer is called \"ejekt\": nothing starts it with `after`; did you mean \"eject\"?";
+    assert_eq!(told(&rules("eject", "ejekt")), [started]);
+    let two = told(&rules("eject", "reset"));
+    let silent = "warning: 1: the timer \"eject\" is started for nothing: `on_timer` does nothing for it";
+    assert_eq!(two, ["warning: 1: no timer is called \"reset\": nothing starts it with `after`", silent]);
+    let unheard = "fn on_feed() { after(100, \"eject\"); }";
+    assert_eq!(told(unheard), ["warning: 1: the timer \"eject\" is started for nothing: there is no `on_timer(name)`"]);
+}
+
+#[test]
+fn a_timer_that_somebody_may_hear_or_ask_about_is_left_alone() {
+    for rules in [
+        "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { score(1); }",
+        "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { if name != \"y\" { score(1); } } fn on_bob() { after(1, \"y\"); running(\"y\"); }",
+        "fn on_feed() { after(100, \"x\"); } fn on_switch(name) { if running(\"x\") { score(1); } }",
+        "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { if name != \"x\" { return; } score(1); }",
+        "fn on_switch(name) { after(100, name); } fn on_timer(name) { switch name { \"dock\" => score(1) } }",
+        "fn on_feed() { after(1, \"x\"); } fn on_timer(name) { after(100, name); if name == \"x\" { score(1); } }",
+        "fn on_switch(name) { after(100, `${name}-late`); } fn on_timer(name) { switch name { \"dock-late\" => score(1) } }",
+    ] {
+        assert_eq!(told(rules), Vec::<String>::new(), "{rules}");
+    }
+}
+
+/// A jackpot that was read by a misspelt name ended the event in play, with `()` in the sentence.
+#[test]
+fn what_is_remembered_by_no_rule_is_told_where_it_is_read() {
+    let rules = |read: &str| format!("fn on_start() {{ this.jackpot = 100; }}\nfn on_switch(name) {{ {read} }}");
+    let unset = "warning: 2: this.jakpot is read here, and no rule ever sets it; did you mean this.jackpot?";
+    for read in ["score(this.jakpot);", "this.jakpot += 1;", "if this.jakpot > 1 { score(1); }", "this.jakpot.x = 1;"] {
+        assert_eq!(told(&rules(read)), [unset], "{read}");
+    }
+    for read in [
+        "score(this.jackpot);",
+        "if this.jakpot == () { score(1); }",
+        "score(this.jakpot ?? 1);",
+        "this[name] = 1; score(this.jakpot);",
+        "this.set(name, 1); score(this.jakpot);",
+        "let other = #{ jakpot: 1 }; other.gives();",
+    ] {
+        let rules = rules(read) + "\nfn gives() { score(this.jackpot); }";
+        assert_eq!(told(&rules), Vec::<String>::new(), "{read}");
+    }
+    let foreign = "fn gives() { score(this.jakpot); }\nfn on_feed() { let other = #{ jakpot: 1 }; other.gives(); }";
+    assert_eq!(told(foreign), Vec::<String>::new());
+}
+
+/// A game whose flippers were never switched on was called good.
+#[test]
+fn calls_without_which_no_game_can_be_played_are_told() {
+    let rules = "fn on_button(name) { if name == \"start\" { start_game(3); } }";
+    let ball = "1: a game begins without a ball: no rule calls `add_ball()`; call it behind `start_game`";
+    let saucer = " the saucer \"saucer\" keeps its ball: no rule calls `eject(\"saucer\")`; start a timer in \
+                  `on_switch` and call it in `on_timer`";
+    assert_eq!(told_of(rules, &["drain", "saucer"]), [saucer, ball]);
+    let both = rules.replace("start_game(3);", "start_game(3); add_ball(); for hole in [\"saucer\"] { eject(hole); }");
+    assert_eq!(told_of(&both, &["drain", "saucer"]), Vec::<String>::new());
+    assert_eq!(told_of("fn on_feed() { score(1); }", &["drain", "saucer"]), Vec::<String>::new(), "nothing begins");
+}
+
+#[test]
+fn spectrum_is_left_alone() {
+    let review = Review::of(&spectrum());
+    assert_eq!(review.findings, []);
+    assert!(review.messages.len() > 10);
+}
+
+#[test]
+fn messages_are_known_as_far_as_they_stand_there() {
+    let rules = "const LONG = 1500;\nfn say(line) { message(line, 0); }\nfn on_feed() {\n  message(\"JACKPOT\", LONG);\n  \
+                 message(\"A\", \"B // C\", 0); // message(\"no\", 1)\n  message(`${now()} OF`, now());\n  this.say(\"X\"); \
+                 message();\n}";
+    let messages = Review::of(&table(rules, &PARTS, &[])).messages;
+    let known: Vec<_> =
+        messages.iter().map(|one| (one.line, one.texts().map(String::as_str).collect::<Vec<_>>(), one.ms)).collect();
+    let expected = [
+        (4, vec!["JACKPOT"], Some(1500)),
+        (5, vec!["A", "B // C"], Some(0)),
+        (6, vec![" OF"], None),
+        (2, vec!["X"], Some(0)),
+    ];
+    assert_eq!(known, expected);
+}

@@ -1,0 +1,126 @@
+//! Timers that a script starts and nothing hears.
+
+use super::facts::Facts;
+use super::remark::{Remark, line_of};
+use super::words::Told;
+use crate::rules::script::{Function, Kind, Node, Operator, Pattern, Root, Script, Switch};
+use crate::spelling;
+use std::sync::Arc;
+
+/// The timers that are started, that no rule does anything for and nobody asks about.
+pub fn remarks(facts: &Facts, script: &Script, text: &str) -> Vec<Remark> {
+    let asked = [facts.given("running", 0), facts.given("time_left", 0)];
+    let is_asked = |timer: &str| asked.iter().any(|words| words.others || words.literals.contains(timer));
+    let hears = script.functions().find(|function| function.name == "on_timer");
+    let started = facts.given("after", 1);
+    // A timer that `on_timer` looks for and nothing starts is told as such, with this one beside it.
+    let sought = facts.comparisons.iter().filter(|one| one.words.told.contains(&Told::Timer));
+    let sought: Vec<&str> = sought.map(|one| &*one.text).filter(|text| !started.literals.contains(*text)).collect();
+    let mut found = Vec::new();
+    for call in facts.calls_of("after") {
+        let Some(words) = call.words.get(1) else { continue };
+        let silent =
+            words.literals.iter().filter(|timer| !is_asked(timer) && !hears.is_some_and(|one| does(one, timer)));
+        let own = silent.filter(|timer| spelling::near(timer, sought.iter().copied()).is_none());
+        found.extend(own.map(|timer| {
+            let what = match hears {
+                Some(_) => "`on_timer` does nothing for it",
+                None => "there is no `on_timer(name)`",
+            };
+            Remark::warning(
+                line_of(timer, text, call.line),
+                format!("the timer \"{timer}\" is started for nothing: {what}"),
+            )
+        }));
+    }
+    found
+}
+
+/// What comes of a statement for one timer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// Nothing, and what stands behind it comes next.
+    Nothing,
+    /// Nothing, and nothing stands behind it.
+    Ends,
+    /// It may do something.
+    Does,
+}
+
+/// Whether `on_timer` may do something for this timer.
+fn does(on_timer: &Function, timer: &Arc<str>) -> bool {
+    on_timer.parameters == 1 && outcome(&on_timer.body, timer) == Outcome::Does
+}
+
+fn outcome(node: &Node, timer: &Arc<str>) -> Outcome {
+    match &node.kind {
+        Kind::Unit => Outcome::Nothing,
+        Kind::Let(_, value) if value.is_plain() => Outcome::Nothing,
+        Kind::Return(value) if value.is_plain() => Outcome::Ends,
+        Kind::Block(nodes) => {
+            let outcomes = nodes.iter().map(|node| outcome(node, timer));
+            outcomes.into_iter().find(|one| *one != Outcome::Nothing).unwrap_or(Outcome::Nothing)
+        }
+        Kind::If(parts) => match decided(&parts[0], timer) {
+            Some(true) => outcome(&parts[1], timer),
+            Some(false) => outcome(&parts[2], timer),
+            None => either([outcome(&parts[1], timer), outcome(&parts[2], timer)]),
+        },
+        Kind::Switch(switch) if is_timer(&switch.subject) => chosen(switch, timer),
+        Kind::Switch(switch) => either(switch.branches.iter().map(|branch| outcome(&branch.body, timer))),
+        _ => Outcome::Does,
+    }
+}
+
+/// What one of several may do.
+fn either(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
+    if outcomes.into_iter().any(|one| one == Outcome::Does) { Outcome::Does } else { Outcome::Nothing }
+}
+
+/// What a switch over the timer does for this one.
+fn chosen(switch: &Switch, timer: &Arc<str>) -> Outcome {
+    for case in &switch.cases {
+        let fits = match &case.pattern {
+            Pattern::Any => true,
+            Pattern::Value(value) => value.is_text(timer),
+            Pattern::Range(_) => false,
+        };
+        let branch = &switch.branches[case.branch];
+        match outcome(&branch.body, timer) {
+            Outcome::Does if fits => return Outcome::Does,
+            other if fits && branch.condition.is_none() => return other,
+            _ => {}
+        }
+    }
+    Outcome::Nothing
+}
+
+/// What a condition about the timer's name is for this one, if it is about nothing else.
+fn decided(condition: &Node, timer: &Arc<str>) -> Option<bool> {
+    match &condition.kind {
+        Kind::Not(other) => Some(!decided(other, timer)?),
+        Kind::Binary(operator @ (Operator::Equal | Operator::NotEqual), sides) => {
+            let text = match (&sides[0].kind, &sides[1].kind) {
+                (_, Kind::Text(text)) if is_timer(&sides[0]) => text,
+                (Kind::Text(text), _) if is_timer(&sides[1]) => text,
+                _ => return None,
+            };
+            Some((text == timer) == (*operator == Operator::Equal))
+        }
+        Kind::And(parts) => parts.iter().any(|part| decided(part, timer) == Some(false)).then_some(false),
+        Kind::Or(parts) => {
+            let parts: Option<Vec<bool>> = parts.iter().map(|part| decided(part, timer)).collect();
+            parts.map(|parts| parts.contains(&true))
+        }
+        _ => None,
+    }
+}
+
+/// Whether this is the name that `on_timer` is told: its first variable.
+fn is_timer(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Local(0) => true,
+        Kind::Chain(chain) => chain.steps.is_empty() && matches!(chain.root, Root::Local(0)),
+        _ => false,
+    }
+}
