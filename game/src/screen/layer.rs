@@ -72,7 +72,7 @@ impl Layer {
         let stretch = rect.height as f32 / rect.width.max(1) as f32;
         let ellipse = Transform::from_row(1.0, 0.0, 0.0, stretch, 0.0, middle.y * (1.0 - stretch));
         let place = self.place().pre_concat(ellipse);
-        let shader = RadialGradient::new(middle, middle, radius, stops, SpreadMode::Pad, place);
+        let shader = RadialGradient::new(middle, 0.0, middle, radius, stops, SpreadMode::Pad, place);
         shader.into_iter().for_each(|shader| self.fill_with(rect, shader));
     }
 

@@ -51,6 +51,36 @@ pub enum FindingKind {
     NeverEjected,
 }
 
+impl FindingKind {
+    /// What the rules leave out, and what to add; empty for what is not theirs.
+    fn of_rules(self) -> &'static str {
+        match self {
+            FindingKind::NoGame => {
+                "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
+                                    `on_button(name)`"
+            }
+            FindingKind::NoBall => {
+                "a game begins and no ball comes for 14 s, until the ball search gives one; call \
+                                    `add_ball()` behind `start_game`"
+            }
+            FindingKind::BallWithoutEnd => {
+                "the ball is lost and nothing follows for 14 s, until the ball search gives \
+                                            another; when `on_switch` hears the drain, which needs an `id`, and \
+                                            `balls_in_play()` is 0, call `next_player()` and `add_ball()`, or `game_over()`"
+            }
+            FindingKind::DeadFlippers => {
+                "the flippers are dead while the first ball is in play; call `flippers(true)` \
+                                          where a game or a ball begins"
+            }
+            FindingKind::NeverEjected => {
+                "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
+                                          timer that `on_switch` starts"
+            }
+            _ => "",
+        }
+    }
+}
+
 /// One thing that only play shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
@@ -159,22 +189,11 @@ impl Finding {
             FindingKind::Unreachable => {
                 "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
             }
-            FindingKind::NoGame => "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
-                                    `on_button(name)`"
-                .to_string(),
-            FindingKind::NoBall => "a game begins and no ball comes for 14 s, until the ball search gives one; call \
-                                    `add_ball()` behind `start_game`"
-                .to_string(),
-            FindingKind::BallWithoutEnd => "the ball is lost and nothing follows for 14 s, until the ball search gives \
-                                            another; when `on_switch` hears the drain, which needs an `id`, and \
-                                            `balls_in_play()` is 0, call `next_player()` and `add_ball()`, or `game_over()`"
-                .to_string(),
-            FindingKind::DeadFlippers => "the flippers are dead while the first ball is in play; call `flippers(true)` \
-                                          where a game or a ball begins"
-                .to_string(),
-            FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
-                                          timer that `on_switch` starts"
-                .to_string(),
+            FindingKind::NoGame
+            | FindingKind::NoBall
+            | FindingKind::BallWithoutEnd
+            | FindingKind::DeadFlippers
+            | FindingKind::NeverEjected => self.kind.of_rules().to_string(),
         }
     }
 

@@ -12,13 +12,9 @@ use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
 use super::{class_typo, css, viewport};
 use geometry::{Bounds, DVec2};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// XML nodes that a drawing may have.
-const MAX_NODES: u32 = 200_000;
-/// Elements that may lie inside each other.
-pub(super) const MAX_DEPTH: usize = 64;
 /// Things that a table may have: parts are counted in 16 bits, with room for the balls.
 const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
@@ -45,58 +41,6 @@ const PLACES: [&str; 15] = [
 ];
 /// What is drawn as a shape, and so can be a thing.
 const SHAPES: [&str; 8] = ["line", "polyline", "polygon", "path", "circle", "ellipse", "rect", "use"];
-
-/// Reads the XML, and nothing that could grow without end.
-pub(super) fn parse_xml(source: &Source) -> Result<Document<'_>, Diagnostic> {
-    let options = ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(&source.text, options).map_err(|error| match error {
-        roxmltree::Error::DtdDetected => {
-            source.diagnostic(doctype(&source.text), "it has a DOCTYPE; take it out, entities are not read")
-        }
-        roxmltree::Error::NodesLimitReached => {
-            Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
-        }
-        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
-            let what = "the drawing ends here, in the middle of an element; it was not saved whole";
-            source.diagnostic(source.text.trim_end().len(), what)
-        }
-        error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
-    })?;
-    match too_deep(&document) {
-        Some(at) => {
-            let what = format!("more than {MAX_DEPTH} elements lie inside each other; take some out");
-            Err(source.diagnostic(at, what))
-        }
-        None => Ok(document),
-    }
-}
-
-/// Where the DOCTYPE is: before the first element, among comments and instructions.
-fn doctype(text: &str) -> usize {
-    let skipped = [("<!--", "-->"), ("<?", "?>")];
-    let mut at = 0;
-    while let Some(start) = text[at..].find('<').map(|start| at + start) {
-        let Some((_, end)) = skipped.iter().find(|(begin, _)| text[start..].starts_with(begin)) else { return start };
-        match text[start..].find(end) {
-            Some(length) => at = start + length + end.len(),
-            None => return start,
-        }
-    }
-    at
-}
-
-/// Where the first element begins that lies too deep in others for what walks through them, shown or not.
-fn too_deep(document: &Document) -> Option<usize> {
-    let mut depths = vec![0; document.descendants().count()];
-    for node in document.descendants().filter(Node::is_element) {
-        let depth = node.parent_element().map_or(0, |parent| depths[parent.id().get_usize()] + 1);
-        if depth > MAX_DEPTH {
-            return Some(node.range().start);
-        }
-        depths[node.id().get_usize()] = depth;
-    }
-    None
-}
 
 /// One element of the table.
 #[derive(Clone, Debug)]

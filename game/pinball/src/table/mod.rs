@@ -38,6 +38,7 @@ mod transform;
 mod unseen;
 mod viewport;
 mod written_out;
+mod xml;
 
 pub use css::style_declarations;
 pub use embedded::EmbeddedTable;

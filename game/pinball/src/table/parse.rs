@@ -1,11 +1,12 @@
 //! Parses a table's files to a [`Table`], or to every diagnostic of them.
 
 use super::config::{self, Config};
-use super::drawing::{self, Drawing, Element};
+use super::drawing::{Drawing, Element};
 use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
 use super::written_out::{self, WrittenOut};
+use super::xml;
 use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts, unseen};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
@@ -44,9 +45,9 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
     });
     let written = svg.and_then(|svg| written_out::write_out(svg, &mut diagnostics));
-    let document = written.as_ref().and_then(|written| {
-        drawing::parse_xml(&written.source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
-    });
+    let document = written
+        .as_ref()
+        .and_then(|written| xml::parse(&written.source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok());
     let drawing = written
         .as_ref()
         .zip(document.as_ref())

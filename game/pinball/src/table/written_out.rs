@@ -5,11 +5,12 @@
 
 use super::clones::{Cloner, Holders, XML};
 use super::css::{self, Cascade, Instance};
-use super::drawing::{element_class, parse_xml};
+use super::drawing::element_class;
 use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
 use super::source::{Diagnostic, Source};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
+use super::xml;
 use super::{amount, oddities};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
@@ -49,7 +50,7 @@ struct Changes {
 }
 
 fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, Vec<Diagnostic>> {
-    let document = &parse_xml(source).map_err(|one| vec![one])?;
+    let document = &xml::parse(source).map_err(|one| vec![one])?;
     let mut cascade = Cascade::read(source, document, diagnostics).map_err(|one| vec![one])?;
     let styles: Vec<Option<String>> = document.descendants().map(|node| style(&mut cascade, node)).collect();
     let links = &Links::of(document);

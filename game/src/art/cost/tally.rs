@@ -24,8 +24,14 @@ impl Tally {
     /// Nothing counted, of art that was read from `document`.
     pub fn new(document: &Document) -> Tally {
         let ids = document.descendants().filter_map(|node| Some((node.attribute("id")?, node.range().start)));
-        let lines = ids.map(|(id, at)| (id.to_string(), document.text_pos_at(at).row)).collect();
-        Tally { lines, ..Tally::default() }
+        // They come in the order of the text, so that it is counted through once.
+        let (mut line, mut counted) = (1, 0);
+        let lines = ids.map(|(id, at)| {
+            let between = document.input_text().get(counted..at).unwrap_or_default();
+            (line, counted) = (line + between.matches('\n').count() as u32, at);
+            (id.to_string(), line)
+        });
+        Tally { lines: lines.collect(), ..Tally::default() }
     }
 
     /// Counts operations of the element that the walk is in.

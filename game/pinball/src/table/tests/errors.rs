@@ -35,6 +35,17 @@ fn says(diagnostic: String, parts: &[&str]) {
     }
 }
 
+/// A million attributes took 24 seconds: each is compared with all before it.
+#[test]
+fn an_element_with_very_many_attributes_is_refused_before_it_is_read() {
+    let with = |count: usize| {
+        let attributes = (0..count).map(|index| format!(" a{index}='>'")).collect::<String>();
+        read(&format!("<!-- <g>\n --><![CDATA[ < ]]><g{attributes}/>"), "")
+    };
+    assert!(with(1000).is_ok());
+    says(one(with(1001), "table.svg:"), &["6: this element has more than 1000 attributes"]);
+}
+
 #[test]
 fn mistakes_in_shapes_have_their_line() {
     let wall = |rest: &str| drawn(&format!("<!-- -->\n<line id=\"w\" class=\"wall\" {rest}/>"));
