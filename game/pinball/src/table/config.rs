@@ -6,8 +6,8 @@ mod parse;
 pub(super) use parse::parse;
 
 use super::Profile;
-use super::element_class::ElementClass;
 use super::normal_map::NormalMapInputs;
+use super::svg::element_class::ElementClass;
 use physics::Material;
 use std::collections::BTreeMap;
 

@@ -1,10 +1,10 @@
 //! From elements to lamps.
 
 use super::config::Config;
-use super::drawing::Element;
-use super::element_class::ElementClass;
 use super::lamp::{Emitter, Lamp, LampKind};
-use super::style::Paint;
+use super::svg::drawing::Element;
+use super::svg::element_class::ElementClass;
+use super::svg::style::Paint;
 use geometry::{Circle, DVec2};
 
 /// The largest radius of a lamp and the longest half of a tube, mm: what is larger is no part of a table.

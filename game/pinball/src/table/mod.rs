@@ -2,50 +2,29 @@
 //!
 //! Refuses to know how light or balls move: it is what the folder says, as plain data.
 
-mod amount;
 mod captives;
-mod class_typo;
-mod clones;
-mod color;
 mod config;
-mod css;
-mod drawing;
-mod element_class;
 mod embedded;
 mod hash;
-mod ids;
 mod lamp;
 mod lamps;
-mod layers;
 mod normal_map;
-mod oddities;
-mod outline;
-mod outline_offset;
-mod page;
 mod parse;
 mod parts;
-mod path_data;
-mod path_flattening;
-mod references;
 mod solid;
 mod solids;
 mod source;
-mod style;
+mod svg;
 #[cfg(test)]
 pub(crate) mod tests;
-mod text_edit;
-mod transform;
 mod unseen;
-mod viewport;
-mod written_out;
-mod xml;
 
-pub use css::style_declarations;
 pub use embedded::EmbeddedTable;
 pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};
 pub use solid::{Finish, Profile, Solid};
+pub use svg::css::style_declarations;
 
 use crate::Failure;
 use geometry::DVec2;

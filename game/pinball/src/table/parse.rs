@@ -1,13 +1,14 @@
 //! Parses a table's files to a [`Table`], or to every diagnostic of them.
 
 use super::config::{self, Config};
-use super::drawing::{Drawing, Element};
-use super::element_class::ElementClass;
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source};
-use super::written_out::{self, WrittenOut};
-use super::xml;
-use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, layers, parts, unseen};
+use super::svg::drawing::{Drawing, Element};
+use super::svg::element_class::ElementClass;
+use super::svg::layers;
+use super::svg::written_out::{self, WrittenOut};
+use super::svg::xml;
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, parts, unseen};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 

@@ -4,9 +4,9 @@ mod coils;
 mod ramp;
 
 use super::config::Config;
-use super::drawing::Element;
-use super::element_class::ElementClass;
-use super::outline::Outline;
+use super::svg::drawing::Element;
+use super::svg::element_class::ElementClass;
+use super::svg::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};
 use physics::{FlipperControl, Kind, Material};
 use std::f64::consts::TAU;

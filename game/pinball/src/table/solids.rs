@@ -5,11 +5,12 @@ mod ramp;
 pub(super) use ramp::ramp_solids;
 
 use super::config::{Config, FinishOverrides};
-use super::drawing::Element;
-use super::element_class::ElementClass;
-use super::outline::Outline;
-use super::path_flattening::Subpath;
-use super::{Finish, Profile, Solid, outline_offset, parts};
+use super::svg::drawing::Element;
+use super::svg::element_class::ElementClass;
+use super::svg::outline::Outline;
+use super::svg::outline_offset;
+use super::svg::path_flattening::Subpath;
+use super::{Finish, Profile, Solid, parts};
 use geometry::{DVec2, Shape};
 use physics::{Kind, Part, PartId};
 use std::collections::BTreeMap;

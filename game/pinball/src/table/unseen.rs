@@ -1,10 +1,10 @@
 //! Unseen: what of a table is there and shows nothing of itself: lamps without light, lines without width, hidden things.
 
-use super::drawing::Element;
-use super::element_class::ElementClass;
 use super::lamps;
-use super::outline::Outline;
 use super::source::{Diagnostic, Source};
+use super::svg::drawing::Element;
+use super::svg::element_class::ElementClass;
+use super::svg::outline::Outline;
 
 /// Warns of what cannot be seen as its maker means it; of many alike once.
 pub(super) fn warnings(source: &Source, elements: &[Element]) -> Vec<Diagnostic> {

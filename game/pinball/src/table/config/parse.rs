@@ -5,10 +5,10 @@
 use super::{Config, FinishOverrides, Settings};
 use crate::spelling;
 use crate::table::Profile;
-use crate::table::element_class::{ElementClass, Parameter};
-use crate::table::ids::Ids;
 use crate::table::source::{Diagnostic, Source};
-use crate::table::style;
+use crate::table::svg::element_class::{ElementClass, Parameter};
+use crate::table::svg::ids::Ids;
+use crate::table::svg::style;
 use physics::Material;
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;

@@ -1,9 +1,9 @@
 //! Ways above the playfield: a line with a height at each of its corners.
 
 use super::M_PER_MM;
-use crate::table::drawing::Element;
-use crate::table::outline::Outline;
-use crate::table::path_flattening::{Piece, Subpath};
+use crate::table::svg::drawing::Element;
+use crate::table::svg::outline::Outline;
+use crate::table::svg::path_flattening::{Piece, Subpath};
 use geometry::{DVec2, Segment};
 use physics::{BALL_RADIUS_M, Leg, Material};
 

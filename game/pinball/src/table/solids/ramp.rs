@@ -4,8 +4,8 @@
 
 use super::finish;
 use crate::table::config::Config;
-use crate::table::drawing::Element;
-use crate::table::element_class::ElementClass;
+use crate::table::svg::drawing::Element;
+use crate::table::svg::element_class::ElementClass;
 use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};
 use physics::{Leg, PartId, Ramp};

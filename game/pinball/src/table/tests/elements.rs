@@ -320,7 +320,7 @@ fn solids_stand_below_flippers_below_plastics_and_groups_hold_together() {
 #[test]
 fn the_page_about_drawing_knows_every_word() {
     let page = include_str!("../../../../../assets/tables/README.md");
-    for class in crate::table::element_class::ElementClass::ALL {
+    for class in crate::table::svg::element_class::ElementClass::ALL {
         let mut words = vec![class.word().to_string()];
         words.extend(class.data().map(|data| format!("data-{data}")));
         words.extend(class.parameters().iter().map(|key| key.name.to_string()));

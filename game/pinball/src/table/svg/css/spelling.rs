@@ -3,7 +3,7 @@
 //! A browser passes over a property that it does not know, and so do drawing programs, which write many of their own. So only
 //! what is nearly a known one is told.
 
-use crate::table::class_typo;
+use crate::table::svg::class_typo;
 
 /// The properties of SVG, and some of CSS that drawing programs write.
 const PROPERTIES: [&str; 78] = [

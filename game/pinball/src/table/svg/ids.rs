@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The ids of a drawing's things.
 #[derive(Debug, Default)]
-pub(super) struct Ids {
+pub(in crate::table) struct Ids {
     /// The class of each, and the line that took it.
     things: BTreeMap<String, (ElementClass, usize)>,
     /// Those of things that were refused, and those that were given twice: a mistake in them has been told, and what else

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// XML's own namespace: `xml:space`.
-pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";
+pub(in crate::table) const XML: &str = "http://www.w3.org/XML/1998/namespace";
 /// What of a `<use>` is no attribute of the group in its place.
 const OF_USE: [&str; 6] = ["x", "y", "width", "height", "href", "transform"];
 /// What of an `<svg>` or a `<symbol>` is no attribute of the group in its place.
@@ -24,7 +24,7 @@ const OF_VIEWPORT: [&str; 9] =
 const SILENT: [&str; 5] = ["style", "script", "title", "desc", "metadata"];
 
 /// Which elements hold things, in themselves or in what they `<use>`, by their numbers in the document.
-pub(super) struct Holders {
+pub(in crate::table) struct Holders {
     holds: Vec<bool>,
 }
 
@@ -58,7 +58,7 @@ fn holds_things(node: Node, links: &Links, known: &mut [Option<bool>]) -> bool {
 }
 
 /// Writes clones.
-pub(super) struct Cloner<'c, 'a, 'i> {
+pub(in crate::table) struct Cloner<'c, 'a, 'i> {
     pub text: &'i str,
     pub links: &'c Links<'a, 'i>,
     pub holders: &'c Holders,

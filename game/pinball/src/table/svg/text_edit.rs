@@ -6,11 +6,11 @@ use roxmltree::Node;
 use std::ops::Range;
 
 /// Text to put in the place of a range of bytes.
-pub(super) type Edit = (Range<usize>, String);
+pub(in crate::table) type Edit = (Range<usize>, String);
 
 /// The text after `edits`, which do not overlap; of two at one place the earlier comes first. No line moves: the line
 /// breaks that an edit has fewer than what it replaces come after it.
-pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+pub(in crate::table) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     edits.sort_by_key(|(range, _)| range.start);
     let mut result = String::with_capacity(text.len());
     let mut from = 0;
@@ -26,12 +26,12 @@ pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
 }
 
 /// A text in one line, which moves no line of what it is put into.
-pub(super) fn in_one_line(text: &str) -> String {
+pub(in crate::table) fn in_one_line(text: &str) -> String {
     text.replace(['\n', '\r'], " ")
 }
 
 /// A text as the value of an attribute in double quotes.
-pub(super) fn escaped(value: &str) -> String {
+pub(in crate::table) fn escaped(value: &str) -> String {
     value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
@@ -43,13 +43,13 @@ fn written_name<'a>(text: &'a str, node: Node) -> &'a str {
 }
 
 /// The prefix of an element's name with its colon: `svg:`, or nothing.
-pub(super) fn prefix<'a>(text: &'a str, node: Node) -> &'a str {
+pub(in crate::table) fn prefix<'a>(text: &'a str, node: Node) -> &'a str {
     let name = written_name(text, node);
     name.find(':').map_or("", |colon| &name[..=colon])
 }
 
 /// The byte at which another attribute can be put into an element's tag.
-pub(super) fn attributes_start(text: &str, node: Node) -> usize {
+pub(in crate::table) fn attributes_start(text: &str, node: Node) -> usize {
     node.range().start + 1 + written_name(text, node).len()
 }
 

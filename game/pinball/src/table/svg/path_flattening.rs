@@ -8,7 +8,7 @@ use geometry::{Arc, Circle, DVec2, Segment, Shape, trig};
 use std::f64::consts::{PI, TAU};
 
 /// How far a flattened curve may be from the true one, mm.
-pub(super) const TOLERANCE_MM: f64 = 0.02;
+pub(in crate::table) const TOLERANCE_MM: f64 = 0.02;
 /// How far an outline that is only looked at may be from the true one, mm.
 const VISIBLE_MM: f64 = 0.05;
 /// Points closer than this are one point, mm.
@@ -20,7 +20,7 @@ const MAX_ELEMENT_PIECES: usize = 10_000;
 
 /// A straight or circular piece of a line, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Piece {
+pub(in crate::table) enum Piece {
     Segment(Segment),
     Arc(Arc),
 }
@@ -37,7 +37,7 @@ impl Piece {
 
 /// A connected part of a path, from one moveto to the next, mm.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Subpath {
+pub(in crate::table) struct Subpath {
     /// Its pieces in order.
     pub pieces: Vec<Piece>,
     /// Its corners and enough points between them to be seen: a closed subpath does not repeat the first.
@@ -47,7 +47,7 @@ pub(super) struct Subpath {
 }
 
 /// Draws subpaths; coordinates go in as the element has them and come out on the table.
-pub(super) struct PathFlattener {
+pub(in crate::table) struct PathFlattener {
     transform: Transform,
     scale: f64,
     subpaths: Vec<Subpath>,
@@ -207,7 +207,7 @@ impl PathFlattener {
 
 /// The ellipse of an SVG arc.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ellipse {
+pub(in crate::table) struct Ellipse {
     /// Half the axis that is turned.
     pub rx: f64,
     /// Half the other axis.
@@ -255,7 +255,7 @@ fn arc_steps(radius: f64, sweep: f64, tolerance: f64) -> usize {
 }
 
 /// Points round a circle, close enough to be looked at.
-pub(super) fn circle_polygon(circle: Circle) -> Vec<DVec2> {
+pub(in crate::table) fn circle_polygon(circle: Circle) -> Vec<DVec2> {
     let count = arc_steps(circle.radius, TAU, VISIBLE_MM).max(12);
     (0..count).map(|step| circle.center + trig::direction(TAU * step as f64 / count as f64) * circle.radius).collect()
 }

@@ -3,8 +3,8 @@
 use super::declarations::{self, Declaration};
 use super::selector::{self, Selectors};
 use super::{brackets, spelling};
-use crate::table::page::SVG;
 use crate::table::source::{Diagnostic, Source};
+use crate::table::svg::page::SVG;
 use cssparser::{AtRuleParser, CowRcStr, ParseError, Parser, ParserState, QualifiedRuleParser, StyleSheetParser};
 use roxmltree::{Document, Node};
 

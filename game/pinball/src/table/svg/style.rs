@@ -7,7 +7,7 @@ use roxmltree::Node;
 
 /// What fills or strokes an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Paint {
+pub(in crate::table) enum Paint {
     /// Nothing.
     None,
     /// One sRGB colour.
@@ -24,24 +24,24 @@ impl Paint {
 }
 
 /// A property of an element itself: its `style` wins over its attribute.
-pub(super) fn own_property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+pub(in crate::table) fn own_property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let style = node.attribute("style").unwrap_or("");
     let declared = css::style_declarations(style).rev().find(|(key, _)| *key == name).map(|(_, value)| value);
     declared.or_else(|| node.attribute(name)).map(str::trim)
 }
 
 /// A property of an element, or else of the nearest ancestor that has it.
-pub(super) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+pub(in crate::table) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     node.ancestors().find_map(|node| own_property(node, name).filter(|&value| value != "inherit"))
 }
 
 /// What fills an element: black when nobody says, as in SVG.
-pub(super) fn fill(node: Node) -> Result<Paint, String> {
+pub(in crate::table) fn fill(node: Node) -> Result<Paint, String> {
     property(node, "fill").map_or(Ok(Paint::Color([0; 3])), |text| paint(node, text, "fill"))
 }
 
 /// What strokes an element: nothing when nobody says, as in SVG.
-pub(super) fn stroke(node: Node) -> Result<Paint, String> {
+pub(in crate::table) fn stroke(node: Node) -> Result<Paint, String> {
     property(node, "stroke").map_or(Ok(Paint::None), |text| paint(node, text, "stroke"))
 }
 
@@ -55,19 +55,19 @@ fn paint(node: Node, text: &str, name: &str) -> Result<Paint, String> {
 }
 
 /// A colour as CSS writes it.
-pub(super) fn color(text: &str) -> Result<[u8; 3], String> {
+pub(in crate::table) fn color(text: &str) -> Result<[u8; 3], String> {
     let color = color::parse(text).ok_or_else(|| format!("`{text}` is not a colour; write it as \"#rrggbb\""))?;
     let [red, green, blue, _] = color;
     Ok([red, green, blue])
 }
 
 /// The thickness of an element's line in its own units: 1 when nobody says, as in SVG.
-pub(super) fn stroke_width(node: Node) -> Result<f64, String> {
+pub(in crate::table) fn stroke_width(node: Node) -> Result<f64, String> {
     property(node, "stroke-width").map_or(Ok(1.0), |text| length(node, text, "stroke-width"))
 }
 
 /// A length of an element in user units; `px` are user units.
-pub(super) fn length(node: Node, text: &str, name: &str) -> Result<f64, String> {
+pub(in crate::table) fn length(node: Node, text: &str, name: &str) -> Result<f64, String> {
     let text = text.trim();
     let start = text.len().saturating_sub(2);
     let pixels = text.get(start..).is_some_and(|unit| unit.eq_ignore_ascii_case("px"));

@@ -83,7 +83,7 @@ struct Counter<'c, 'a, 'i, S> {
 /// What is wrong with what the elements of a drawing refer to: where, and what is too much or endless.
 ///
 /// `style_of` knows what is declared for an element.
-pub(super) fn check<'a>(
+pub(in crate::table) fn check<'a>(
     document: &'a Document,
     links: &Links<'a, '_>,
     style_of: impl Fn(Node) -> Option<&'a str>,

@@ -10,7 +10,7 @@ use svgtypes::{TransformListParser, TransformListToken};
 
 /// Table millimetres from an element's own coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Transform {
+pub(in crate::table) struct Transform {
     table_from_own: DAffine2,
 }
 

@@ -6,11 +6,11 @@ use super::element_class::ElementClass;
 use super::ids::Ids;
 use super::outline::Outline;
 use super::page::{Page, SVG};
-use super::source::{Diagnostic, Source};
 use super::style::{self, Paint};
 use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
 use super::{class_typo, css, viewport};
+use crate::table::source::{Diagnostic, Source};
 use geometry::{Bounds, DVec2};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -44,7 +44,7 @@ const SHAPES: [&str; 8] = ["line", "polyline", "polygon", "path", "circle", "ell
 
 /// One element of the table.
 #[derive(Clone, Debug)]
-pub(super) struct Element {
+pub(in crate::table) struct Element {
     pub class: ElementClass,
     /// Its id, or a name that no id can be.
     pub name: String,
@@ -80,7 +80,7 @@ impl Element {
 
 /// The playfield and the elements on it.
 #[derive(Debug)]
-pub(super) struct Drawing {
+pub(in crate::table) struct Drawing {
     pub page: Page,
     pub elements: Vec<Element>,
     pub ids: Ids,
@@ -138,7 +138,7 @@ struct Reader<'a> {
 }
 
 /// The class of an XML element, if it is an element of the table: the first word that is a class.
-pub(super) fn element_class(node: Node) -> Option<ElementClass> {
+pub(in crate::table) fn element_class(node: Node) -> Option<ElementClass> {
     classes(node).next()
 }
 

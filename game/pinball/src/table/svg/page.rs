@@ -6,7 +6,7 @@ use std::str::FromStr;
 use svgtypes::{Align, AspectRatio};
 
 /// SVG's namespace.
-pub(super) const SVG: &str = "http://www.w3.org/2000/svg";
+pub(in crate::table) const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// The playfield's sides, mm.
 const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
@@ -23,7 +23,7 @@ const UNITS_MM: [(&str, f64); 6] =
 
 /// The page of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Page {
+pub(in crate::table) struct Page {
     /// Of the playfield.
     pub size_mm: DVec2,
     /// Millimetres in a unit of the drawing.
@@ -95,7 +95,7 @@ impl Page {
 }
 
 /// How long a unit of a drawing is, for a sentence: `one unit is one millimetre`.
-pub(super) fn unit(node: Node) -> String {
+pub(in crate::table) fn unit(node: Node) -> String {
     let page = node.ancestors().filter(Node::is_element).last().map(Page::of);
     match page {
         Some(Ok(Page { mm_per_unit, .. })) if mm_per_unit != 1.0 => {

@@ -8,10 +8,10 @@ use super::css::{self, Cascade, Instance};
 use super::drawing::element_class;
 use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
-use super::source::{Diagnostic, Source};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
 use super::xml;
 use super::{amount, oddities};
+use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 const OF_GROUP: [&str; 6] = ["style", "transform", "opacity", "clip-path", "mask", "filter"];
 
 /// A drawing that is written out.
-pub(super) struct WrittenOut {
+pub(in crate::table) struct WrittenOut {
     pub source: Source,
     /// Words that its sheets have as classes.
     pub styled: BTreeSet<String>,
@@ -28,7 +28,7 @@ pub(super) struct WrittenOut {
 }
 
 /// Writes a drawing out; nothing if it has a mistake that must be mended first.
-pub(super) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Option<WrittenOut> {
+pub(in crate::table) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Option<WrittenOut> {
     match edits(&source, diagnostics) {
         Ok(Changes { edits, styled, nameless }) if edits.is_empty() => Some(WrittenOut { source, styled, nameless }),
         Ok(Changes { edits, styled, nameless }) => {
@@ -211,7 +211,7 @@ impl Writer<'_, '_, '_> {
 }
 
 /// Elements that draw what is in them, where they stand.
-pub(super) fn is_container(node: Node) -> bool {
+pub(in crate::table) fn is_container(node: Node) -> bool {
     let containers = ["g", "a", "svg", "switch"];
     node.tag_name().namespace() == Some(SVG) && containers.contains(&node.tag_name().name())
 }

@@ -9,7 +9,7 @@ use roxmltree::Node;
 
 /// What one element draws.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Outline {
+pub(in crate::table) enum Outline {
     /// A circle.
     Circle(Circle),
     /// Lines, at least one, each with some length.

@@ -11,9 +11,9 @@ mod sheet;
 mod spelling;
 mod value;
 
-pub(super) use selector::Instance;
+pub(in crate::table) use selector::Instance;
 
-use super::source::{Diagnostic, Source};
+use crate::table::source::{Diagnostic, Source};
 use declarations::Declaration;
 use roxmltree::{Document, Node};
 use selectors::matching::SelectorCaches;
@@ -28,7 +28,7 @@ const MAX_COMPARISONS: usize = 20_000_000;
 const MAX_BYTES: usize = 32 << 20;
 
 /// The sheets of a drawing.
-pub(super) struct Cascade {
+pub(in crate::table) struct Cascade {
     rules: Vec<Rule>,
     caches: SelectorCaches,
     /// Bytes of styles so far.
@@ -164,12 +164,12 @@ pub fn style_declarations(style: &str) -> impl DoubleEndedIterator<Item = (&str,
 }
 
 /// Whether an element is a sheet.
-pub(super) fn is_sheet(node: Node) -> bool {
+pub(in crate::table) fn is_sheet(node: Node) -> bool {
     sheet::is_sheet(node)
 }
 
 /// The properties that an element declares itself: in its `style`, and as attributes.
-pub(super) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<Item = Cow<'a, str>> {
+pub(in crate::table) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<Item = Cow<'a, str>> {
     let own = node.attributes().filter(|attribute| attribute.namespace().is_none());
     own.flat_map(|attribute| match attribute.name() {
         "style" => declarations::of_attribute(attribute.value()).into_iter().map(|one| Cow::Owned(one.name)).collect(),
@@ -178,12 +178,12 @@ pub(super) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<Item = Cow
 }
 
 /// A warning of a property that is none, and nearly one.
-pub(super) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagnostic> {
+pub(in crate::table) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagnostic> {
     sheet::misspelt(source, line, name)
 }
 
 /// The value of a presentation attribute in plain words, if it is written otherwise.
-pub(super) fn plain_attribute(name: &str, value: &str) -> Option<String> {
+pub(in crate::table) fn plain_attribute(name: &str, value: &str) -> Option<String> {
     let plain = value::plain(name, value).filter(|_| value::is_colored(name))?;
     (plain != value.trim()).then_some(plain)
 }

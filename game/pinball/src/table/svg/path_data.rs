@@ -5,7 +5,7 @@ use geometry::DVec2;
 use svgtypes::PathSegment;
 
 /// Draws SVG path data.
-pub(super) fn draw(pen: &mut PathFlattener, data: &str) -> Result<(), String> {
+pub(in crate::table) fn draw(pen: &mut PathFlattener, data: &str) -> Result<(), String> {
     let mut cursor = Cursor::default();
     for segment in svgtypes::PathParser::from(data) {
         let segment = segment.map_err(|error| format!("its path cannot be read: {error}"))?;

@@ -3,27 +3,27 @@
 use super::element_class::ElementClass;
 
 /// Words that say something of art.
-pub(super) const ART: [&str; 3] = ["wood", "plastics", "relief"];
+pub(in crate::table) const ART: [&str; 3] = ["wood", "plastics", "relief"];
 /// Words that Inkscape writes for itself.
 const INKSCAPE: [&str; 2] = ["UnoptimicedTransforms", "UnoptimizedTransforms"];
 
 /// Whether a word that is no thing's has a meaning all the same.
-pub(super) fn is_known(word: &str) -> bool {
+pub(in crate::table) fn is_known(word: &str) -> bool {
     ART.contains(&word) || INKSCAPE.contains(&word)
 }
 
 /// The class that a word means but for case, a hyphen, a plural or one letter.
-pub(super) fn meant(word: &str) -> Option<&'static str> {
+pub(in crate::table) fn meant(word: &str) -> Option<&'static str> {
     nearest(word, ElementClass::ALL.into_iter().map(ElementClass::word))
 }
 
 /// The word for art that a word means, in the same way.
-pub(super) fn meant_for_art(word: &str) -> Option<&'static str> {
+pub(in crate::table) fn meant_for_art(word: &str) -> Option<&'static str> {
     nearest(word, ART.into_iter())
 }
 
 /// The first known word that a word means but for case, a hyphen, a plural or one letter.
-pub(super) fn nearest(word: &str, known: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
+pub(in crate::table) fn nearest(word: &str, known: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
     let word = bare(word);
     let singular = [word.strip_suffix(&['s'][..]), word.strip_suffix(&['e', 's'][..])];
     let is = |known: &str, word: &[char]| bare(known) == word;

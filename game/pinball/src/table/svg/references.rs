@@ -6,11 +6,11 @@ use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 
 /// XLink's namespace, where SVG 1.1 has its `href`.
-pub(super) const XLINK: &str = "http://www.w3.org/1999/xlink";
+pub(in crate::table) const XLINK: &str = "http://www.w3.org/1999/xlink";
 
 /// How often an element draws what it refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Times {
+pub(in crate::table) enum Times {
     /// Once, as if it stood there.
     AsOwn,
     /// Once, for itself.
@@ -34,13 +34,13 @@ impl Times {
 
 /// A reference by id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Reference<'a> {
+pub(in crate::table) struct Reference<'a> {
     pub times: Times,
     pub id: &'a str,
 }
 
 /// The elements of a drawing by their ids.
-pub(super) struct Links<'a, 'i> {
+pub(in crate::table) struct Links<'a, 'i> {
     /// The first and the last element of an id: of two, readers of SVG mean either.
     by_id: BTreeMap<&'a str, [Node<'a, 'i>; 2]>,
 }
@@ -77,7 +77,7 @@ impl<'a, 'i> Links<'a, 'i> {
 
 /// What an element refers to; `style` is what is declared for it. What stands in for the element's own content comes
 /// first: what is inherited is counted for it too.
-pub(super) fn references<'a>(node: Node<'a, '_>, style: &'a str) -> Vec<Reference<'a>> {
+pub(in crate::table) fn references<'a>(node: Node<'a, '_>, style: &'a str) -> Vec<Reference<'a>> {
     let mut found: Vec<Reference> = drawn_by_href(node).into_iter().collect();
     let attributes = node.attributes().map(|attribute| (attribute.name(), attribute.value()));
     for (name, value) in attributes.chain(css::style_declarations(style)) {
@@ -99,12 +99,12 @@ fn times_of(property: &str) -> Option<Times> {
 }
 
 /// Whether a property names elements.
-pub(super) fn is_link(property: &str) -> bool {
+pub(in crate::table) fn is_link(property: &str) -> bool {
     times_of(property).is_some()
 }
 
 /// What an element draws with by its `href`; that of an `<a>` says where a click would lead.
-pub(super) fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
+pub(in crate::table) fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
     let times = match node.tag_name().name() {
         "use" => Times::AsOwn,
         "textPath" | "tref" | "feImage" | "linearGradient" | "radialGradient" | "pattern" | "filter" => Times::Once,
@@ -114,29 +114,29 @@ pub(super) fn drawn_by_href<'a>(node: Node<'a, '_>) -> Option<Reference<'a>> {
 }
 
 /// An element's `href`, the newer form before the older.
-pub(super) fn href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+pub(in crate::table) fn href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     plain_href(node).or_else(|| node.attribute((XLINK, "href")))
 }
 
 /// An element's `href` in the newer form. Without a namespace the library would take one of any.
-pub(super) fn plain_href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+pub(in crate::table) fn plain_href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let mut attributes = node.attributes();
     let plain = attributes.find(|attribute| attribute.namespace().is_none() && attribute.name() == "href");
     plain.map(|attribute| attribute.value())
 }
 
 /// The id that an element's `href` names.
-pub(super) fn href_id<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+pub(in crate::table) fn href_id<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     href(node)?.trim().strip_prefix('#')
 }
 
 /// Whether an element is a `<use>`.
-pub(super) fn is_use(node: Node) -> bool {
+pub(in crate::table) fn is_use(node: Node) -> bool {
     node.has_tag_name((SVG, "use"))
 }
 
 /// The ids in the `url(#id)` of a text.
-pub(super) fn urls(text: &str) -> impl Iterator<Item = &str> {
+pub(in crate::table) fn urls(text: &str) -> impl Iterator<Item = &str> {
     text.split("url(").skip(1).filter_map(|rest| {
         let inside = rest[..rest.find(')')?].trim();
         inside.trim_matches(['"', '\'']).trim().strip_prefix('#')

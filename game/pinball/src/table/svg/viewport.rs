@@ -11,7 +11,7 @@ use svgtypes::{Align, AspectRatio, ViewBox};
 ///
 /// # Errors
 /// If a length is no plain number.
-pub(super) fn transform(node: Node, user: Option<Node>) -> Result<String, String> {
+pub(in crate::table) fn transform(node: Node, user: Option<Node>) -> Result<String, String> {
     let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(node, text, name));
     let [x, y] = if node.has_tag_name((super::page::SVG, "svg")) { [number("x")?, number("y")?] } else { [0.0; 2] };
     let moved = if x == 0.0 && y == 0.0 { String::new() } else { format!("translate({x} {y})") };

@@ -9,7 +9,7 @@ const STEP_RAD: f64 = 0.35;
 
 /// The outline of everything within `radius` of a closed polygon or inside it. Points of the naive offset that lie too
 /// near another edge are where it crosses itself, and are left out.
-pub(super) fn offset(polygon: &[DVec2], radius: f64) -> Vec<DVec2> {
+pub(in crate::table) fn offset(polygon: &[DVec2], radius: f64) -> Vec<DVec2> {
     if radius <= 0.0 || polygon.len() < 3 {
         return polygon.to_vec();
     }

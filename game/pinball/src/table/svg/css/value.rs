@@ -1,6 +1,6 @@
 //! Values of properties in the form that every reader of SVG knows: a browser's newer words in older ones.
 
-use crate::table::color;
+use crate::table::svg::color;
 
 /// Properties that are a paint: nothing, a colour, or a gradient or pattern.
 const PAINTS: [&str; 2] = ["fill", "stroke"];

@@ -1,6 +1,6 @@
 //! XML: what a drawing's text must be before it is read as a drawing. Nothing in it may take long, or grow without end.
 
-use super::source::{Diagnostic, Source};
+use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node, ParsingOptions};
 
 /// XML nodes that a drawing may have.
@@ -11,7 +11,7 @@ const MAX_ATTRIBUTES: usize = 1000;
 const MAX_DEPTH: usize = 64;
 
 /// Reads the XML, and nothing that could grow without end.
-pub(super) fn parse(source: &Source) -> Result<Document<'_>, Diagnostic> {
+pub(in crate::table) fn parse(source: &Source) -> Result<Document<'_>, Diagnostic> {
     if let Some(at) = too_many_attributes(&source.text) {
         return Err(source.diagnostic(at, format!("this element has more than {MAX_ATTRIBUTES} attributes")));
     }

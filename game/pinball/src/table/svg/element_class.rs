@@ -4,7 +4,7 @@
 
 /// The class of a table's element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum ElementClass {
+pub(in crate::table) enum ElementClass {
     Wall,
     Guide,
     Rubber,
@@ -34,7 +34,7 @@ pub(super) enum ElementClass {
 
 /// A parameter: a number that `table.toml` may give.
 #[derive(Debug)]
-pub(super) struct Parameter {
+pub(in crate::table) struct Parameter {
     /// Its name, with the unit.
     pub name: &'static str,
     /// The default value.

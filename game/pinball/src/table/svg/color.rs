@@ -7,7 +7,7 @@ use std::str::FromStr;
 const FOR_PRINT: [&str; 4] = ["icc-color(", "icc-named-color(", "device-gray(", "device-cmyk("];
 
 /// Red, green, blue and opacity of a colour.
-pub(super) fn parse(text: &str) -> Option<[u8; 4]> {
+pub(in crate::table) fn parse(text: &str) -> Option<[u8; 4]> {
     let text = for_screens(text.trim());
     let plain = svgtypes::Color::from_str(text).ok();
     let plain = plain.map(|color| [color.red, color.green, color.blue, color.alpha]);
@@ -19,7 +19,7 @@ pub(super) fn parse(text: &str) -> Option<[u8; 4]> {
 }
 
 /// A colour in a form that every reader of SVG knows: as it is, or as `#rrggbb` or `#rrggbbaa`.
-pub(super) fn plain(text: &str) -> Option<String> {
+pub(in crate::table) fn plain(text: &str) -> Option<String> {
     let text = text.trim();
     let [red, green, blue, alpha] = parse(text)?;
     if is_plain(text) {

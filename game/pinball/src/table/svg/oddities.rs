@@ -5,12 +5,12 @@ use super::css;
 use super::drawing::element_class;
 use super::page::SVG;
 use super::references::{self, Links, href, is_use, urls};
-use super::source::{Diagnostic, Source};
+use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Warns of what is odd in a drawing; `style_of` knows what is declared for an element.
-pub(super) fn warnings<'d>(
+pub(in crate::table) fn warnings<'d>(
     source: &Source,
     document: &'d Document,
     links: &'d Links<'d, 'd>,

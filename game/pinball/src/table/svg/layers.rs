@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The layers of a drawing, each a well-formed SVG whose size is the `viewBox`.
-pub(super) struct Layers {
+pub(in crate::table) struct Layers {
     /// What is printed on the floor.
     pub floor: String,
     /// What is printed on plastics and caps.
@@ -31,7 +31,7 @@ pub(super) struct Layers {
 }
 
 /// The layers of a drawing of this scale.
-pub(super) fn split_layers(text: &str, document: &Document, mm_per_unit: f64) -> Layers {
+pub(in crate::table) fn split_layers(text: &str, document: &Document, mm_per_unit: f64) -> Layers {
     let root = document.root_element();
     let cutter = Cutter { text, mm_per_unit, needed: needed(document) };
     let with = |cut: &dyn Fn(&mut Vec<Edit>)| {

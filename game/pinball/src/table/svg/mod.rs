@@ -1,0 +1,26 @@
+//! SVG: a drawing's text, read as a browser reads it, down to shapes, looks and places.
+//!
+//! Refuses to know what a thing on a table does.
+
+mod amount;
+mod class_typo;
+mod clones;
+mod color;
+pub(super) mod css;
+pub(super) mod drawing;
+pub(super) mod element_class;
+pub(super) mod ids;
+pub(super) mod layers;
+mod oddities;
+pub(super) mod outline;
+pub(super) mod outline_offset;
+mod page;
+mod path_data;
+pub(super) mod path_flattening;
+mod references;
+pub(super) mod style;
+mod text_edit;
+mod transform;
+mod viewport;
+pub(super) mod written_out;
+pub(super) mod xml;
