@@ -74,7 +74,8 @@ pub fn sentence(words: &[&str]) -> String {
 fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
     for (words, told) in [
         (&["frame", "--out", "x.png", "--size", "63x10"][..], "each side must be from 64 to 16384 pixels"),
-        (&["frame", "--out", "x.png", "--size", "16384x16384"], "more than 67 million pixels"),
+        (&["frame", "--out", "x.png", "--size", "16384x16384"], "more than 33 million pixels"),
+        (&["frame", "--out", "-"], "name a .png file"),
         (&["frame", "--out", "x.png", "--at", "-1"], "a number from 0 to 1000000"),
         (&["frame", "--out", "x.png", "--table", ""], "a value is required for '--table"),
         (&["dump", "a", "--out", "b", "--from", "3", "--to", "1"], "--from 3 is after --to 1"),
@@ -288,4 +289,18 @@ fn every_tick_of_games_and_of_their_recordings_comes_to_the_same_line() {
     let [one, two] = ["game-1.caustic", "game-2.caustic"].map(|name| folder.path(name));
     assert_eq!(last_line(&["verify", &two, &one, "--digest", "--restore-every", "500"]), played);
     assert_ne!(last_line(&["verify", &one, "--digest"]), played);
+}
+
+/// A first word that is no text ended in a panic.
+#[cfg(unix)]
+#[test]
+fn words_that_are_no_text_are_a_sentence() {
+    use std::os::unix::ffi::OsStrExt;
+    for words in [&[&b"\xff"[..]][..], &[b"\xff", b"--help"], &[b"frame", b"\xff"], &[b"--table", b"\xff"]] {
+        let words = words.iter().map(|word| std::ffi::OsStr::from_bytes(word));
+        let output = Command::new(env!("CARGO_BIN_EXE_caustic")).args(words).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.starts_with("caustic: ") && said.lines().count() == 1 && !said.contains("panicked"), "{said}");
+    }
 }

@@ -3,28 +3,48 @@
 
 #![expect(clippy::disallowed_methods, reason = "the corpora are the repository's own")]
 
+use flate2::read::GzDecoder;
 use rayon::prelude::*;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 #[path = "../fuzz/src/lib.rs"]
 mod subjects;
 
-fn files(folder: &str, target: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz").join(folder).join(target);
-    let entries = std::fs::read_dir(folder).into_iter().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
-    files.sort();
-    files
+/// A file's name, and what is in it.
+type Input = (String, Vec<u8>);
+
+fn fuzz_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz")
+}
+
+fn seeds(target: &str) -> Vec<Input> {
+    let entries = fs::read_dir(fuzz_folder().join("seeds").join(target)).expect("a folder of seeds");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths.map(|path| (path.display().to_string(), fs::read(&path).expect("a seed"))).collect()
+}
+
+fn corpus(target: &str) -> Vec<Input> {
+    let file = File::open(fuzz_folder().join("corpora").join(target).with_extension("tar.gz")).expect("a corpus");
+    let mut archive = tar::Archive::new(GzDecoder::new(file));
+    let files = archive.entries().expect("an archive").map(|entry| entry.expect("an entry"));
+    let inputs = files.filter(|entry| entry.header().entry_type().is_file()).map(|mut entry| {
+        let name = entry.path().expect("a name").display().to_string();
+        let mut bytes = Vec::new();
+        entry.read_to_end(&mut bytes).expect("an input");
+        (name, bytes)
+    });
+    inputs.collect()
 }
 
 fn read_again(target: &str, run: fn(&[u8])) {
-    let seeds = files("seeds", target);
-    assert!(!seeds.is_empty(), "fuzzing of {target} has nothing to begin with");
-    let all = [seeds, files("corpus", target)].concat();
-    all.par_iter().for_each(|path| {
-        let bytes = std::fs::read(path).expect("an input");
-        let run = std::panic::catch_unwind(|| run(&bytes));
-        assert!(run.is_ok(), "{} fails", path.display());
+    let (seeds, corpus) = (seeds(target), corpus(target));
+    assert!(!seeds.is_empty() && corpus.len() > 500, "fuzzing of {target} has nothing to begin with");
+    let all = [seeds, corpus].concat();
+    all.par_iter().for_each(|(name, bytes)| {
+        let run = std::panic::catch_unwind(|| run(bytes));
+        assert!(run.is_ok(), "{target}: {name} fails");
     });
     println!("{target}: {} inputs", all.len());
 }

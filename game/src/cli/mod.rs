@@ -343,6 +343,7 @@ fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
 fn png_file(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match path.extension() {
+        None if text == "-" => Err("a picture is written to a file: name a .png file".to_string()),
         Some(end) if !end.eq_ignore_ascii_case("png") => {
             Err("pictures are written as PNG: name a .png file".to_string())
         }

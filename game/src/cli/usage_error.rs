@@ -16,8 +16,8 @@ pub fn exit(error: &Error) -> ! {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         std::process::exit(answer(error));
     }
-    let asked = std::env::args().nth(1).unwrap_or_default();
-    tell(&Failure::new(sentence(&error.render().to_string(), &asked)));
+    let asked = std::env::args_os().nth(1).unwrap_or_default();
+    tell(&Failure::new(sentence(&error.render().to_string(), &asked.to_string_lossy())));
     std::process::exit(USAGE);
 }
 

@@ -14,8 +14,8 @@ impl Size {
     pub const MIN: usize = 64;
     /// The largest side of a frame or a window.
     pub const MAX: usize = 16384;
-    /// The most pixels of a frame or a window: 8192 x 8192, which take 2 GB to draw.
-    pub const MAX_PIXELS: usize = 1 << 26;
+    /// The most pixels of a frame or a window: 4096 x 8192, which take 2.2 GB to draw, and 4.8 GB at half light.
+    pub const MAX_PIXELS: usize = 1 << 25;
 
     /// Whether a frame or a window may have this size.
     pub fn is_drawable(self) -> bool {

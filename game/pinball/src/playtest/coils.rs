@@ -22,6 +22,19 @@ const LYING_M_S: f64 = 0.01;
 /// A ball that is flipped is this fast, m/s.
 const FLIPPED_M_S: f64 = 0.5;
 
+/// Whether there is a trial for such a part.
+pub fn has_trial(kind: &Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Saucer(_)
+            | Kind::Kickback(_)
+            | Kind::Flipper(_)
+            | Kind::Bumper(_)
+            | Kind::Slingshot(_)
+            | Kind::DropTarget(_)
+    )
+}
+
 /// What is wrong with this part's coil or switch.
 pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Option<Finding> {
     let machine = machine.clone();

@@ -1,7 +1,7 @@
 //! A ball that is let go where one can come to: whether it comes away by itself, and stays on the playfield.
 
 use super::finding::{Finding, FindingKind};
-use super::{THROWN_M, farthest, wait};
+use super::{THROWN_M, USUAL_BURDEN, burden, farthest, wait};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, Command, Controls, FlipperControl, Kind, Machine};
 
@@ -11,8 +11,6 @@ const STUCK_TICKS: u32 = 3000;
 const MOST_TICKS: usize = 20_000;
 /// Contact solves that it may take until then.
 const MOST_CONTACT_SOLVES: u64 = 400_000;
-/// Flippers, spinners, gates and captive balls of a large table.
-const USUAL_BURDEN: usize = 12;
 /// Ticks between two looks.
 const LOOK_TICKS: usize = 50;
 /// A ball no farther from a flipper lies on it: the player throws it when he likes, m.
@@ -70,13 +68,6 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
 
 fn is_on(machine: &Machine, center: DVec2) -> bool {
     center.cmpge(DVec2::ZERO).all() && center.cmple(machine.layout().size_m).all()
-}
-
-/// How much slower a tick is for all that moves on the table.
-fn burden(machine: &Machine) -> usize {
-    let moves =
-        |kind: &Kind| matches!(kind, Kind::Flipper(_) | Kind::CaptiveBall(_) | Kind::Spinner(_) | Kind::Gate(_));
-    machine.layout().parts.iter().filter(|part| moves(&part.kind)).count()
 }
 
 /// Whether the ball lies on a flipper that has a button, and the player can throw it from there: in a pocket behind the

@@ -233,3 +233,21 @@ fn a_saucer_that_waits_for_the_player_or_locks_its_ball_is_left_alone() {
     assert_eq!(first_game(&asks), []);
     assert_eq!(first_game(&GAME.replace(timer, "if name == \"hole\" { add_ball(); }")), []);
 }
+
+/// 800 drop targets took 26 seconds to be tried, each of them among all the others.
+#[test]
+fn of_very_many_coils_some_are_tried() {
+    let target = |index: usize| {
+        let (x, y) = (40 + index % 20 * 20, 120 + index / 20 * 20);
+        format!(r#"<line class="drop-target" id="d{index}" x1="{x}" y1="{y}" x2="{}" y2="{y}"/>"#, x + 10)
+    };
+    let kinds = |count: usize| {
+        let playtest = playtest(&(0..count).map(target).collect::<String>());
+        playtest.trials().map(|(part, _)| part).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(40).len(), 40);
+    let some = kinds(600);
+    assert!((30..=33).contains(&some.len()), "{}", some.len());
+    let apart = some[1].0 - some[0].0;
+    assert!(some.windows(2).all(|pair| pair[1].0 - pair[0].0 == apart), "{some:?}");
+}
