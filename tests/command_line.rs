@@ -88,8 +88,8 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["play", "--zoom", "-inf"], "invalid value '-inf' for '--zoom <FACTOR>': it must be a number from 1 to 4"),
         (&["check"], "were not provided: <NAME|DIR>; caustic check --help says more"),
         (
-            &["dump", "a", "--out", "b", "--size", "8000x8000", "--zoom", "4"],
-            "--zoom 4 of 8000x8000 pixels is more than",
+            &["dump", "a", "--out", "b", "--size", "4000x8000", "--zoom", "4"],
+            "--zoom 4 of 4000x8000 pixels is more than",
         ),
         (&["replay", "a", "--light", "bright"], "possible values: half, full, auto"),
         (&["verify", "a", "--threads", "257"], "a whole number from 1 to 256"),

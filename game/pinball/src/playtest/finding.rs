@@ -2,8 +2,8 @@
 
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::{DVec2, Segment, Shape};
-use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
+use geometry::{Core, DVec2, Segment, Shape};
+use physics::{BALL_RADIUS_M, FlipperControl, Kind, Layout, PartId};
 use std::cmp::Reverse;
 
 /// What only play shows.
@@ -269,6 +269,10 @@ pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
         Kind::Spinner(own) => Some(bar(own.segment)),
         Kind::Gate(own) => Some(bar(own.segment)),
         Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
+        // A diverter lies as it is drawn until the rules turn it.
+        Kind::Flipper(own) if own.control == FlipperControl::Rules => {
+            Some(Shape { core: Core::Taper(own.outline(own.rest_rad)), radius: 0.0 })
+        }
         _ => None,
     };
     kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()

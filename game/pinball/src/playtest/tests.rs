@@ -245,9 +245,21 @@ fn of_very_many_coils_some_are_tried() {
         let playtest = playtest(&(0..count).map(target).collect::<String>());
         playtest.trials().map(|(part, _)| part).collect::<Vec<_>>()
     };
-    assert_eq!(kinds(40).len(), 40);
+    assert_eq!(kinds(40).len(), 41, "and a flipper");
     let some = kinds(600);
     assert!((30..=33).contains(&some.len()), "{}", some.len());
     let apart = some[1].0 - some[0].0;
     assert!(some.windows(2).all(|pair| pair[1].0 - pair[0].0 == apart), "{some:?}");
+}
+
+/// A ball that lay on a diverter was told of a saucer 90 mm away.
+#[test]
+fn a_ball_that_lies_on_a_diverter_is_told_of_it() {
+    let arm =
+        r#"<line class="diverter" id="arm" x1="200" y1="400" x2="240" y2="400" stroke-width="8" data-turn-deg="40"/>"#;
+    let hook = r#"<path class="wall" id="hook" d="M262 380V360" stroke-width="4"/>"#;
+    let playtest = playtest(&format!("{arm}{hook}"));
+    let place = DVec2::new(0.22, 0.38);
+    let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place);
+    assert!(sentences(&playtest, vec![near])[0].contains(": arm: a ball lies still beside it"));
 }

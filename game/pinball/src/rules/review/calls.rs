@@ -1,4 +1,5 @@
-//! Calls without which a game cannot be played: for flippers that move, for a ball, for a saucer that gives its ball back.
+//! Calls without which a game cannot be played, or a part of it does nothing: for flippers that move, for a ball, for a
+//! saucer that gives its ball back.
 
 use super::facts::{Call, Facts};
 use super::remark::Remark;
@@ -26,19 +27,41 @@ pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
             "a game begins without a ball: no rule calls `add_ball()`; call it behind `start_game`",
         ));
     }
-    let ejected = facts.given("eject", 0);
-    let saucers = names.parts().filter(|(_, kind)| matches!(kind, Kind::Saucer(_)));
-    for name in saucers.filter_map(|(part, _)| names.part_name(part)) {
-        let is_ejected = ejected.others || !ejected.told.is_empty() || ejected.literals.contains(name);
-        if !is_ejected {
-            let what = format!(
-                "the saucer \"{name}\" keeps its ball: no rule calls `eject(\"{name}\")`; start a timer in `on_switch` and \
-                 call it in `on_timer`"
-            );
-            found.push(Remark::error(0, what));
-        }
+    let is_kicker =
+        |kind: &Kind| matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_));
+    if names.parts().any(|(_, kind)| is_kicker(kind)) && !facts.calls_of("kickers").any(switches_on) {
+        let what = "bumpers, slingshots, kickbacks and magnets never work: no rule calls `kickers(true)`; call it behind \
+                    `start_game`";
+        found.push(Remark::warning(line, what));
     }
+    found.extend(never_named(facts, names, "eject", |kind| matches!(kind, Kind::Saucer(_))).map(|name| {
+        let what = format!(
+            "the saucer \"{name}\" keeps its ball: no rule calls `eject(\"{name}\")`; start a timer in `on_switch` and \
+             call it in `on_timer`"
+        );
+        Remark::error(0, what)
+    }));
+    found.extend(never_named(facts, names, "raise", |kind| matches!(kind, Kind::DropTarget(_))).map(|name| {
+        let what = format!("the drop target \"{name}\" falls once: no rule calls `raise(\"{name}\")`");
+        Remark::warning(0, what)
+    }));
+    found.extend(never_named(facts, names, "kick", |kind| matches!(kind, Kind::Kickback(_))).map(|name| {
+        Remark::warning(0, format!("the kickback \"{name}\" never kicks: no rule calls `kick(\"{name}\")`"))
+    }));
     found
+}
+
+/// The parts of a kind that no call of `function` can name.
+fn never_named<'a>(
+    facts: &Facts,
+    names: &'a Names,
+    function: &str,
+    is: fn(&Kind) -> bool,
+) -> impl Iterator<Item = &'a str> {
+    let given = facts.given(function, 0);
+    let parts = names.parts().filter(move |(_, kind)| is(kind));
+    let named = parts.filter_map(|(part, _)| names.part_name(part));
+    named.filter(move |name| !given.others && given.told.is_empty() && !given.literals.contains(*name))
 }
 
 fn switches_on(call: &Call) -> bool {

@@ -157,6 +157,31 @@ fn calls_without_which_no_game_can_be_played_are_told() {
     assert_eq!(told_of("fn on_feed() { score(1); }", &["drain", "saucer"]), Vec::<String>::new(), "nothing begins");
 }
 
+/// Bumpers and slingshots that nobody switched on were dead, and nothing was said.
+#[test]
+fn coils_that_no_rule_works_are_told() {
+    let drawn = [
+        r#"<circle class="bumper" id="pop" cx="100" cy="300" r="20"/>"#,
+        r#"<line class="drop-target" id="drop" x1="200" y1="300" x2="220" y2="300"/>"#,
+        r#"<line class="kickback" id="kb" x1="300" y1="500" x2="300" y2="480" stroke-width="20"/>"#,
+    ];
+    let told = |more: &str| -> Vec<String> {
+        let rules = format!("fn on_button(name) {{\nstart_game(3); flippers(true); add_ball(); {more}\n}}");
+        let review = Review::of(&crate::table::tests::with_rules(&drawn.concat(), &rules));
+        review.findings.iter().map(ToString::to_string).filter(|one| !one.contains("saucer")).collect()
+    };
+    let dead = told("");
+    assert_eq!(dead.len(), 3, "{dead:?}");
+    for (sentence, what) in dead.iter().zip([
+        "the drop target \"drop\" falls once: no rule calls `raise(\"drop\")`",
+        "the kickback \"kb\" never kicks: no rule calls `kick(\"kb\")`",
+        "never work: no rule calls `kickers(true)`; call it behind `start_game`",
+    ]) {
+        assert!(sentence.contains(what), "{dead:?}");
+    }
+    assert_eq!(told("kickers(true); raise(\"drop\"); for kb in [\"kb\"] { kick(kb); }"), Vec::<String>::new());
+}
+
 #[test]
 fn spectrum_is_left_alone() {
     let review = Review::of(&spectrum());
