@@ -16,6 +16,7 @@ pub mod frame_composer;
 pub mod game_app;
 pub mod hud;
 pub mod input;
+mod interrupt;
 pub mod scene_builder;
 pub mod screen;
 pub mod session;

@@ -272,6 +272,7 @@ const ORDER: [(&str, &[&str]); 4] = [
             "screen",
             "terminal",
             "standard_error",
+            "interrupt",
             "input",
             "art",
             "storage",

@@ -22,7 +22,7 @@ mod surface;
 pub use app::{App, Commands, Event, FrameTiming, Waker};
 pub use shell_window::WindowOptions;
 
-use crate::Failure;
+use crate::{Failure, interrupt};
 use app::Wake;
 use shell::Shell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -48,7 +48,7 @@ impl Display {
         Ok(Display(events))
     }
 
-    /// Opens a window and runs `app` in it until it is closed. `painter` paints the application's frames, on a thread
+    /// Opens a window and runs `app` in it until it is closed, or the program is asked to end. `painter` paints the application's frames, on a thread
     /// of its own: it fills the frame that it is given, which holds the pixels of an older one.
     ///
     /// # Errors
@@ -59,6 +59,8 @@ impl Display {
         P: FnMut(A::FrameInput, &mut Frame) -> Result<A::FrameReport, Failure> + Send + 'static,
     {
         let mut shell = Shell::new(app, options, Box::new(painter), self.0.create_proxy());
+        let waker = Waker::new(self.0.create_proxy());
+        interrupt::listen(move || waker.wake())?;
         let events = self.0;
         // winit panics where the display hangs up on it: what was played must not be lost with the window.
         let ended = catch_unwind(AssertUnwindSafe(|| events.run_app(&mut shell)));

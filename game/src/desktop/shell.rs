@@ -6,7 +6,7 @@ use super::key_codes;
 use super::painter_thread::{Painter, PainterThread};
 use super::screenshot::Screenshot;
 use super::shell_window::{ShellWindow, WindowOptions};
-use crate::Failure;
+use crate::{Failure, interrupt};
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::event::{ElementState, KeyEvent, WindowEvent};
@@ -199,6 +199,9 @@ impl<A: App> ApplicationHandler<Wake> for Shell<'_, A> {
     }
 
     fn about_to_wait(&mut self, events: &ActiveEventLoop) {
+        if interrupt::is_interrupted() {
+            events.exit();
+        }
         self.update();
         self.collect();
         self.execute(events);
