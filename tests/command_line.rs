@@ -98,6 +98,7 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["pla"], "unrecognized subcommand 'pla'"),
         (&["frame", "--out", "x.png", "--size", "-5x10"], "write it as WIDTHxHEIGHT, for example 540x1080"),
         (&["frame", "--out", "x.png", "--samples", "9"], "--samples is for --integrator monte-carlo"),
+        (&["frame", "--out", ""], "a picture is written to a file: name a .png file"),
         (&["frame", "--out", "x.jpg"], "pictures are written as PNG: name a .png file"),
         (&["frame"], "required arguments were not provided: --out <FILE.png>"),
         (&["bench", "nothing"], "invalid value 'nothing'"),
@@ -303,4 +304,17 @@ fn words_that_are_no_text_are_a_sentence() {
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.starts_with("caustic: ") && said.lines().count() == 1 && !said.contains("panicked"), "{said}");
     }
+}
+
+/// A picture's file was asked to have a name that is text, which no file system asks for.
+#[cfg(unix)]
+#[test]
+fn a_picture_may_have_a_name_that_is_no_text() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new("name-that-is-no-text");
+    let out = folder.0.join(std::ffi::OsStr::from_bytes(b"a\xffb.png"));
+    let mut frame = Command::new(env!("CARGO_BIN_EXE_caustic"));
+    let output = frame.args(["frame", "--size", "64x128", "--out"]).arg(&out).output().expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(out.is_file());
 }

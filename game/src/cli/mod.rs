@@ -7,9 +7,10 @@ pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
 use crate::frame_composer::LightResolution;
 use crate::screen::Size;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, OsStringValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -196,7 +197,7 @@ pub struct FrameArgs {
         value_parser = whole(1..=65536_u32))]
     pub samples: Option<u32>,
     /// The PNG file to write
-    #[arg(long, value_name = "FILE.png", value_parser = png_file)]
+    #[arg(long, value_name = "FILE.png", value_parser = OsStringValueParser::new().try_map(png_file))]
     pub out: PathBuf,
 }
 
@@ -340,10 +341,12 @@ fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
 }
 
 /// A picture's file: PNG is the one format that is written.
-fn png_file(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
+fn png_file(name: OsString) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
     match path.extension() {
-        None if text == "-" => Err("a picture is written to a file: name a .png file".to_string()),
+        None if path.as_os_str().is_empty() || path.as_os_str() == "-" => {
+            Err("a picture is written to a file: name a .png file".to_string())
+        }
         Some(end) if !end.eq_ignore_ascii_case("png") => {
             Err("pictures are written as PNG: name a .png file".to_string())
         }
