@@ -51,6 +51,7 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     };
     report.table = Some(table.clone());
     report.found.extend(table.warnings.iter().cloned());
+    report.found.extend(table.overlaps());
     let review = Review::of(&table);
     report.found.extend(messages::warnings(&review.messages, &table));
     match Simulation::new(table.clone(), 0) {

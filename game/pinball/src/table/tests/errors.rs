@@ -159,7 +159,7 @@ fn mistakes_in_coils_and_captive_balls_have_their_line() {
     let magnet = r#"<circle id="m" class="magnet" cx="99" cy="99" r="45"/>"#;
     says(
         one(read(magnet, "[part.m]\npull_m_s2 = 900"), "table.toml:"),
-        &["2: `pull_m_s2` must be a number from 0 to 500"],
+        &["2: `pull_m_s2` must be a number from 1 to 500"],
     );
     says(
         one(read(magnet, "[part.m]\nfinish = \"x\""), "table.toml:"),
