@@ -2,6 +2,7 @@
 //! says nothing.
 
 mod parse;
+mod syntax;
 mod torques;
 
 pub(super) use parse::parse;

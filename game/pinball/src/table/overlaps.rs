@@ -9,11 +9,12 @@ use super::{FILES, Table};
 use crate::Failure;
 use geometry::{Circle, Core, DVec2, Shape, Taper, trig};
 use physics::{BALL_RADIUS_M, Flipper, Kind};
+use std::collections::BTreeSet;
 
 /// Parts that are drawn deeper in each other than this are told, m.
 const DEEP_M: f64 = 1e-3;
-/// Flippers may brush each other so far in their strokes, m: their rubbers give way.
-const BRUSH_M: f64 = 2e-3;
+/// Flippers may brush each other so far, m: the ends of their rubbers give way.
+const BRUSH_M: f64 = 5e-3;
 /// Parts of one kind are in one place if their middles are no farther apart, m.
 const SAME_M: f64 = 1e-3;
 /// Angles of a stroke, and discs of a flipper, that are looked at.
@@ -24,13 +25,14 @@ const DISCS: usize = 16;
 pub(super) fn findings(table: &Table) -> Vec<Failure> {
     let parts: Vec<Placed> = table.layout.parts.iter().enumerate().filter_map(Placed::of).collect();
     let mut found: Vec<(usize, String, bool)> = Vec::new();
+    let mut told = BTreeSet::new();
     for (index, later) in parts.iter().enumerate() {
         let first = parts[..index].iter().find_map(|earlier| Some((earlier.part, pair(earlier, later)?)));
         if let Some((earlier, (what, is_warning))) = first {
+            told.extend([earlier, later.part]);
             found.push((later.part, format!("{what} {}; draw them apart", called(table, earlier)), is_warning));
         }
     }
-    let told: Vec<usize> = found.iter().map(|(part, ..)| *part).collect();
     found.extend(room::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.sort();
     let failure = |(part, what, is_warning): (usize, String, bool)| {
@@ -103,17 +105,28 @@ fn pair(one: &Placed, other: &Placed) -> Option<(String, bool)> {
         return Some(("it lies in one place with".to_string(), one.solid.is_none()));
     }
     if let (Kind::Saucer(a), Kind::Saucer(b)) = (one.kind, other.kind) {
-        return if a.circle.center.distance(b.circle.center) < a.circle.radius.max(b.circle.radius) { lies_in() } else { None };
+        return if a.circle.center.distance(b.circle.center) < a.circle.radius.max(b.circle.radius) {
+            lies_in()
+        } else {
+            None
+        };
     }
     let is_in = |a: &Placed, b: &Placed| {
-        let is_free = matches!(a.kind, Kind::Magnet(_) | Kind::Rollover(_));
+        // Below the playfield a magnet is in nobody's way, and bumpers' skirts may overlap.
+        let is_free =
+            matches!((a.kind, b.kind), (Kind::Magnet(_) | Kind::Rollover(_), _) | (Kind::Bumper(_), Kind::Bumper(_)));
         b.solid.filter(|_| !is_free).map_or(f64::INFINITY, |solid| solid.distance(a.middle).0)
     };
     for (a, b) in [(one, other), (other, one)] {
         let away = is_in(a, b);
-        if matches!(a.kind, Kind::Saucer(_)) && away < BALL_RADIUS_M - DEEP_M && !matches!(b.kind, Kind::DropTarget(_)) {
+        if matches!(a.kind, Kind::Saucer(_)) && away < BALL_RADIUS_M - DEEP_M && !matches!(b.kind, Kind::DropTarget(_))
+        {
             let deep_mm = (BALL_RADIUS_M - away) * 1000.0;
-            return Some((format!("there is no room for a ball, which is {deep_mm:.0} mm deep in the other, with"), false));
+            let what = match a.part == other.part {
+                true => format!("a ball in it would lie {deep_mm:.1} mm deep in"),
+                false => format!("it stands {deep_mm:.1} mm deep in a ball that lies in"),
+            };
+            return Some((what, false));
         }
         if away < 0.0 {
             return lies_in();
@@ -122,31 +135,35 @@ fn pair(one: &Placed, other: &Placed) -> Option<(String, bool)> {
     None
 }
 
-/// Whether flippers lie in each other at rest, or cross in their strokes.
+/// Whether flippers lie in each other at rest, or one's stroke crosses the other near its pivot. Tips may cross: there are
+/// tables whose flippers are nearer to each other than they are long.
 fn flippers(one: &Flipper, other: &Flipper) -> Option<(String, bool)> {
     let reach = |flipper: &Flipper| flipper.length_m + flipper.tip_radius_m.max(flipper.base.radius);
     if one.base.center.distance(other.base.center) > reach(one) + reach(other) {
         return None;
     }
-    if depth(one, 0.0, other, 0.0) > BRUSH_M {
+    if depth([one, other], [0.0; 2], DISCS) > BRUSH_M {
         return Some(("it lies in".to_string(), false));
     }
     let along = |step: usize| step as f64 / STROKE_STEPS as f64;
-    let steps = (0..=STROKE_STEPS).flat_map(|a| (0..=STROKE_STEPS).map(move |b| (along(a), along(b))));
-    let deepest = steps.map(|(a, b)| depth(one, a, other, b)).fold(0.0, f64::max);
+    let steps = (0..=STROKE_STEPS).flat_map(|a| (0..=STROKE_STEPS).map(move |b| [along(a), along(b)]));
+    let near_pivots =
+        |[a, b]: [f64; 2]| depth([one, other], [a, b], DISCS / 2).max(depth([other, one], [b, a], DISCS / 2));
+    let deepest = steps.map(near_pivots).fold(0.0, f64::max);
     (deepest > BRUSH_M).then(|| ("flippers go through each other, and its stroke crosses that of".to_string(), true))
 }
 
-/// How deep two flippers are in each other at these parts of their strokes, m.
-fn depth(one: &Flipper, at: f64, other: &Flipper, other_at: f64) -> f64 {
+/// How deep the first `discs` discs of the second flipper, from its pivot on, are in the first at these parts of their
+/// strokes, m.
+fn depth([one, other]: [&Flipper; 2], [at, other_at]: [f64; 2], discs: usize) -> f64 {
     let (hull, tip) = (turned(one, at), tip(other, other_at));
-    let discs = (0..=DISCS).map(|disc| {
+    let depths = (0..=discs).map(|disc| {
         let along = disc as f64 / DISCS as f64;
         let center = other.base.center.lerp(tip, along);
         let radius = other.base.radius + (other.tip_radius_m - other.base.radius) * along;
         radius - hull.distance(center).0
     });
-    discs.fold(f64::NEG_INFINITY, f64::max)
+    depths.fold(f64::NEG_INFINITY, f64::max)
 }
 
 fn turned(flipper: &Flipper, at: f64) -> Shape {

@@ -135,7 +135,9 @@ fn circle(element: &Element) -> Result<Circle, String> {
 fn no_smaller_than(circle: Circle, least_mm: f64, why: &str) -> Result<Circle, String> {
     let radius_mm = circle.radius / M_PER_MM;
     match radius_mm + ROUNDED_MM < least_mm {
-        true => Err(format!("its r is {radius_mm:.1} and must be {least_mm} or more: {why}, which has a radius of 13.5")),
+        true => {
+            Err(format!("its r is {radius_mm:.1} and must be {least_mm} or more: {why}, which has a radius of 13.5"))
+        }
         false => Ok(circle),
     }
 }

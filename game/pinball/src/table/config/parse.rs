@@ -2,6 +2,7 @@
 //!
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
+use super::syntax;
 use super::{Config, FinishOverrides, Settings};
 use crate::spelling;
 use crate::table::Profile;
@@ -20,9 +21,10 @@ pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics:
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut broken = BTreeSet::new();
     for error in &errors {
-        let at = error.span().map_or(0, |span| span.start);
-        if broken.insert(source.line(at)) {
-            diagnostics.push(source.diagnostic(at, format!("this is not TOML: {}", error.message())));
+        let line = source.line(error.span().map_or(0, |span| span.start));
+        if broken.insert(line) {
+            diagnostics.push(source.diagnostic_in_line(line, syntax::sentence(&source.text, line, error.message())));
+            broken.extend(syntax::lost(&source.text, line));
         }
     }
     let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken, materials: Vec::new() };

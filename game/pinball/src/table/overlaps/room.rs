@@ -60,7 +60,12 @@ fn meeting(kind: &Kind) -> Option<Meeting> {
     }
 }
 
-fn of_part(table: &Table, part: usize, meeting: &Meeting, standing: &[(usize, Shape)]) -> Option<(usize, String, bool)> {
+fn of_part(
+    table: &Table,
+    part: usize,
+    meeting: &Meeting,
+    standing: &[(usize, Shape)],
+) -> Option<(usize, String, bool)> {
     let (Meeting::Touch(shape) | Meeting::Over(shape)) = meeting;
     let reach = shape.bounds().grown(2.0 * BALL_RADIUS_M + STEP_M);
     let near: Vec<&(usize, Shape)> =

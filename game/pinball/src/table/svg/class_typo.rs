@@ -32,7 +32,9 @@ pub(in crate::table) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = 
     same(&word)
         .or_else(|| singular.into_iter().flatten().find_map(same))
         .or_else(|| known.iter().copied().find(|known| is_one_letter_off(&word, &bare(known))))
-        .or_else(|| known.iter().copied().find(|known| singular[0].is_some_and(|word| is_one_letter_off(word, &bare(known)))))
+        .or_else(|| {
+            known.iter().copied().find(|known| singular[0].is_some_and(|word| is_one_letter_off(word, &bare(known))))
+        })
 }
 
 /// A word without case, hyphens and underscores.

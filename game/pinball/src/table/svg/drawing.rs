@@ -95,7 +95,6 @@ impl Drawing {
         let root = document.root_element();
         let at = root.range().start;
         let page = Page::of(root).map_err(|why| diagnostics.push(source.diagnostic(at, why))).ok()?;
-        diagnostics.extend(page.warnings().map(|what| source.diagnostic(at, what).into_warning()));
         let mut reader = Reader {
             source,
             written,
@@ -109,7 +108,13 @@ impl Drawing {
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
-        diagnostics.extend(outside::mistakes(source, at, page.size_mm, &elements));
+        match outside::turned(page.size_mm, &elements) {
+            Some(what) => diagnostics.push(source.diagnostic(at, what)),
+            None => {
+                diagnostics.extend(page.warnings().map(|what| source.diagnostic(at, what).into_warning()));
+                diagnostics.extend(outside::mistakes(source, page.size_mm, &elements));
+            }
+        }
         Some(Drawing { page, elements, ids, drawn })
     }
 }

@@ -215,8 +215,10 @@ const FLIPPER: &[Parameter] = &[
     parameter("spring_torque_n_m", 0.06, 0.001, 100.0),
     parameter("mass_kg", 0.08, 0.001, 10.0),
 ];
-const BUMPER: &[Parameter] = &[parameter("kick_m_s", 0.8, 0.0, 20.0), parameter("threshold_m_s", 0.05, 0.0, FASTEST_M_S)];
-const SLINGSHOT: &[Parameter] = &[parameter("kick_m_s", 2.2, 0.0, 20.0), parameter("threshold_m_s", 0.3, 0.0, FASTEST_M_S)];
+const BUMPER: &[Parameter] =
+    &[parameter("kick_m_s", 0.8, 0.0, 20.0), parameter("threshold_m_s", 0.05, 0.0, FASTEST_M_S)];
+const SLINGSHOT: &[Parameter] =
+    &[parameter("kick_m_s", 2.2, 0.0, 20.0), parameter("threshold_m_s", 0.3, 0.0, FASTEST_M_S)];
 const TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, FASTEST_M_S)];
 const DROP_TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.25, 0.0, FASTEST_M_S)];
 const SPINNER: &[Parameter] = &[parameter("damping_per_s", 0.8, 0.0, 50.0)];

@@ -15,7 +15,10 @@ pub(super) fn warning<'d>(
     style_of: impl Fn(Node) -> Option<&'d str>,
 ) -> Option<Diagnostic> {
     let is_none = |style: &str| {
-        css::style_declarations(style).rev().find(|(name, _)| *name == "display").is_some_and(|(_, value)| value == "none")
+        css::style_declarations(style)
+            .rev()
+            .find(|(name, _)| *name == "display")
+            .is_some_and(|(_, value)| value == "none")
     };
     let by_sheet = |node: &Node| {
         let own = style::own_property(*node, "display") == Some("none");

@@ -49,7 +49,7 @@ impl Page {
         })?;
         let numbers: Vec<f64> = text.split([',', ' ']).filter(|word| !word.is_empty()).flat_map(str::parse).collect();
         let units = match numbers[..] {
-            [x, y, width, height] if x == 0.0 && y == 0.0 => DVec2::new(width, height),
+            [x, y, width, height] if x == 0.0 && y == 0.0 && width > 0.0 && height > 0.0 => DVec2::new(width, height),
             _ => return Err(format!("the viewBox is `{text}`; write {expected}")),
         };
         let Scale { mm_per_unit, unequal } = scale(root, units)?;
@@ -115,7 +115,7 @@ pub(in crate::table) fn unit(node: Node) -> String {
 }
 
 /// A length to a hundredth, for a sentence.
-fn rounded(mm: f64) -> f64 {
+pub(super) fn rounded(mm: f64) -> f64 {
     (mm * 100.0).round() / 100.0
 }
 

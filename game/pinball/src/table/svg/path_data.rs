@@ -28,7 +28,9 @@ fn unreadable(data: &str, error: &svgtypes::Error) -> String {
     let letters = || data.chars().skip(place.saturating_sub(1));
     let shown: String = letters().take(SHOWN).collect();
     let more = if letters().nth(SHOWN).is_some() { "..." } else { "" };
+    let begins = data.trim_start().starts_with(['M', 'm']);
     match shown.trim() {
+        _ if !begins => "its path cannot be read: it begins with M and a place, as in `M10 20`".to_string(),
         "" => "its path cannot be read: it ends in the middle of a command; numbers are missing".to_string(),
         shown => format!(
             "its path cannot be read from `{shown}{more}` on: each command is one letter of M L H V C S Q T A Z and the \

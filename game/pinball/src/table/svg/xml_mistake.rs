@@ -15,13 +15,22 @@ const SHOWN: usize = 24;
 
 /// The mistake that the library has found.
 pub(super) fn told(source: &Source, error: &Error) -> Diagnostic {
-    let at = byte_of(source, error.pos());
-    if is_cut_off(&source.text, error, at) {
+    let (text, at) = (&source.text, byte_of(source, error.pos()));
+    if is_cut_off(text, error, at) {
         let what = "the drawing ends here, in the middle of an element; it was not saved whole";
-        return source.diagnostic(source.text.trim_end().len(), what);
+        return source.diagnostic(text.trim_end().len(), what);
     }
-    let (at, what) = sentence(source, error, at);
+    let (at, what) = match error {
+        // The file is whole, so what ends too late is a value.
+        Error::UnexpectedEndOfStream => swallowing(text, unfinished(text).unwrap_or(at)),
+        _ => sentence(source, error, at),
+    };
     source.diagnostic(at, format!("this is not well-formed XML: {what}"))
+}
+
+/// Of a tag with a quote that is not closed.
+fn swallowing(text: &str, begin: usize) -> (usize, String) {
+    (begin, format!("a quote is missing in `{}`: its value swallows what follows it", shown(text, begin)))
 }
 
 /// Where the mistake is, and what it is.
@@ -34,11 +43,7 @@ fn sentence(source: &Source, error: &Error, at: usize) -> (usize, String) {
             format!("nobody says what `&{name};` is; write the letter itself, and `&amp;` for a plain &")
         }
         Error::MalformedEntityReference(_) => "a plain & is written `&amp;`".to_string(),
-        Error::InvalidAttributeValue(_) => {
-            let begin = tag_around(text, at);
-            let what = format!("a quote is missing in `{}`: its value swallows what follows it", shown(text, begin));
-            return (begin, what);
-        }
+        Error::InvalidAttributeValue(_) => return swallowing(text, tag_around(text, at)),
         Error::DuplicatedAttribute(name, _) => format!("`{name}` is given twice in one element; take one of them out"),
         Error::UnknownNamespace(prefix, _) => unknown_prefix(prefix),
         Error::NonXmlChar(letter, _) => format!("U+{:04X} is no letter of a text; take it out", u32::from(*letter)),
@@ -55,8 +60,12 @@ fn sentence(source: &Source, error: &Error, at: usize) -> (usize, String) {
         }
         _ => {
             let begin = tag_around(text, at);
+            if text[begin + 1..].find('<').is_some_and(|next| begin + 1 + next <= at) {
+                return swallowing(text, begin);
+            }
             let what = format!(
-                "`{}` in `{}` cannot be read; an attribute is written name=\"value\", and a tag ends with >",
+                "`{}` in `{}` cannot be read; a quote may be missing before it: an attribute is written name=\"value\", and a \
+                 tag ends with >",
                 shown(text, at),
                 shown(text, begin)
             );
@@ -89,13 +98,18 @@ fn unknown_prefix(prefix: &str) -> String {
     format!("nobody says what `{prefix}:` is; write xmlns:{prefix}=\"{meant}\" into the <svg> tag")
 }
 
-/// Whether the file ends where the mistake is, before the tag or the comment that it is in is whole.
+/// Whether the file ends before the tag or the comment that the mistake is in is whole.
 fn is_cut_off(text: &str, error: &Error, at: usize) -> bool {
+    let is_whole = text.trim_end().ends_with("</svg>");
     match error {
-        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => true,
-        // A quote that is missing lets no tag end.
-        Error::InvalidAttributeValue(_) => false,
-        _ => unfinished(text).is_some_and(|begin| (1..=at).contains(&begin)),
+        Error::UnclosedRootNode => true,
+        Error::UnexpectedEndOfStream => !is_whole,
+        Error::NoRootNode => unfinished(text).is_some(),
+        // A quote that is missing lets no tag end, and what follows it stands in the file.
+        _ => unfinished(text).is_some_and(|begin| {
+            let is_silent = SKIPPED.iter().any(|(start, _)| text[begin..].starts_with(start));
+            (1..=at).contains(&begin) && (is_silent || !text[at..].trim_start_matches('<').contains('<'))
+        }),
     }
 }
 

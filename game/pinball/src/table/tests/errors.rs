@@ -199,7 +199,7 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("[relief]\n\nplanks_mm = 4"), &["3: `planks_mm` must be 0, for no planks, or a width from 5"]);
     says(numbers("[relief]\nknots = 1"), &["2: `knots` is not known here; there are planks_mm, grain, scratches"]);
     says(numbers("part = 3"), &["1: `part` must be a table"]);
-    says(numbers("name = \"a\"\nname = \"b\""), &["2: this is not TOML: duplicate key"]);
+    says(numbers("name = \"a\"\nname = \"b\""), &["2: `name = \"b\"` is there already; take one of them out"]);
     says(numbers("slope_deg = = 6"), &["1: this is not TOML"]);
 }
 

@@ -23,7 +23,8 @@ pub(super) fn warnings(source: &Source, document: &Document, rules: &[Rule]) -> 
             let written = selector.to_css_string();
             match named.meant(&words) {
                 Meaning::Another(meant) if told.insert(written.clone()) => {
-                    let what = format!("`{written}` of this sheet means nothing in the drawing; did you mean `{meant}`?");
+                    let what =
+                        format!("`{written}` of this sheet means nothing in the drawing; did you mean `{meant}`?");
                     found.push(source.diagnostic_in_line(rule.line, what));
                 }
                 Meaning::Nobody if told.insert(written.clone()) => others.push((rule.line, written)),
