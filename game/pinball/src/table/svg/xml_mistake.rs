@@ -20,10 +20,13 @@ pub(super) fn told(source: &Source, error: &Error) -> Diagnostic {
         let what = "the drawing ends here, in the middle of an element; it was not saved whole";
         return source.diagnostic(text.trim_end().len(), what);
     }
-    let (at, what) = match error {
-        // The file is whole, so what ends too late is a value.
-        Error::UnexpectedEndOfStream => swallowing(text, unfinished(text).unwrap_or(at)),
-        _ => sentence(source, error, at),
+    let (at, what) = match unfinished(text).filter(|_| !text[at..].contains('<')) {
+        Some(begin) if text[begin..].starts_with("<!--") => {
+            (begin, "this comment is never closed with `-->`".to_string())
+        }
+        // The file is whole, so what never ends is a value.
+        Some(begin) => swallowing(text, begin),
+        None => sentence(source, error, at),
     };
     source.diagnostic(at, format!("this is not well-formed XML: {what}"))
 }
@@ -38,6 +41,7 @@ fn sentence(source: &Source, error: &Error, at: usize) -> (usize, String) {
     let text = &source.text;
     let what = match error {
         Error::NoRootNode => "there is no <svg> in it".to_string(),
+        Error::UnclosedRootNode => "the first <svg> is not closed; another `</svg>` is missing at the end".to_string(),
         Error::UnexpectedCloseTag(open, close, _) => return unclosed(source, open, close, at),
         Error::UnknownEntityReference(name, _) => {
             format!("nobody says what `&{name};` is; write the letter itself, and `&amp;` for a plain &")
@@ -100,10 +104,9 @@ fn unknown_prefix(prefix: &str) -> String {
 
 /// Whether the file ends before the tag or the comment that the mistake is in is whole.
 fn is_cut_off(text: &str, error: &Error, at: usize) -> bool {
-    let is_whole = text.trim_end().ends_with("</svg>");
     match error {
-        Error::UnclosedRootNode => true,
-        Error::UnexpectedEndOfStream => !is_whole,
+        _ if text.trim_end().ends_with("</svg>") => false,
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => true,
         Error::NoRootNode => unfinished(text).is_some(),
         // A quote that is missing lets no tag end, and what follows it stands in the file.
         _ => unfinished(text).is_some_and(|begin| {
