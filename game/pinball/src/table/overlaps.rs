@@ -67,7 +67,6 @@ impl<'a> Placed<'a> {
             (Kind::Spinner(spinner), _) => (spinner.segment.a + spinner.segment.b) * 0.5,
             (Kind::Saucer(saucer), _) => saucer.circle.center,
             (Kind::Rollover(rollover), _) => middle(&rollover.shape),
-            (Kind::Magnet(magnet), _) => magnet.circle.center,
             (Kind::Flipper(flipper), _) => flipper.base.center,
             (_, Some(shape)) => middle(shape),
             _ => return None,
@@ -112,9 +111,8 @@ fn pair(one: &Placed, other: &Placed) -> Option<(String, bool)> {
         };
     }
     let is_in = |a: &Placed, b: &Placed| {
-        // Below the playfield a magnet is in nobody's way, and bumpers' skirts may overlap.
-        let is_free =
-            matches!((a.kind, b.kind), (Kind::Magnet(_) | Kind::Rollover(_), _) | (Kind::Bumper(_), Kind::Bumper(_)));
+        // A rollover is in nobody's way, and bumpers' skirts may overlap.
+        let is_free = matches!((a.kind, b.kind), (Kind::Rollover(_), _) | (Kind::Bumper(_), Kind::Bumper(_)));
         b.solid.filter(|_| !is_free).map_or(f64::INFINITY, |solid| solid.distance(a.middle).0)
     };
     for (a, b) in [(one, other), (other, one)] {
