@@ -5,6 +5,7 @@
 
 mod cost;
 mod guard;
+mod letters;
 mod mask;
 mod normal_map;
 mod numbers;
@@ -14,6 +15,7 @@ mod read;
 mod tests;
 mod typefaces;
 
+pub use letters::warning as letters_warning;
 pub use mask::masks;
 pub use read::{PrintCost, check};
 

@@ -51,6 +51,7 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     };
     report.table = Some(table.clone());
     report.found.extend(table.warnings.iter().cloned());
+    report.found.extend(table.overlaps());
     let review = Review::of(&table);
     report.found.extend(messages::warnings(&review.messages, &table));
     match Simulation::new(table.clone(), 0) {
@@ -61,7 +62,10 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     let more = review.findings.into_iter().filter(|finding| !report.found.contains(finding)).collect::<Vec<_>>();
     report.found.extend(more);
     match print_once(&table) {
-        Ok(cost) => report.print_mops = Some((cost.operations * 1e-6).ceil()),
+        Ok(cost) => {
+            report.print_mops = Some((cost.operations * 1e-6).ceil());
+            report.found.extend(art::letters_warning(&table));
+        }
         Err(failure) => report.found.push(failure),
     }
     if report.errors() == 0 && !args.quick {

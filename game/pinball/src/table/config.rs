@@ -2,8 +2,11 @@
 //! says nothing.
 
 mod parse;
+mod syntax;
+mod torques;
 
 pub(super) use parse::parse;
+pub(super) use torques::mistakes as torque_mistakes;
 
 use super::Profile;
 use super::normal_map::NormalMapInputs;
@@ -49,14 +52,26 @@ pub(super) struct Settings {
     material: Option<String>,
     finish: Option<String>,
     shadow: Option<bool>,
-    numbers: BTreeMap<&'static str, f64>,
+    /// Each with the byte at which the file says it.
+    numbers: BTreeMap<&'static str, (f64, usize)>,
 }
 
 impl Config {
     /// The number `key` of the element called `name`.
     pub fn number(&self, class: ElementClass, name: &str, key: &'static str) -> f64 {
         let default = class.parameters().iter().find(|known| known.name == key).map_or(0.0, |known| known.default);
-        self.setting(class, name, |settings| settings.numbers.get(key).copied()).unwrap_or(default)
+        self.given(class, name, key).map_or(default, |(number, _)| number)
+    }
+
+    /// The number `key` of the element called `name` if the file says it, and the byte at which it does.
+    pub fn given(&self, class: ElementClass, name: &str, key: &str) -> Option<(f64, usize)> {
+        self.setting(class, name, |settings| settings.numbers.get(key).copied())
+    }
+
+    /// Whether a class or a thing is said to be made of this material.
+    fn is_made_of(&self, material: &str) -> bool {
+        let all = self.classes.values().chain(self.parts.values());
+        all.filter_map(|settings| settings.material.as_deref()).any(|word| word == material)
     }
 
     /// Whether the element was said to cast a shadow.

@@ -81,8 +81,14 @@ impl EmbeddedTable {
     /// # Errors
     /// If what decides the game cannot be read. A look that cannot be read is left out.
     pub fn table(&self, name: &str) -> Result<Table, Failure> {
-        let game: Game = serde_json::from_str(&self.game)
-            .map_err(|error| Failure::new(format!("the table {name} in it cannot be read: {error}")))?;
+        let game: Game = serde_json::from_str(&self.game).map_err(|error| {
+            // One line, so its column is a byte.
+            let place = error.column();
+            Failure::new(format!(
+                "the table {name} that it carries is none that this program knows, from byte {place} of its data on: it was \
+                 changed by hand, or recorded with a newer Caustic"
+            ))
+        })?;
         let look = self.look.as_deref().and_then(|look| serde_json::from_str(look).ok());
         let look = look.filter(|look| fits(look, &game)).unwrap_or_else(|| plain_look(&game));
         let mut table = Table {

@@ -9,6 +9,7 @@ mod hash;
 mod lamp;
 mod lamps;
 mod normal_map;
+mod overlaps;
 mod parse;
 mod parts;
 mod solid;
@@ -78,6 +79,12 @@ impl Table {
     /// Every diagnostic in them, one line each: file, line, what was expected.
     pub fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
         parse::parse(sources)
+    }
+
+    /// What is wrong with where its parts are, though each by itself is right: parts in each other, and parts that no ball
+    /// can come to for what stands there.
+    pub fn overlaps(&self) -> Vec<Failure> {
+        overlaps::findings(self)
     }
 
     /// What diagnostics call a file of the table.

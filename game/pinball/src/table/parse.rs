@@ -62,7 +62,9 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     };
     let converted = Converted::new(svg, drawing, config, &mut diagnostics);
     check_required(svg, drawing, &mut diagnostics);
-    diagnostics.extend(unseen::warnings(svg, &drawing.elements));
+    diagnostics.extend(config::torque_mistakes(&toml, config, &drawing.elements));
+    let has_mistakes = diagnostics.iter().any(|diagnostic| !diagnostic.is_warning());
+    diagnostics.extend(unseen::warnings(svg, &drawing.elements, has_mistakes));
     let warnings = failures(diagnostics);
     if warnings.iter().any(|failure| !failure.is_warning()) {
         return Err(warnings);
@@ -122,7 +124,7 @@ fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
     let mut failures: Vec<Failure> = diagnostics.iter().take(MAX_REPORTED).map(Diagnostic::failure).collect();
     if diagnostics.len() > MAX_REPORTED {
         let rest = &diagnostics[MAX_REPORTED..];
-        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.failure().is_warning()).count();
+        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.is_warning()).count();
         let more = format!("and {mistakes} more mistakes and {} more warnings", rest.len() - mistakes);
         failures.push(if mistakes > 0 { Failure::new(more) } else { Failure::warning(more) });
     }

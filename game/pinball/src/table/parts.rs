@@ -15,6 +15,11 @@ use std::f64::consts::TAU;
 const M_PER_MM: f64 = 0.001;
 /// How far from a ball's radius a captive ball may be drawn, mm.
 const BALL_SLACK_MM: f64 = 0.5;
+/// The smallest hole, and the shortest reach of a magnet, mm: half of a ball's radius.
+const LEAST_HOLE_MM: f64 = 6.75;
+const LEAST_REACH_MM: f64 = 6.75;
+/// What a drawing's rounded numbers may lack, mm.
+const ROUNDED_MM: f64 = 1e-3;
 /// How far above the plunger's tip a new ball is put down, mm.
 const FEED_GAP_MM: f64 = 2.0;
 
@@ -55,14 +60,17 @@ pub(super) fn kind(element: &Element, config: &Config) -> Result<Kind, String> {
             Kind::Spinner(physics::Spinner { segment: line()?, damping_per_s: number("damping_per_s") })
         }
         ElementClass::Saucer => Kind::Saucer(physics::Saucer {
-            circle: circle()?,
+            circle: no_smaller_than(circle()?, LEAST_HOLE_MM, "a hole as small as that holds no ball")?,
             capture_m_s: number("capture_m_s"),
-            eject_m_s: trig::direction(degrees(element, "eject-deg")?) * data(element, "eject-m-s", 0.05, 20.0)?,
+            eject_m_s: trig::direction(degrees(element, "eject-deg")?) * data(element, "eject-m-s", 0.2, 20.0)?,
         }),
         ElementClass::Plunger => Kind::Plunger(plunger(element, line()?, number)),
         ElementClass::Ramp | ElementClass::WireForm => Kind::Ramp(ramp::ramp(element, material)?),
         ElementClass::Kickback => Kind::Kickback(coils::kickback(element, line()?, number)),
-        ElementClass::Magnet => Kind::Magnet(physics::Magnet { circle: circle()?, pull_m_s2: number("pull_m_s2") }),
+        ElementClass::Magnet => Kind::Magnet(physics::Magnet {
+            circle: no_smaller_than(circle()?, LEAST_REACH_MM, "it reaches no ball that is beside its middle")?,
+            pull_m_s2: number("pull_m_s2"),
+        }),
         ElementClass::Diverter => Kind::Flipper(coils::diverter(element, line()?, material, number)?),
         ElementClass::CaptiveBall => Kind::CaptiveBall(captive_ball(circle()?, number("threshold_m_s"))?),
         _ => Kind::Wall(physics::Wall {
@@ -121,6 +129,17 @@ fn line(element: &Element) -> Result<Segment, String> {
 fn circle(element: &Element) -> Result<Circle, String> {
     let Circle { center, radius } = element.outline.circle().ok_or_else(|| expected(element, "a circle"))?;
     Ok(Circle { center: center * M_PER_MM, radius: radius * M_PER_MM })
+}
+
+/// A circle that is large enough for what it is.
+fn no_smaller_than(circle: Circle, least_mm: f64, why: &str) -> Result<Circle, String> {
+    let radius_mm = circle.radius / M_PER_MM;
+    match radius_mm + ROUNDED_MM < least_mm {
+        true => {
+            Err(format!("its r is {radius_mm:.1} and must be {least_mm} or more: {why}, which has a radius of 13.5"))
+        }
+        false => Ok(circle),
+    }
 }
 
 fn expected(element: &Element, what: &str) -> String {

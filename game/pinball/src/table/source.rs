@@ -27,6 +27,11 @@ impl Diagnostic {
         Diagnostic { is_warning: false, path: path.to_string(), line: 0, what: what.to_string() }
     }
 
+    /// Whether the table can be played all the same.
+    pub fn is_warning(&self) -> bool {
+        self.is_warning
+    }
+
     /// The same as a warning.
     pub fn into_warning(self) -> Diagnostic {
         Diagnostic { is_warning: true, ..self }
@@ -48,6 +53,19 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+/// What bytes are that begin as no text in UTF-8 does, and what to do.
+fn other_than_text(bytes: &[u8]) -> Option<&'static str> {
+    let utf_16 = "this is text in UTF-16; save the file as UTF-8";
+    match bytes {
+        [0x1f, 0x8b, ..] => Some("it is compressed, as an .svgz is; unpack it, or save it as plain SVG"),
+        [b'P', b'K', 3, 4, ..] => Some("it is a zip archive; unpack it"),
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, b'<', ..] | [b'<', 0, ..] => Some(utf_16),
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, 0xff, ..] => Some("it is a picture of pixels; draw it as SVG"),
+        [b'%', b'P', b'D', b'F', ..] => Some("it is a PDF; save the drawing as plain SVG"),
+        _ => None,
+    }
+}
+
 /// A text file that has been read whole.
 #[derive(Debug)]
 pub(super) struct Source {
@@ -65,6 +83,9 @@ impl Source {
         let bytes = bytes.map_err(|why| Diagnostic::of_file(&path, why))?;
         if bytes.len() as u64 > limit {
             let why = format!("it is larger than {} kB, the most that a table may have", limit / 1024);
+            return Err(Diagnostic::of_file(path, why));
+        }
+        if let Some(why) = other_than_text(&bytes) {
             return Err(Diagnostic::of_file(path, why));
         }
         Source::from_bytes(path, bytes)

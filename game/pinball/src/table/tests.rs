@@ -6,7 +6,9 @@ mod errors;
 mod fuzz;
 mod hash;
 mod oddities;
+mod overlaps;
 mod sheets;
+mod slips;
 mod words;
 
 use super::{Table, TableSources};

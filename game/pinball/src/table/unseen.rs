@@ -5,9 +5,10 @@ use super::source::{Diagnostic, Source};
 use super::svg::drawing::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::outline::Outline;
+use geometry::DVec2;
 
 /// Warns of what cannot be seen as its maker means it; of many alike once.
-pub(super) fn warnings(source: &Source, elements: &[Element]) -> Vec<Diagnostic> {
+pub(super) fn warnings(source: &Source, elements: &[Element], has_mistakes: bool) -> Vec<Diagnostic> {
     let lamps = elements.iter().filter(|element| is_dark(element)).map(|lamp| {
         let paint = lamps::light_word(lamp);
         let what = format!(
@@ -19,7 +20,15 @@ pub(super) fn warnings(source: &Source, elements: &[Element]) -> Vec<Diagnostic>
     });
     let thin = "its line is 0 wide, so nobody sees it, and a ball bounces off it all the same; give it a stroke-width";
     let hidden = "its visibility is hidden, and it is there all the same; what is not to be there has display=\"none\"";
-    let once = [once(source, elements, is_thin, thin), once(source, elements, |element| element.is_hidden, hidden)];
+    let clear = "its opacity is 0, and it is there all the same; what is not to be there has display=\"none\"";
+    // Of a thing with another mistake the place may be wrong for that.
+    let corner = "its middle is the corner of the drawing, 0 0; say with cx and cy where it is";
+    let once = [
+        once(source, elements, is_thin, thin),
+        once(source, elements, |element| element.is_hidden, hidden),
+        once(source, elements, |element| is_clear(element) && !element.is_hidden, clear),
+        once(source, elements, |element| !has_mistakes && is_in_the_corner(element), corner),
+    ];
     lamps.chain(once.into_iter().flatten()).map(Diagnostic::into_warning).collect()
 }
 
@@ -32,6 +41,16 @@ fn once(source: &Source, elements: &[Element], is_so: impl Fn(&Element) -> bool,
         more => format!(" (so it is with {more} more)"),
     };
     Some(source.diagnostic(first.at, format!("{}: {what}{more}", first.name)))
+}
+
+/// Whether a thing that can be seen or falls into says that it cannot.
+fn is_clear(element: &Element) -> bool {
+    element.is_clear && (element.class.has_finish() || element.class == ElementClass::Saucer)
+}
+
+/// Whether a round thing is where SVG puts it when nobody says a place.
+fn is_in_the_corner(element: &Element) -> bool {
+    element.outline.circle().is_some_and(|circle| circle.center == DVec2::ZERO)
 }
 
 fn is_dark(element: &Element) -> bool {

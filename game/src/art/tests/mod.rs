@@ -82,3 +82,17 @@ fn a_font_that_is_not_there_is_a_mistake() {
     let fonts_background = pixel(&art.floor, 499, 999);
     assert!((80..100).any(|y| (9..60).any(|x| pixel(&art.floor, x, y) != fonts_background)), "the text is printed");
 }
+
+/// A heart that no font has was printed as a box, and check said ok.
+#[test]
+fn a_letter_that_no_font_has_is_told_with_its_line() {
+    let text = |inside: &str| table(&format!("<g>\n<text x=\"9\" y=\"99\">{inside}</text></g>"));
+    let told = art::letters_warning(&text("Lux \u{2665} <tspan>\u{4e2d}</tspan>")).unwrap();
+    let lines: Vec<&str> = told.to_string().leak().split(": ").collect();
+    assert!(told.is_warning() && lines[1].starts_with("table.svg:"), "{told}");
+    assert!(told.to_string().contains("has the letter `\u{2665}` (U+2665), `\u{4e2d}` (U+4E2D), so a box"), "{told}");
+    let plain =
+        "L\u{fc}x e\u{301}\u{a0}\u{ad}\u{200b}&amp; <title>\u{2665}</title><tspan display=\"none\">\u{2665}</tspan>";
+    assert_eq!(art::letters_warning(&text(plain)), None);
+    assert_eq!(art::letters_warning(&table("<desc>\u{2665}</desc>")), None);
+}

@@ -2,6 +2,7 @@
 //!
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
+use super::syntax;
 use super::{Config, FinishOverrides, Settings};
 use crate::spelling;
 use crate::table::Profile;
@@ -20,12 +21,13 @@ pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics:
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut broken = BTreeSet::new();
     for error in &errors {
-        let at = error.span().map_or(0, |span| span.start);
-        if broken.insert(source.line(at)) {
-            diagnostics.push(source.diagnostic(at, format!("this is not TOML: {}", error.message())));
+        let line = source.line(error.span().map_or(0, |span| span.start));
+        if broken.insert(line) {
+            diagnostics.push(source.diagnostic_in_line(line, syntax::sentence(&source.text, line, error.message())));
+            broken.extend(syntax::lost(&source.text, line));
         }
     }
-    let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken };
+    let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken, materials: Vec::new() };
     reader.root(root.get_ref());
     reader.config
 }
@@ -50,6 +52,16 @@ struct Reader<'a> {
     drawn: Option<&'a Ids>,
     /// Lines that are not TOML: what they seem to say is no further diagnostic.
     broken: BTreeSet<usize>,
+    /// The materials that are not there from the start.
+    materials: Vec<NewMaterial>,
+}
+
+/// A material that the file makes.
+struct NewMaterial {
+    name: String,
+    at: usize,
+    /// What it does not say and must.
+    missing: Vec<&'static str>,
 }
 
 impl Reader<'_> {
@@ -72,6 +84,7 @@ impl Reader<'_> {
         for (key, value) in root {
             self.top(key, value);
         }
+        self.review_materials();
     }
 
     fn top(&mut self, key: &Word, value: &Value) {
@@ -138,11 +151,7 @@ impl Reader<'_> {
         let at = name.span().start;
         let name = name.get_ref().to_string();
         match kind {
-            "material" => {
-                if let Some(material) = self.material(at, &name, table) {
-                    self.config.materials.insert(name, material);
-                }
-            }
+            "material" => self.material(at, &name, table),
             "finish" => {
                 let finish = self.finish(table);
                 self.config.finishes.insert(name, finish);
@@ -177,22 +186,53 @@ impl Reader<'_> {
         }
     }
 
-    fn material(&mut self, at: usize, name: &str, table: &DeTable) -> Option<Material> {
-        let (mut restitution, mut falloff, mut friction) = (None, Some(0.0), None);
+    /// Reads a material; of one that is there from the start the rest stays as it was.
+    fn material(&mut self, at: usize, name: &str, table: &DeTable) {
+        let known = self.config.materials.get(name).copied();
+        let mut material = known.unwrap_or(Material { restitution: 0.0, falloff_s_per_m: 0.0, friction: 0.0 });
         for (key, value) in table {
-            match key.get_ref().as_ref() {
-                "restitution" => restitution = self.number("restitution", value, 0.0..=1.0),
-                "falloff_s_per_m" => falloff = self.number("falloff_s_per_m", value, 0.0..=100.0),
-                "friction" => friction = self.number("friction", value, 0.0..=10.0),
-                other => self.unknown(key.span().start, other, "restitution, falloff_s_per_m, friction"),
+            let (range, number) = match key.get_ref().as_ref() {
+                "restitution" => (0.0..=1.0, &mut material.restitution),
+                "falloff_s_per_m" => (0.0..=100.0, &mut material.falloff_s_per_m),
+                "friction" => (0.0..=10.0, &mut material.friction),
+                other => {
+                    self.unknown(key.span().start, other, "restitution, falloff_s_per_m, friction");
+                    continue;
+                }
+            };
+            if let Some(given) = self.number(key.get_ref(), value, range) {
+                *number = given;
             }
         }
-        for missing in ["restitution", "friction"].into_iter().filter(|&key| !table.contains_key(key)) {
-            if self.broken.is_empty() {
-                self.diagnostic(at, format!("the material `{name}` has no `{missing}`"));
+        if known.is_none() {
+            let missing = ["restitution", "friction"].into_iter().filter(|key| !table.contains_key(*key)).collect();
+            self.materials.push(NewMaterial { name: name.to_string(), at, missing });
+        }
+        self.config.materials.insert(name.to_string(), material);
+    }
+
+    /// Tells of new materials what they lack, and those that nothing is made of.
+    fn review_materials(&mut self) {
+        let new = std::mem::take(&mut self.materials);
+        let is_new = |name: &str| new.iter().any(|material| material.name == name);
+        let known: Vec<String> = self.config.materials.keys().filter(|name| !is_new(name)).cloned().collect();
+        // Without the drawing nothing is known of parts, and what is mistaken may have been to name it.
+        let is_known = self.drawn.is_some() && self.diagnostics.iter().all(Diagnostic::is_warning);
+        for NewMaterial { name, at, missing } in &new {
+            let is_idle = is_known && !self.config.is_made_of(name);
+            let meant = spelling::near(name, known.iter().map(String::as_str)).filter(|_| is_idle);
+            if let Some(meant) = meant {
+                self.diagnostic(*at, format!("nothing is made of `{name}`; did you mean `{meant}`?"));
+            } else if !missing.is_empty() && self.broken.is_empty() {
+                let missing = missing.join("` and no `");
+                self.diagnostic(*at, format!("the material `{name}` has no `{missing}`"));
+            } else if is_idle {
+                let what = format!(
+                    "nothing is made of `{name}`; write material = \"{name}\" to a [class.NAME] or a [part.ID], or take it out"
+                );
+                self.diagnostics.push(self.source.diagnostic(*at, what).into_warning());
             }
         }
-        Some(Material { restitution: restitution?, falloff_s_per_m: falloff?, friction: friction? })
     }
 
     fn finish(&mut self, table: &DeTable) -> FinishOverrides {
@@ -247,7 +287,7 @@ impl Reader<'_> {
                 _ => match class.parameters().iter().find(|known| known.name == word) {
                     Some(known) => {
                         if let Some(x) = self.number(known.name, value, known.min..=known.max) {
-                            settings.numbers.insert(known.name, x);
+                            settings.numbers.insert(known.name, (x, value.span().start));
                         }
                     }
                     None => self.unknown(key.span().start, word, &setting_words(class)),

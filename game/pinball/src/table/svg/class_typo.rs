@@ -14,24 +14,27 @@ pub(in crate::table) fn is_known(word: &str) -> bool {
 
 /// The class that a word means but for case, a hyphen, a plural or one letter.
 pub(in crate::table) fn meant(word: &str) -> Option<&'static str> {
-    nearest(word, ElementClass::ALL.into_iter().map(ElementClass::word))
+    nearest(word, ElementClass::ALL.map(ElementClass::word))
 }
 
 /// The word for art that a word means, in the same way.
 pub(in crate::table) fn meant_for_art(word: &str) -> Option<&'static str> {
-    nearest(word, ART.into_iter())
+    nearest(word, ART)
 }
 
 /// The first known word that a word means but for case, a hyphen, a plural or one letter.
-pub(in crate::table) fn nearest(word: &str, known: impl Iterator<Item = &'static str> + Clone) -> Option<&'static str> {
+pub(in crate::table) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let word = bare(word);
+    let known: Vec<&str> = known.into_iter().collect();
     let singular = [word.strip_suffix(&['s'][..]), word.strip_suffix(&['e', 's'][..])];
     let is = |known: &str, word: &[char]| bare(known) == word;
-    let same = |word: &[char]| known.clone().find(|known| is(known, word));
+    let same = |word: &[char]| known.iter().copied().find(|known| is(known, word));
     same(&word)
         .or_else(|| singular.into_iter().flatten().find_map(same))
-        .or_else(|| known.clone().find(|known| is_one_letter_off(&word, &bare(known))))
-        .or_else(|| known.clone().find(|known| singular[0].is_some_and(|word| is_one_letter_off(word, &bare(known)))))
+        .or_else(|| known.iter().copied().find(|known| is_one_letter_off(&word, &bare(known))))
+        .or_else(|| {
+            known.iter().copied().find(|known| singular[0].is_some_and(|word| is_one_letter_off(word, &bare(known))))
+        })
 }
 
 /// A word without case, hyphens and underscores.

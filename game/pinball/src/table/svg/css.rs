@@ -9,6 +9,7 @@ mod declarations;
 mod selector;
 mod sheet;
 mod spelling;
+mod unused;
 mod value;
 
 pub(in crate::table) use selector::Instance;
@@ -88,6 +89,11 @@ impl Cascade {
         Err(Diagnostic::of_file(&source.path, why))
     }
 
+    /// Warns of selectors that have meant no element of the drawing.
+    pub fn unused(&self, source: &Source, document: &Document) -> Vec<Diagnostic> {
+        unused::warnings(source, document, &self.rules)
+    }
+
     /// What is declared for an element, the weaker before the stronger, as a `style` attribute that every reader
     /// understands; nothing if its own attribute is that already.
     pub fn style(&mut self, element: Instance) -> Option<String> {
@@ -108,8 +114,9 @@ impl Cascade {
     /// Everything that is declared for an element, the strongest last.
     fn declared(&mut self, element: Instance) -> Vec<Declaration> {
         let mut declared: Vec<(Strength, Declaration)> = Vec::new();
-        for (order, rule) in self.rules.iter().enumerate() {
-            if let Some(specificity) = selector::specificity(&rule.selectors, element, &mut self.caches) {
+        for (order, rule) in self.rules.iter_mut().enumerate() {
+            let Rule { selectors, used, .. } = rule;
+            if let Some(specificity) = selector::specificity(selectors, element, &mut self.caches, used) {
                 let strength = |declaration: &Declaration| (declaration.is_important, false, specificity, order);
                 declared.extend(rule.declarations.iter().map(|one| (strength(one), one.clone())));
             }

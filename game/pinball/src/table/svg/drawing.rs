@@ -9,9 +9,8 @@ use super::page::{Page, SVG};
 use super::style::{self, Paint};
 use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
-use super::{class_typo, css, viewport};
+use super::{class_typo, css, outside, viewport};
 use crate::table::source::{Diagnostic, Source};
-use geometry::{Bounds, DVec2};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,8 +18,6 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
 const MAX_PIECES: usize = 200_000;
-/// How far an element may reach beyond the playfield, mm.
-const MARGIN_MM: f64 = 60.0;
 /// Properties of CSS that place and shape an element.
 const PLACES: [&str; 15] = [
     "transform",
@@ -57,6 +54,8 @@ pub(in crate::table) struct Element {
     pub stroke: Paint,
     /// Whether its drawing says that it is not to be seen.
     pub is_hidden: bool,
+    /// Whether its drawing says that nothing of it is opaque.
+    pub is_clear: bool,
     /// The group that it belongs to.
     pub group: Option<String>,
     /// Its `data-` attributes.
@@ -96,12 +95,10 @@ impl Drawing {
         let root = document.root_element();
         let at = root.range().start;
         let page = Page::of(root).map_err(|why| diagnostics.push(source.diagnostic(at, why))).ok()?;
-        diagnostics.extend(page.warnings().map(|what| source.diagnostic(at, what).into_warning()));
         let mut reader = Reader {
             source,
             written,
             diagnostics,
-            size_mm: page.size_mm,
             elements: Vec::new(),
             ids: Ids::default(),
             drawn: Vec::new(),
@@ -111,6 +108,13 @@ impl Drawing {
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
         let Reader { elements, ids, drawn, .. } = reader;
+        match outside::turned(page.size_mm, &elements) {
+            Some(what) => diagnostics.push(source.diagnostic(at, what)),
+            None => {
+                diagnostics.extend(page.warnings().map(|what| source.diagnostic(at, what).into_warning()));
+                diagnostics.extend(outside::mistakes(source, page.size_mm, &elements));
+            }
+        }
         Some(Drawing { page, elements, ids, drawn })
     }
 }
@@ -127,7 +131,6 @@ struct Reader<'a> {
     source: &'a Source,
     written: &'a WrittenOut,
     diagnostics: &'a mut Vec<Diagnostic>,
-    size_mm: DVec2,
     elements: Vec<Element>,
     ids: Ids,
     drawn: Vec<(ElementClass, usize)>,
@@ -237,9 +240,9 @@ impl Reader<'_> {
         }
         self.drawn.push((class, node.range().start));
         let name = self.name(node, class);
-        self.data(node, class, &name);
+        let data = self.data(node, class, &name);
         match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
-            Ok(element) => self.keep(node, element),
+            Ok(element) => self.keep(node, Element { data, ..element }),
             Err(why) => {
                 self.refuse(node);
                 self.diagnostic(node, format!("{name}: {why}"));
@@ -253,14 +256,6 @@ impl Reader<'_> {
     }
 
     fn keep(&mut self, node: Node, element: Element) {
-        let bounds = element.outline.bounds();
-        let playfield = Bounds::of(DVec2::ZERO, self.size_mm);
-        let grown = playfield.grown(MARGIN_MM);
-        let inside = grown.contains(bounds.min) && grown.contains(bounds.max) && playfield.overlaps(&bounds);
-        if !inside {
-            let DVec2 { x, y } = bounds.min;
-            self.diagnostic(node, format!("{}: it lies outside the playfield, near {x:.0} {y:.0}", element.name));
-        }
         self.pieces += element.outline.pieces();
         self.elements.push(element);
         if self.pieces > MAX_PIECES && !self.too_many {
@@ -289,16 +284,35 @@ impl Reader<'_> {
         id.to_string()
     }
 
-    fn data(&mut self, node: Node, class: ElementClass, name: &str) {
-        let unknown = node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-"));
-        let unknown: Vec<&str> =
-            unknown.filter(|&data| data != "group" && class.data().all(|known| known != data)).collect();
-        for data in unknown {
-            let known: Vec<String> = class.data().map(|data| format!("data-{data}")).collect();
-            let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
-            self.diagnostic(node, format!("{name}: a {} has no `data-{data}`; it may have {known}", class.word()));
+    /// What its `data-` attributes say: a misspelt one is told, and says all the same what was meant.
+    fn data(&mut self, node: Node, class: ElementClass, name: &str) -> BTreeMap<String, String> {
+        let written = node.attributes().filter_map(|attribute| {
+            let key = attribute.name().strip_prefix("data-")?;
+            Some((key.to_string(), attribute.value().trim().to_string()))
+        });
+        let mut data: BTreeMap<String, String> = written.collect();
+        let known: Vec<&str> = class.data().chain(["group"]).collect();
+        let unknown: Vec<String> = data.keys().filter(|key| !known.contains(&key.as_str())).cloned().collect();
+        for key in unknown {
+            let lacking = known.iter().copied().filter(|known| !data.contains_key(*known));
+            let meant = class_typo::nearest(&key, lacking);
+            let what = match meant {
+                Some(meant) => format!("did you mean `data-{meant}`?"),
+                None => format!("it may have {}", words_of_data(class)),
+            };
+            self.diagnostic(node, format!("{name}: a {} has no `data-{key}`; {what}", class.word()));
+            if let (Some(meant), Some(value)) = (meant, data.remove(&key)) {
+                data.insert(meant.to_string(), value);
+            }
         }
+        data
     }
+}
+
+/// The `data-` attributes that a thing of this class may have, for a sentence.
+fn words_of_data(class: ElementClass) -> String {
+    let known: Vec<String> = class.data().map(|data| format!("data-{data}")).collect();
+    if known.is_empty() { "none".to_string() } else { known.join(", ") }
 }
 
 /// Whether an element is drawn as far as a `<switch>` around it says: that draws the first that needs nothing special.
@@ -316,6 +330,11 @@ fn inner_svg(outer: Transform, node: Node) -> Result<Transform, String> {
 fn element_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let known = |data: &str| ElementClass::ALL.iter().any(|class| class.data().any(|known| known == data));
     node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-")).find(|data| known(data))
+}
+
+/// Whether an opacity is none.
+fn is_nothing(opacity: &str) -> bool {
+    opacity.trim_end_matches('%').parse::<f64>().is_ok_and(|opacity| opacity <= 0.0)
 }
 
 /// What a browser lets a sheet or a `style` say of where and how large something is, and what only it does.
@@ -338,10 +357,6 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         return Err(format!("its line is {thickness_mm} mm thick; it must be from 0 to 1000 mm"));
     }
     let group = node.ancestors().find_map(|node| node.attribute("data-group"));
-    let data = node.attributes().filter_map(|attribute| {
-        let key = attribute.name().strip_prefix("data-")?;
-        Some((key.to_string(), attribute.value().trim().to_string()))
-    });
     Ok(Element {
         class,
         name: name.to_string(),
@@ -351,7 +366,8 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         fill: style::fill(node)?,
         stroke: style::stroke(node)?,
         is_hidden: matches!(style::property(node, "visibility"), Some("hidden" | "collapse")),
+        is_clear: node.ancestors().any(|node| style::own_property(node, "opacity").is_some_and(is_nothing)),
         group: group.map(str::to_string),
-        data: data.collect(),
+        data: BTreeMap::new(),
     })
 }

@@ -202,6 +202,11 @@ impl ElementClass {
     }
 }
 
+/// What no ball of a table is faster than when it hits something: a threshold over it were never met.
+const FASTEST_M_S: f64 = 3.0;
+
+// The ranges leave out what would be dead: a spinner that stops before its half turn, a saucer that catches no rolling ball,
+// a magnet that does not hold one on the slope.
 const FLIPPER: &[Parameter] = &[
     parameter("base_radius_mm", 11.6, 2.0, 50.0),
     parameter("tip_radius_mm", 7.0, 1.0, 50.0),
@@ -210,25 +215,27 @@ const FLIPPER: &[Parameter] = &[
     parameter("spring_torque_n_m", 0.06, 0.001, 100.0),
     parameter("mass_kg", 0.08, 0.001, 10.0),
 ];
-const BUMPER: &[Parameter] = &[parameter("kick_m_s", 0.8, 0.0, 20.0), parameter("threshold_m_s", 0.05, 0.0, 20.0)];
-const SLINGSHOT: &[Parameter] = &[parameter("kick_m_s", 2.2, 0.0, 20.0), parameter("threshold_m_s", 0.3, 0.0, 20.0)];
-const TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, 20.0)];
-const DROP_TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.25, 0.0, 20.0)];
-const SPINNER: &[Parameter] = &[parameter("damping_per_s", 0.8, 0.0, 1000.0)];
-const SAUCER: &[Parameter] = &[parameter("capture_m_s", 1.0, 0.0, 20.0)];
-const PLUNGER: &[Parameter] = &[parameter("pull_s", 1.0, 0.05, 20.0), parameter("full_speed_m_s", 3.5, 0.1, 15.0)];
-const KICKBACK: &[Parameter] = &[parameter("speed_m_s", 3.5, 0.1, 15.0)];
-const MAGNET: &[Parameter] = &[parameter("pull_m_s2", 40.0, 0.0, 500.0)];
+const BUMPER: &[Parameter] =
+    &[parameter("kick_m_s", 0.8, 0.0, 20.0), parameter("threshold_m_s", 0.05, 0.0, FASTEST_M_S)];
+const SLINGSHOT: &[Parameter] =
+    &[parameter("kick_m_s", 2.2, 0.0, 20.0), parameter("threshold_m_s", 0.3, 0.0, FASTEST_M_S)];
+const TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, FASTEST_M_S)];
+const DROP_TARGET: &[Parameter] = &[parameter("threshold_m_s", 0.25, 0.0, FASTEST_M_S)];
+const SPINNER: &[Parameter] = &[parameter("damping_per_s", 0.8, 0.0, 50.0)];
+const SAUCER: &[Parameter] = &[parameter("capture_m_s", 1.0, 0.1, 20.0)];
+const PLUNGER: &[Parameter] = &[parameter("pull_s", 1.0, 0.05, 20.0), parameter("full_speed_m_s", 3.5, 0.5, 15.0)];
+const KICKBACK: &[Parameter] = &[parameter("speed_m_s", 3.5, 0.5, 15.0)];
+const MAGNET: &[Parameter] = &[parameter("pull_m_s2", 40.0, 1.0, 500.0)];
 const DIVERTER: &[Parameter] = &[
     parameter("coil_torque_n_m", 1.2, 0.001, 100.0),
     parameter("hold_torque_n_m", 0.6, 0.001, 100.0),
     parameter("spring_torque_n_m", 0.3, 0.001, 100.0),
     parameter("inertia_kg_mm2", 140.0, 1.0, 100_000.0),
 ];
-const CAPTIVE_BALL: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, 20.0)];
+const CAPTIVE_BALL: &[Parameter] = &[parameter("threshold_m_s", 0.15, 0.0, FASTEST_M_S)];
 const LAMP: &[Parameter] = &[
     parameter("power", 1.0, 0.0, 1000.0),
     parameter("height_mm", 30.0, 0.1, 1000.0),
-    parameter("reach_mm", 260.0, 1.0, 10000.0),
+    parameter("reach_mm", 260.0, 10.0, 10000.0),
 ];
 const INSERT: &[Parameter] = &[parameter("power", 1.0, 0.0, 1000.0)];

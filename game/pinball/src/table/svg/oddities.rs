@@ -22,6 +22,7 @@ pub(in crate::table) fn warnings<'d>(
         reader.properties(node);
         reader.references(node, style);
         reader.link(node);
+        reader.size(node, style);
         if node.has_tag_name((SVG, "flowRoot")) {
             reader.tell(node, "`flowRoot` is text that only an old Inkscape draws; make plain text of it");
         }
@@ -79,6 +80,26 @@ impl Reader<'_> {
                 let what = format!("the {name} of this {element} is `#{id}`, which is not in the drawing, so {so}");
                 self.tell(node, what);
             }
+        }
+    }
+
+    /// Tells art that lacks what no maker leaves out; of a thing it is a mistake, and told elsewhere.
+    fn size(&mut self, node: Node, style: &str) {
+        let name = node.tag_name().name();
+        let (wanted, so): (&[&str], _) = match name {
+            "circle" => (&["r"], "draws nothing"),
+            "rect" => (&["width", "height"], "draws nothing"),
+            "line" => (&["x2", "y2"], "ends at 0 0"),
+            _ => return,
+        };
+        let declared = |word: &str| css::style_declarations(style).any(|(name, _)| name == word);
+        let lacks = |word: &&str| !node.has_attribute(*word) && !declared(word);
+        let lacking: Vec<&str> = wanted.iter().copied().filter(lacks).collect();
+        // Of a line one of them may be 0; what is inside a shape may move it.
+        let is_short = lacking.len() == wanted.len() || (name == "rect" && !lacking.is_empty());
+        if is_short && element_class(node).is_none() && node.first_element_child().is_none() {
+            let missing = lacking.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" and no ");
+            self.tell(node, format!("this {name} has no {missing}, so it {so}"));
         }
     }
 

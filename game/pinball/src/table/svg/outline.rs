@@ -23,6 +23,9 @@ impl Outline {
         match node.tag_name().name() {
             "circle" => return circle(node, transform, scale).map(Outline::Circle),
             "line" => {
+                if !node.has_attribute("x2") && !node.has_attribute("y2") {
+                    return Err("it has neither `x2` nor `y2`, so nobody knows where it ends".to_string());
+                }
                 pen.start(point(node, "x1", "y1")?)?;
                 pen.line(point(node, "x2", "y2")?)?;
             }

@@ -1,5 +1,6 @@
 //! The page: how large a drawing is on the table, and how many millimetres one of its units is.
 
+use super::class_typo;
 use geometry::DVec2;
 use roxmltree::Node;
 use std::str::FromStr;
@@ -42,10 +43,13 @@ impl Page {
             return Err("the drawing as a whole has a transform; give it to a <g> around everything".to_string());
         }
         let expected = "viewBox=\"0 0 WIDTH HEIGHT\", the playfield's size in millimetres";
-        let text = root.attribute("viewBox").ok_or_else(|| format!("the drawing has no viewBox; write {expected}"))?;
+        let text = root.attribute("viewBox").ok_or_else(|| match misspelt_view_box(root) {
+            Some(word) => format!("an svg has no `{word}`; did you mean `viewBox`?"),
+            None => format!("the drawing has no viewBox; write {expected}"),
+        })?;
         let numbers: Vec<f64> = text.split([',', ' ']).filter(|word| !word.is_empty()).flat_map(str::parse).collect();
         let units = match numbers[..] {
-            [x, y, width, height] if x == 0.0 && y == 0.0 => DVec2::new(width, height),
+            [x, y, width, height] if x == 0.0 && y == 0.0 && width > 0.0 && height > 0.0 => DVec2::new(width, height),
             _ => return Err(format!("the viewBox is `{text}`; write {expected}")),
         };
         let Scale { mm_per_unit, unequal } = scale(root, units)?;
@@ -94,6 +98,11 @@ impl Page {
     }
 }
 
+/// What was to be the drawing's viewBox, but for case or a letter.
+fn misspelt_view_box<'a>(root: Node<'a, '_>) -> Option<&'a str> {
+    root.attributes().map(|own| own.name()).find(|name| class_typo::nearest(name, ["viewBox"]).is_some())
+}
+
 /// How long a unit of a drawing is, for a sentence: `one unit is one millimetre`.
 pub(in crate::table) fn unit(node: Node) -> String {
     let page = node.ancestors().filter(Node::is_element).last().map(Page::of);
@@ -106,7 +115,7 @@ pub(in crate::table) fn unit(node: Node) -> String {
 }
 
 /// A length to a hundredth, for a sentence.
-fn rounded(mm: f64) -> f64 {
+pub(super) fn rounded(mm: f64) -> f64 {
     (mm * 100.0).round() / 100.0
 }
 

@@ -8,10 +8,35 @@ use svgtypes::PathSegment;
 pub(in crate::table) fn draw(pen: &mut PathFlattener, data: &str) -> Result<(), String> {
     let mut cursor = Cursor::default();
     for segment in svgtypes::PathParser::from(data) {
-        let segment = segment.map_err(|error| format!("its path cannot be read: {error}"))?;
+        let segment = segment.map_err(|error| unreadable(data, &error))?;
         cursor.draw(pen, segment)?;
     }
     Ok(())
+}
+
+/// Characters of what stands at a mistake that show where it is.
+const SHOWN: usize = 24;
+
+/// What of a path cannot be read.
+fn unreadable(data: &str, error: &svgtypes::Error) -> String {
+    use svgtypes::Error::{InvalidChar, InvalidNumber, InvalidString, UnexpectedData};
+    let place = match error {
+        // Counted from 1, in letters.
+        InvalidChar(_, place) | InvalidNumber(place) | InvalidString(_, place) | UnexpectedData(place) => *place,
+        _ => usize::MAX,
+    };
+    let letters = || data.chars().skip(place.saturating_sub(1));
+    let shown: String = letters().take(SHOWN).collect();
+    let more = if letters().nth(SHOWN).is_some() { "..." } else { "" };
+    let begins = data.trim_start().starts_with(['M', 'm']);
+    match shown.trim() {
+        _ if !begins => "its path cannot be read: it begins with M and a place, as in `M10 20`".to_string(),
+        "" => "its path cannot be read: it ends in the middle of a command; numbers are missing".to_string(),
+        shown => format!(
+            "its path cannot be read from `{shown}{more}` on: each command is one letter of M L H V C S Q T A Z and the \
+             numbers that it takes"
+        ),
+    }
 }
 
 /// Where SVG's relative and smooth commands start from, in the element's own coordinates.

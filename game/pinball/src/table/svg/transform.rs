@@ -24,7 +24,10 @@ impl Transform {
     pub fn transformed(&self, attribute: &str) -> Result<Transform, String> {
         let mut table_from_own = self.table_from_own;
         for token in TransformListParser::from(attribute) {
-            let token = token.map_err(|error| format!("the transform `{attribute}` cannot be read: {error}"))?;
+            let token = token.map_err(|_| {
+                let usual = "translate(x y), rotate(degrees), scale(factor) or matrix(a b c d e f)";
+                format!("the transform `{attribute}` cannot be read; write {usual}")
+            })?;
             table_from_own *= affine(token);
         }
         if table_from_own.is_finite() {

@@ -10,7 +10,7 @@ use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
 use super::xml;
-use super::{amount, oddities};
+use super::{amount, hidden, oddities, shape_typo};
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
@@ -55,15 +55,19 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, 
     let styles: Vec<Option<String>> = document.descendants().map(|node| style(&mut cascade, node)).collect();
     let links = &Links::of(document);
     let style_of = |node: Node| styles.get(node.id().get_usize()).and_then(Option::as_deref);
-    let mistakes = amount::check(document, links, style_of);
+    let mut mistakes = shape_typo::mistakes(source, document);
+    let amount = amount::check(document, links, style_of);
+    mistakes.extend(amount.into_iter().map(|(at, why)| source.diagnostic(at, why)));
     if !mistakes.is_empty() {
-        return Err(mistakes.into_iter().map(|(at, why)| source.diagnostic(at, why)).collect());
+        return Err(mistakes);
     }
     diagnostics.extend(oddities::warnings(source, document, links, style_of));
+    let holders = &Holders::of(document, links);
+    diagnostics.extend(hidden::warning(source, document, holders, style_of));
     let cloner = Cloner {
         text: &source.text,
         links,
-        holders: &Holders::of(document, links),
+        holders,
         cascade: &mut cascade,
         copied: BTreeSet::new(),
         unnamed: Vec::new(),
@@ -74,6 +78,7 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, 
     writer.templates(document);
     let Writer { edits, nameless, .. } = writer;
     cascade.check(source).map_err(|one| vec![one])?;
+    diagnostics.extend(cascade.unused(source, document));
     Ok(Changes { edits, styled: cascade.classes, nameless })
 }
 

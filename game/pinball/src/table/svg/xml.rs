@@ -1,5 +1,6 @@
 //! XML: what a drawing's text must be before it is read as a drawing. Nothing in it may take long, or grow without end.
 
+use super::xml_mistake;
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node, ParsingOptions};
 
@@ -9,6 +10,9 @@ const MAX_NODES: u32 = 200_000;
 const MAX_ATTRIBUTES: usize = 1000;
 /// Elements that may lie inside each other.
 const MAX_DEPTH: usize = 64;
+
+/// What is no tag: how it begins, and how it ends.
+pub(super) const SKIPPED: [(&str, &str); 3] = [("<!--", "-->"), ("<?", "?>"), ("<![CDATA[", "]]>")];
 
 /// Reads the XML, and nothing that could grow without end.
 pub(in crate::table) fn parse(source: &Source) -> Result<Document<'_>, Diagnostic> {
@@ -23,11 +27,7 @@ pub(in crate::table) fn parse(source: &Source) -> Result<Document<'_>, Diagnosti
         roxmltree::Error::NodesLimitReached => {
             Diagnostic::of_file(&source.path, format!("it has more than {MAX_NODES} nodes; draw it more simply"))
         }
-        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
-            let what = "the drawing ends here, in the middle of an element; it was not saved whole";
-            source.diagnostic(source.text.trim_end().len(), what)
-        }
-        error => source.diagnostic_in_line(error.pos().row as usize, format!("this is not well-formed XML: {error}")),
+        error => xml_mistake::told(source, &error),
     })?;
     match too_deep(&document) {
         Some(at) => {
@@ -44,10 +44,9 @@ fn doctype(text: &str) -> usize {
 }
 
 /// Where the first tag at or after `at` begins that is no comment, no instruction and no plain text.
-fn tag_from(text: &str, mut at: usize) -> Option<usize> {
-    let skipped = [("<!--", "-->"), ("<?", "?>"), ("<![CDATA[", "]]>")];
+pub(super) fn tag_from(text: &str, mut at: usize) -> Option<usize> {
     while let Some(start) = text[at..].find('<').map(|start| at + start) {
-        let Some((_, end)) = skipped.iter().find(|(begin, _)| text[start..].starts_with(begin)) else {
+        let Some((_, end)) = SKIPPED.iter().find(|(begin, _)| text[start..].starts_with(begin)) else {
             return Some(start);
         };
         at = start + text[start..].find(end)? + end.len();
@@ -59,7 +58,7 @@ fn tag_from(text: &str, mut at: usize) -> Option<usize> {
 fn too_many_attributes(text: &str) -> Option<usize> {
     let mut at = 0;
     while let Some(start) = tag_from(text, at) {
-        let (attributes, length) = tag(&text[start..]);
+        let Tag { attributes, length, .. } = tag(&text[start..]);
         if attributes > MAX_ATTRIBUTES {
             return Some(start);
         }
@@ -68,18 +67,27 @@ fn too_many_attributes(text: &str) -> Option<usize> {
     None
 }
 
-/// How many attributes a tag has, and how long it is, bytes.
-fn tag(text: &str) -> (usize, usize) {
+/// A tag, as far as can be told without reading it.
+pub(super) struct Tag {
+    attributes: usize,
+    /// Bytes.
+    pub length: usize,
+    /// Whether it ends before its text does.
+    pub is_whole: bool,
+}
+
+/// The tag that a text begins with.
+pub(super) fn tag(text: &str) -> Tag {
     let (mut quote, mut attributes) = (None, 0);
     for (place, letter) in text.bytes().enumerate() {
         match (quote, letter) {
             (None, b'"' | b'\'') => (quote, attributes) = (Some(letter), attributes + 1),
             (Some(open), letter) if open == letter => quote = None,
-            (None, b'>') => return (attributes, place + 1),
+            (None, b'>') => return Tag { attributes, length: place + 1, is_whole: true },
             _ => {}
         }
     }
-    (attributes, text.len())
+    Tag { attributes, length: text.len(), is_whole: false }
 }
 
 /// Where the first element begins that lies too deep in others for what walks through them, shown or not.

@@ -159,7 +159,7 @@ fn mistakes_in_coils_and_captive_balls_have_their_line() {
     let magnet = r#"<circle id="m" class="magnet" cx="99" cy="99" r="45"/>"#;
     says(
         one(read(magnet, "[part.m]\npull_m_s2 = 900"), "table.toml:"),
-        &["2: `pull_m_s2` must be a number from 0 to 500"],
+        &["2: `pull_m_s2` must be a number from 1 to 500"],
     );
     says(
         one(read(magnet, "[part.m]\nfinish = \"x\""), "table.toml:"),
@@ -199,7 +199,7 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("[relief]\n\nplanks_mm = 4"), &["3: `planks_mm` must be 0, for no planks, or a width from 5"]);
     says(numbers("[relief]\nknots = 1"), &["2: `knots` is not known here; there are planks_mm, grain, scratches"]);
     says(numbers("part = 3"), &["1: `part` must be a table"]);
-    says(numbers("name = \"a\"\nname = \"b\""), &["2: this is not TOML: duplicate key"]);
+    says(numbers("name = \"a\"\nname = \"b\""), &["2: `name = \"b\"` is there already; take one of them out"]);
     says(numbers("slope_deg = = 6"), &["1: this is not TOML"]);
 }
 

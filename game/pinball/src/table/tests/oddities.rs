@@ -23,14 +23,15 @@ fn a_bracket_that_is_never_closed_is_told_with_its_line() {
     assert_eq!(brace, "table.svg:6: this `{` is never closed, so the sheet swallows all that follows it; close it");
     assert!(sheet(".a { fill: red }\n.b { fill: rgb(1, 2, 3; }").starts_with("table.svg:7: this `(` is never"));
     assert!(sheet(".a { fill: red }\n\n/* .b { fill: blue }").starts_with("table.svg:8: this `/*` is never"));
-    assert_eq!(warned("<style>/* { */ .a { fill: red } .b::after { content: '{' }</style>").len(), 1, "of ::after");
+    let after = "<style>/* { */ .a { fill: red } .b::after { content: '{' }</style><path class='a' d='M0 0h9'/>";
+    assert_eq!(warned(after).len(), 1, "of ::after");
 }
 
 /// Walls of the sheet `stroke-widht: 28px` were one unit thick.
 #[test]
 fn a_property_that_is_nearly_one_is_told() {
     let meant = |name: &str| format!("the property `{name}` means nothing; did you mean `stroke-width`?");
-    let sheet = "<style>\n.sea { fill: blue;\n stroke-widht: 28px }</style>";
+    let sheet = "<style>\n.sea { fill: blue;\n stroke-widht: 28px }</style><path class='sea' d='M0 0h9'/>";
     assert_eq!(one(warned(sheet)), format!("7: {}", meant("stroke-widht")));
     let own = "<path style='fill:red;\nstroke-with:3' d='M0 0h9'/>\n<path style='stroke-with:4' d='M0 0h9'/>";
     assert_eq!(one(warned(own)), format!("5: {}", meant("stroke-with")), "once");

@@ -38,7 +38,10 @@ fn another_word_is_told_once_and_words_for_art_are_legal() {
 fn warnings_are_told_with_mistakes_and_after_them() {
     let told = read("<path class=\"cloud\" d=\"M0 0h9\"/>\n<line id=\"w\" class=\"wall\"/>", "x = 1").unwrap_err();
     let [line, number, cloud] = &told[..] else { panic!("{told:?}") };
-    assert!(line.starts_with("table.svg:6: w: it has no length") && number.starts_with("table.toml:1: "), "{told:?}");
+    assert!(
+        line.starts_with("table.svg:6: w: it has neither `x2` nor `y2`") && number.starts_with("table.toml:1: "),
+        "{told:?}"
+    );
     assert!(cloud.starts_with("warning: table.svg:5: "), "{cloud}");
 }
 

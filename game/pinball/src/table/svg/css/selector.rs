@@ -21,8 +21,13 @@ pub(super) fn read(input: &mut Parser) -> Result<Selectors, ParseError<()>> {
     SelectorList::parse(&SelectorParser, input, ParseRelative::No).map_err(|_| ParseError::custom(()))
 }
 
-/// The greatest specificity of those of `selectors` that mean the element, if any does.
-pub(super) fn specificity(selectors: &Selectors, element: Instance, caches: &mut SelectorCaches) -> Option<u32> {
+/// The greatest specificity of those of `selectors` that mean the element, if any does; each of them is noted in `used`.
+pub(super) fn specificity(
+    selectors: &Selectors,
+    element: Instance,
+    caches: &mut SelectorCaches,
+    used: &mut [bool],
+) -> Option<u32> {
     let mut context = MatchingContext::new(
         MatchingMode::Normal,
         None,
@@ -31,8 +36,39 @@ pub(super) fn specificity(selectors: &Selectors, element: Instance, caches: &mut
         NeedsSelectorFlags::No,
         MatchingForInvalidation::No,
     );
-    let meant = selectors.slice().iter().filter(|one| matching::matches_selector(one, 0, None, element, &mut context));
-    meant.map(|selector| selector.specificity()).max()
+    let mut greatest = None;
+    for (selector, used) in selectors.slice().iter().zip(used) {
+        if matching::matches_selector(selector, 0, None, element, &mut context) {
+            *used = true;
+            greatest = greatest.max(Some(selector.specificity()));
+        }
+    }
+    greatest
+}
+
+/// The words of a selector, by what they name.
+#[derive(Default)]
+pub(super) struct Words {
+    pub classes: Vec<String>,
+    pub ids: Vec<String>,
+    pub elements: Vec<String>,
+    /// It is of more than words: of a state, of what is beside or in something.
+    pub is_conditional: bool,
+}
+
+/// What a selector names by itself, without the selectors in it.
+pub(super) fn words(selector: &Selector<Svg>) -> Words {
+    let mut words = Words::default();
+    for part in selector.iter_raw_match_order() {
+        match part {
+            Component::Class(word) => words.classes.push(word.0.clone()),
+            Component::ID(word) => words.ids.push(word.0.clone()),
+            Component::LocalName(word) => words.elements.push(word.name.0.clone()),
+            Component::Combinator(_) | Component::ExplicitUniversalType => {}
+            _ => words.is_conditional = true,
+        }
+    }
+    words
 }
 
 /// How far a selector may look around an element.

@@ -17,6 +17,10 @@ const MAX_DEPTH: usize = 24;
 pub(super) struct Rule {
     pub selectors: Selectors,
     pub declarations: Vec<Declaration>,
+    /// The line that it begins in: of its sheet from 0, and of the file when the sheet has been read.
+    pub line: usize,
+    /// Which of its selectors have meant an element.
+    pub used: Vec<bool>,
 }
 
 /// Whether an element is a sheet: a `<style>` of no other kind than CSS.
@@ -48,7 +52,7 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
             Ok(read) => {
                 let declared = read.iter().flat_map(|rule| &rule.declarations);
                 diagnostics.extend(declared.filter_map(|one| misspelt(source, first + one.line, &one.name)));
-                rules.extend(read);
+                rules.extend(read.into_iter().map(|rule| Rule { line: first + rule.line, ..rule }));
             }
             Err((_, rule, place)) => {
                 let line = first + place.line as usize;
@@ -137,10 +141,12 @@ impl<'i> QualifiedRuleParser<'i> for SheetParser {
     fn parse_block(
         &mut self,
         selectors: Selectors,
-        _start: &ParserState,
+        start: &ParserState,
         input: &mut Parser<'i>,
     ) -> Result<Vec<Rule>, ParseError<()>> {
-        Ok(vec![Rule { selectors, declarations: declarations::of_block(input) }])
+        let used = vec![false; selectors.slice().len()];
+        let line = start.source_location().line as usize;
+        Ok(vec![Rule { selectors, declarations: declarations::of_block(input), line, used }])
     }
 }
 
