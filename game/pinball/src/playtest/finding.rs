@@ -1,5 +1,6 @@
 //! A finding: one thing that only play shows, as a sentence with the part's name and line.
 
+use super::rules_finding;
 use crate::table::FILES;
 use crate::{Failure, Table};
 use geometry::{Core, DVec2, Segment, Shape};
@@ -39,46 +40,28 @@ pub enum FindingKind {
     SwitchNeverCloses,
     /// No ball can come to the part from the plunger.
     Unreachable,
-    /// No game begins when start is pressed.
+    /// No game begins when start is pressed, though the rules mean one to.
     NoGame,
+    /// No game begins, and the rules speak of none.
+    NoStart,
     /// A game has begun, and no ball comes.
     NoBall,
     /// The ball is lost, and neither another comes nor does the game end.
     BallWithoutEnd,
+    /// The ball is lost, the next turn begins, and no ball comes.
+    NoNextBall,
+    /// The last ball is lost, and the game is not over.
+    NoGameOver,
+    /// Balls are lost, others come, and the game is never over.
+    GameWithoutEnd,
+    /// A lost ball ends the turn while another is in play.
+    EndsEarly,
+    /// The game is over, and no other begins.
+    NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
     /// The rules never throw a saucer's ball out.
     NeverEjected,
-}
-
-impl FindingKind {
-    /// What the rules leave out, and what to add; empty for what is not theirs.
-    fn of_rules(self) -> &'static str {
-        match self {
-            FindingKind::NoGame => {
-                "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
-                                    `on_button(name)`"
-            }
-            FindingKind::NoBall => {
-                "a game begins and no ball comes for 14 s, until the ball search gives one; call \
-                                    `add_ball()` behind `start_game`"
-            }
-            FindingKind::BallWithoutEnd => {
-                "the ball is lost and nothing follows for 14 s, until the ball search gives \
-                                            another; when `on_switch` hears the drain, which needs an `id`, and \
-                                            `balls_in_play()` is 0, call `next_player()` and `add_ball()`, or `game_over()`"
-            }
-            FindingKind::DeadFlippers => {
-                "the flippers are dead while the first ball is in play; call `flippers(true)` \
-                                          where a game or a ball begins"
-            }
-            FindingKind::NeverEjected => {
-                "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
-                                          timer that `on_switch` starts"
-            }
-            _ => "",
-        }
-    }
 }
 
 /// One thing that only play shows.
@@ -112,14 +95,19 @@ impl Finding {
             FindingKind::FreedBySearch
                 | FindingKind::SwitchNeverCloses
                 | FindingKind::Unreachable
-                | FindingKind::NoGame
+                | FindingKind::NoStart
+                | FindingKind::GameWithoutEnd
+                | FindingKind::EndsEarly
+                | FindingKind::NoNextGame
                 | FindingKind::DoesNotFlip
         )
     }
 
     /// The same as a sentence for a person: a warning, or a failure.
     pub fn failure(&self, table: &Table) -> Failure {
-        let sentence = format!("{}: {}", self.place(table), self.sentence(table));
+        let of_part = || (self.place(table), self.sentence(table));
+        let (place, what) = rules_finding::told(self, table).unwrap_or_else(of_part);
+        let sentence = format!("{place}: {what}");
         if self.is_warning() { Failure::warning(sentence) } else { Failure::new(sentence) }
     }
 
@@ -189,11 +177,20 @@ impl Finding {
             FindingKind::Unreachable => {
                 "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
             }
+            FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
+                                          timer that `on_switch` starts"
+                .to_string(),
+            // Told by `rules_finding`.
             FindingKind::NoGame
+            | FindingKind::NoStart
             | FindingKind::NoBall
             | FindingKind::BallWithoutEnd
-            | FindingKind::DeadFlippers
-            | FindingKind::NeverEjected => self.kind.of_rules().to_string(),
+            | FindingKind::NoNextBall
+            | FindingKind::NoGameOver
+            | FindingKind::GameWithoutEnd
+            | FindingKind::EndsEarly
+            | FindingKind::NoNextGame
+            | FindingKind::DeadFlippers => String::new(),
         }
     }
 

@@ -10,8 +10,10 @@ mod first_game;
 mod let_go;
 mod plunger;
 mod reach;
+mod rules_finding;
 #[cfg(test)]
 mod tests;
+mod whole_game;
 
 use finding::touchable;
 pub use finding::{Finding, FindingKind};
@@ -24,6 +26,7 @@ use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
 use reach::Reach;
 use std::sync::Arc;
+use whole_game::LossPlaces;
 
 /// How long the bot plays, s.
 pub const BOT_S: u32 = 60;
@@ -34,6 +37,9 @@ const USUAL_BURDEN: usize = 12;
 const MOST_TRIALS: usize = 400;
 /// A ball that is thrown has come this far, m.
 const THROWN_M: f64 = 0.05;
+
+/// Where on the table a ball is put that is to stay in play, in parts of the table's size.
+const REFUGE: DVec2 = DVec2::new(0.5, 0.4);
 
 /// A table that is being tried.
 pub struct Playtest {
@@ -143,12 +149,25 @@ impl Playtest {
         }
     }
 
-    /// What the rules do wrong, or leave undone, in a game's first ball.
+    /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon.
     ///
     /// # Errors
     /// If they do not run.
     pub fn first_game(&self) -> Result<Vec<Finding>, Failure> {
-        first_game::try_rules(&self.table)
+        first_game::try_rules(&self.table, &self.loss_places())
+    }
+
+    /// Where balls are lost, and where they are kept in play until then.
+    fn loss_places(&self) -> LossPlaces {
+        let layout = self.machine.layout();
+        let parts = layout.parts.iter().enumerate();
+        let drains = parts.filter_map(|(index, part)| match &part.kind {
+            Kind::Drain(drain) => Some((PartId(index as u16), self.reach.place_in(&self.machine, &drain.shape)?)),
+            _ => None,
+        });
+        let refuge = Shape::disc(layout.size_m * REFUGE, 0.0);
+        let refuge = self.reach.nearest(&refuge, layout.size_m.max_element()).map(|(place, _)| place);
+        LossPlaces { drains: drains.collect(), refuge }
     }
 
     /// A bot's first minute.
@@ -169,10 +188,7 @@ impl Playtest {
             };
             Finding::near(kind, layout, anomaly.center_mm * 0.001)
         });
-        let no_game = Finding { kind: FindingKind::NoGame, part: None, place_mm: DVec2::ZERO, count: 1 };
-        let began = run.balls.iter().any(|ticks| *ticks > 0);
-        let findings = findings.chain((!began && self.launch.is_empty()).then_some(no_game)).collect();
-        Ok(BotRun { findings, score: run.score(), complaints: run.complaints })
+        Ok(BotRun { findings: findings.collect(), score: run.score(), complaints: run.complaints })
     }
 
     /// All that was found, the worst first: the same about the same part once. Where the playfield is open, balls that

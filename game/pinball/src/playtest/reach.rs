@@ -11,6 +11,8 @@ use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
 const STEP_M: f64 = 0.002;
 /// Along each side of a square so many places are tried, if there is no room in its middle.
 const TRIES: i32 = 4;
+/// A ball that is put into a shape is so deep in it, m, or half its radius.
+const INSIDE_M: f64 = 1e-3;
 /// No place is to the last bit above the middle of a post: a ball lies even there.
 const ASIDE_M: f64 = 3e-4;
 
@@ -113,6 +115,12 @@ impl Reach {
         self.roomy().step_by(stride).map(|square| self.middle(square)).collect()
     }
 
+    /// The places that have room for a ball and are no farther from `shape` than `range_m`, row by row.
+    pub fn roomy_near(&self, shape: &Shape, range_m: f64) -> impl Iterator<Item = DVec2> {
+        let roomy = self.near(shape, range_m).filter(|square| self.squares[*square] == Square::Roomy);
+        roomy.map(|square| self.middle(square)).filter(move |place| shape.distance(*place).0 <= range_m)
+    }
+
     /// The reached place that is nearest to the surface of `shape` and has room for a ball, and how far it is from it;
     /// none if it is as far as `range_m`.
     pub fn nearest(&self, shape: &Shape, range_m: f64) -> Option<(DVec2, f64)> {
@@ -121,6 +129,19 @@ impl Reach {
         let distances = places.map(|place| (place, shape.distance(place).0));
         let near = distances.filter(|(_, distance)| *distance < range_m);
         near.min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// A place inside of `shape`, at its edge, that a ball can come to.
+    pub fn place_in(&self, machine: &Machine, shape: &Shape) -> Option<DVec2> {
+        let near = self.near(shape, 0.0).filter(|square| self.squares[*square] != Square::OutOfReach);
+        let inside = near.filter_map(|square| {
+            let (distance, normal) = shape.distance(self.middle(square));
+            let place = self.middle(square) - normal * (distance.max(0.0) + INSIDE_M.min(0.5 * shape.radius));
+            let is_in = distance < 2.0 * STEP_M && shape.distance(place).0 <= 0.0;
+            (is_in && machine.depth_in_fixed_m(place) <= 0.0).then_some((place, distance))
+        });
+        // The flood ends where a drain begins: the deepest of its squares are the nearest to its middle.
+        inside.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(place, _)| place)
     }
 
     /// Whether the centre of a ball can come as near as `reach_m` to `shape`.
