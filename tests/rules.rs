@@ -134,7 +134,8 @@ fn a_lost_ball_that_nobody_hears_of_is_told() {
     let rules = GAME.replace("n == \"drain\"", "n.len() == 99");
     let (code, complained) = check("lost", &["check"], &rules);
     assert_eq!((code, complained.lines().count()), (Some(1), 1), "{complained}");
-    let expected = "and nothing follows for 14 s, until the ball search gives another; when `on_switch` hears the drain";
+    let expected =
+        "and nothing follows for 14 s, until the ball search gives another; when `on_switch` hears the drain";
     assert!(complained.contains("rules.rhai:2: ball 1 is lost in drain (table.svg line "), "{complained}");
     assert!(complained.contains(expected), "{complained}");
     assert_eq!(check("whole", &["check"], GAME).0, Some(0));

@@ -36,7 +36,9 @@ pub enum FindingKind {
     DoesNotFlip,
     /// A drop target that was raised does not stand.
     DoesNotRise,
-    /// A ball that is shot at the part does not close its switch.
+    /// Two flippers are in each other's way.
+    FlippersCross,
+    /// No ball that is shot at the part closes its switch.
     SwitchNeverCloses,
     /// No ball can come to the part from the plunger.
     Unreachable,
@@ -83,9 +85,11 @@ impl Finding {
         Finding { kind, part: Some(part), place_mm: place_m * 1000.0, count: 1 }
     }
 
-    /// What was found with a ball at `place_m`: it is told of the nearest part.
-    pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2) -> Finding {
-        Finding { kind, part: nearest_part(layout, place_m, None), place_mm: place_m * 1000.0, count: 1 }
+    /// What was found of a ball there, about the part that is nearest: of a ball above the playfield the nearest ramp.
+    pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2, is_above: bool) -> Finding {
+        let ramp = nearest_ramp(layout, place_m).filter(|_| is_above);
+        let part = ramp.or_else(|| nearest_part(layout, place_m, None));
+        Finding { kind, part, place_mm: place_m * 1000.0, count: 1 }
     }
 
     /// Whether the table can be played all the same.
@@ -100,6 +104,7 @@ impl Finding {
                 | FindingKind::EndsEarly
                 | FindingKind::NoNextGame
                 | FindingKind::DoesNotFlip
+                | FindingKind::FlippersCross
         )
     }
 
@@ -171,9 +176,11 @@ impl Finding {
                 .to_string()
             }
             FindingKind::DoesNotRise => "it does not stand up again when it is raised: leave it more room".to_string(),
-            FindingKind::SwitchNeverCloses => {
-                format!("a ball that is shot at it from {at} does not close its switch; leave its face free")
-            }
+            FindingKind::FlippersCross => format!(
+                "its stroke crosses that of {} at {at}: move them apart, or let them turn less",
+                self.crossed(table)
+            ),
+            FindingKind::SwitchNeverCloses => self.never_closes(table),
             FindingKind::Unreachable => {
                 "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
             }
@@ -194,18 +201,62 @@ impl Finding {
         }
     }
 
+    /// What no ball does, by the kind of the part.
+    fn never_closes(&self, table: &Table) -> String {
+        let DVec2 { x, y } = self.place_mm;
+        let balls = format!("of {} balls, the first from {x:.0}, {y:.0} mm,", self.count);
+        let kind = self.part.and_then(|part| table.layout.parts.get(usize::from(part.0))).map(|part| &part.kind);
+        match kind {
+            Some(Kind::Saucer(saucer)) => format!(
+                "{balls} that roll over it at 0.1 to 0.8 m/s it catches none; see its radius ({:.1} mm), its capture_m_s \
+                 ({}) and that its middle is free",
+                saucer.circle.radius * 1000.0,
+                saucer.capture_m_s
+            ),
+            Some(Kind::Spinner(_)) => {
+                format!("{balls} that are shot through below it none turns it half-way round; leave its ways free")
+            }
+            Some(Kind::Gate(_)) => format!(
+                "{balls} that are shot through it none passes it the way that is free; see its data-way, and leave that way free"
+            ),
+            Some(Kind::Rollover(_)) => {
+                format!("{balls} that are shot over it none closes its switch: a ball's centre must come over it")
+            }
+            _ => format!(
+                "{balls} that are shot at it none closes its switch; turn it so that a ball comes straight at its face, and \
+                 leave that free"
+            ),
+        }
+    }
+
+    /// Name and line of the flipper that is the nearest to the place on its stroke, but for the part itself.
+    fn crossed(&self, table: &Table) -> String {
+        let place = self.place_mm * 0.001;
+        let others = table.layout.parts.iter().enumerate().filter_map(|(index, part)| match &part.kind {
+            Kind::Flipper(own) if self.part != Some(PartId(index as u16)) => {
+                let reach = own.length_m + own.tip_radius_m;
+                Some((index, own.base.center.distance(place) - reach))
+            }
+            _ => None,
+        });
+        let nearest = others.min_by(|one, other| one.1.total_cmp(&other.1));
+        nearest.map_or_else(String::new, |(part, _)| named(table, part))
+    }
+
     /// Name and line of what is nearest to the ball, but for the part itself.
     fn beside(&self, table: &Table) -> String {
         let near = nearest_part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
-        near.map_or_else(
-            || "nothing".to_string(),
-            |part| format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part]),
-        )
+        near.map_or_else(|| "nothing".to_string(), |part| named(table, part))
     }
 
     fn times(&self) -> String {
         if self.count > 1 { format!(" ({} times)", self.count) } else { String::new() }
     }
+}
+
+/// Name and line of a part.
+fn named(table: &Table, part: usize) -> String {
+    format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part])
 }
 
 /// Balls that lie no farther from each other lie in the same pocket, mm.
@@ -233,8 +284,7 @@ fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
         let mut pocket = vec![first];
         let mut looked_at = 0;
         while let Some(ball) = pocket.get(looked_at).copied() {
-            let is_beside =
-                |other: &Finding| other.kind == ball.kind && other.place_mm.distance(ball.place_mm) < POCKET_MM;
+            let is_beside = |other: &Finding| other.place_mm.distance(ball.place_mm) < POCKET_MM;
             let (beside, others): (Vec<Finding>, Vec<Finding>) = left.into_iter().partition(is_beside);
             pocket.extend(beside);
             left = others;
@@ -244,7 +294,9 @@ fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
         let part = pocket.iter().map(|ball| ball.part).max_by_key(|&part| (balls_beside(part), Reverse(part)));
         let first = pocket.iter().rev().find(|ball| Some(ball.part) == part).copied();
         let count = pocket.iter().map(|ball| ball.count).sum();
-        told.extend(first.map(|first| Finding { count, ..first }));
+        // Where one ball stays that another is freed from, the pocket keeps balls.
+        let kind = pocket.iter().map(|ball| ball.kind).min();
+        told.extend(first.zip(kind).map(|(first, kind)| Finding { kind, count, ..first }));
     }
     told
 }
@@ -259,6 +311,19 @@ fn nearest_part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<
     distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
 }
 
+/// The ramp whose middle is nearest to a ball at `place_m`.
+fn nearest_ramp(layout: &Layout, place_m: DVec2) -> Option<PartId> {
+    let parts = layout.parts.iter().enumerate();
+    let distances = parts.filter_map(|(index, part)| match &part.kind {
+        Kind::Ramp(ramp) => {
+            let legs = ramp.path.iter().map(|leg| Shape { core: leg.offset(0.0), radius: 0.0 }.distance(place_m).0);
+            Some((PartId(index as u16), legs.fold(f64::INFINITY, f64::min)))
+        }
+        _ => None,
+    });
+    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
+}
+
 /// What of a part a ball touches.
 pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
     let bar = |segment: Segment| Shape::capsule(segment.a, segment.b, 0.0);
@@ -266,6 +331,7 @@ pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
         Kind::Spinner(own) => Some(bar(own.segment)),
         Kind::Gate(own) => Some(bar(own.segment)),
         Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
+        Kind::CaptiveBall(own) => Some(Shape::disc(own.center, BALL_RADIUS_M)),
         // A diverter lies as it is drawn until the rules turn it.
         Kind::Flipper(own) if own.control == FlipperControl::Rules => {
             Some(Shape { core: Core::Taper(own.outline(own.rest_rad)), radius: 0.0 })

@@ -2,7 +2,7 @@
 //! lost ball must have a consequence, and the game an end; and a saucer's ball must come out again.
 
 use super::finding::{Finding, FindingKind};
-use super::whole_game::{self, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
+use super::whole_game::{self, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
 use crate::{Buttons, Failure, Simulation, Table};
 use geometry::DVec2;
 use physics::{Event, EventKind, Kind, PartId};
@@ -10,8 +10,6 @@ use std::sync::Arc;
 
 /// A game is on so long after start was pressed, and has given its first ball at the latest, ticks.
 pub const BEGIN_TICKS: u64 = 2000;
-/// What begins a game where a press of start does not: another one, as for a second coin; another button.
-const BEGINNINGS: [Buttons; 5] = [Buttons::START, Buttons::START, Buttons::PLUNGER, Buttons::LEFT, Buttons::RIGHT];
 /// A saucer may keep its ball for so long, ticks.
 const HELD_TICKS: u64 = 20_000;
 /// Saucers that are tried.

@@ -8,9 +8,11 @@ mod coils;
 mod finding;
 mod first_game;
 mod let_go;
+mod places;
 mod plunger;
 mod reach;
 mod rules_finding;
+mod switches;
 #[cfg(test)]
 mod tests;
 mod whole_game;
@@ -86,9 +88,10 @@ impl Playtest {
         &self.launch
     }
 
-    /// At most `most` places that a ball can come to, spread over all of them, m.
+    /// At most `most` places that a ball can come to, m: pockets, what lies beside parts that move, and others that are
+    /// spread over all of the table.
     pub fn places(&self, most: usize) -> Vec<DVec2> {
-        self.reach.places(most)
+        places::places(&self.machine, &self.reach, most)
     }
 
     /// What becomes of a ball that is let go at rest at one of [`Playtest::places`].
@@ -99,7 +102,8 @@ impl Playtest {
     /// What each coil does with a ball before it, and which switches a ball cannot close.
     pub fn coils(&self) -> Vec<Finding> {
         let tried = self.trials().filter_map(|(part, kind)| coils::try_it(&self.machine, &self.reach, part, kind));
-        coils::loose_captives(&self.machine).into_iter().chain(tried).collect()
+        let crossing = coils::crossing_flippers(&self.machine);
+        coils::loose_captives(&self.machine).into_iter().chain(crossing).chain(tried).collect()
     }
 
     /// The parts whose coils are tried: of very many some, for each trial takes the longer the more moves.
@@ -114,7 +118,7 @@ impl Playtest {
 
     /// Parts beside which a ball can leave the playfield.
     pub fn open_edges(&self) -> Vec<Finding> {
-        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place);
+        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place, false);
         self.merged(self.reach.open_edges().into_iter().map(near).collect())
     }
 
@@ -142,7 +146,9 @@ impl Playtest {
                         self.reach.comes_to_ramp(ramp) && ramp.path.iter().any(near)
                     })
                 };
-                let touched = |shape: &Shape| self.reach.comes_to(shape, BALL_RADIUS_M);
+                // Over a switch, a hole or a field the ball's centre must come.
+                let reach_m = if kind.sensor().is_some() { 0.0 } else { BALL_RADIUS_M };
+                let touched = |shape: &Shape| self.reach.comes_to(shape, reach_m);
                 let shapes = touchable(kind);
                 !shapes.iter().any(touched) && !shapes.iter().any(on_a_ramp)
             }
@@ -186,7 +192,7 @@ impl Playtest {
                 AnomalyKind::Overlap => FindingKind::Overlap,
                 AnomalyKind::NotANumber => FindingKind::NotANumber,
             };
-            Finding::near(kind, layout, anomaly.center_mm * 0.001)
+            Finding::near(kind, layout, anomaly.center_mm * 0.001, anomaly.above)
         });
         Ok(BotRun { findings: findings.collect(), score: run.score(), complaints: run.complaints })
     }
@@ -200,6 +206,9 @@ impl Playtest {
         let dead: Vec<_> =
             findings.iter().filter(|one| one.kind == FindingKind::KeepsItsBall).map(|one| one.part).collect();
         findings.retain(|finding| finding.kind != FindingKind::NeverEjected || !dead.contains(&finding.part));
+        let hidden: Vec<_> =
+            findings.iter().filter(|one| one.kind == FindingKind::Unreachable).map(|one| one.part).collect();
+        findings.retain(|finding| finding.kind != FindingKind::SwitchNeverCloses || !hidden.contains(&finding.part));
         finding::merged(findings)
     }
 }

@@ -86,6 +86,7 @@ fn name(part: PartId, table: &Table) -> String {
 
 /// The line on which a function of the rules begins, if there is one.
 fn line_of(function: &str, rules: &str) -> Option<usize> {
-    let is_it = |line: &str| line.trim_start().strip_prefix("fn ").is_some_and(|rest| rest.trim_start().starts_with(function));
+    let is_it =
+        |line: &str| line.trim_start().strip_prefix("fn ").is_some_and(|rest| rest.trim_start().starts_with(function));
     rules.lines().position(is_it).map(|index| index + 1)
 }

@@ -54,7 +54,7 @@ pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Op
 /// What is wrong with the part, if none of them does. What no ball can come to is told as such, and here is none.
 pub fn closing_shot(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Result<Option<Shot>, Finding> {
     let (shots, ticks) = match kind {
-        Kind::Rollover(rollover) if is_over(reach, &rollover.shape) => return Ok(None),
+        Kind::Rollover(rollover) if reach.roomy_near(rollover.shape, 0.0).next().is_some() => return Ok(None),
         Kind::Rollover(rollover) => (shots_at(reach, &rollover.shape, 0.0, 0.0), FLIGHT_TICKS),
         Kind::Spinner(Spinner { segment, .. }) => (shots_through(reach, segment, None), SLOW_TICKS),
         Kind::Gate(Gate { segment, direction, .. }) => (shots_through(reach, segment, Some(*direction)), SLOW_TICKS),
@@ -104,14 +104,9 @@ fn closes(machine: &Machine, part: PartId, shot: Shot, ticks: usize) -> Option<b
     }))
 }
 
-/// Whether a ball's centre has room in the shape.
-fn is_over(reach: &Reach, shape: &Shape) -> bool {
-    reach.roomy_near(shape, 0.0).next().is_some()
-}
-
 /// Some of the places that are no farther from `shape` than `range_m`, those before its middle first.
 fn places(reach: &Reach, shape: &Shape, nearest_m: f64, range_m: f64) -> Vec<DVec2> {
-    let near = reach.roomy_near(shape, range_m).filter(|place| shape.distance(*place).0 >= nearest_m);
+    let near = reach.roomy_near(*shape, range_m).filter(|place| shape.distance(*place).0 >= nearest_m);
     let bounds = shape.bounds();
     let middle = (bounds.min + bounds.max) * 0.5;
     let mut near: Vec<DVec2> = near.collect();

@@ -1,5 +1,7 @@
 //! What the playtest finds on small tables with one fault each, and that Spectrum has none.
 
+mod places;
+mod switches;
 mod whole_game;
 
 use super::{FindingKind, Playtest};
@@ -215,6 +217,6 @@ fn a_ball_that_lies_on_a_diverter_is_told_of_it() {
     let hook = r#"<path class="wall" id="hook" d="M262 380V360" stroke-width="4"/>"#;
     let playtest = playtest(&format!("{arm}{hook}"));
     let place = DVec2::new(0.22, 0.38);
-    let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place);
+    let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place, false);
     assert!(sentences(&playtest, vec![near])[0].contains(": arm: a ball lies still beside it"));
 }

@@ -5,6 +5,7 @@
 //! balls. What saves a ball for some time is waited for: each ball that is played again is kept in play for longer.
 
 use super::finding::{Finding, FindingKind};
+use super::first_game::BEGIN_TICKS;
 use crate::simulation::SimulationRules;
 use crate::{Buttons, Simulation};
 use geometry::DVec2;
@@ -21,8 +22,9 @@ const KEPT_TICKS: [u64; 5] = [2000, 2000, 8000, 16_000, 32_000];
 pub const MOST_BALLS: usize = 12;
 /// A ball that cannot be lost by then is none of it either, ticks.
 const MOST_TICKS: u64 = 90_000;
-/// Contact solves that a ball may take.
+/// Contact solves that a ball may take, and more for each tick that it is kept in play.
 const MOST_CONTACT_SOLVES: u64 = 400_000;
+const CONTACT_SOLVES_PER_TICK: u64 = 40;
 /// Parts of a full pull of the plunger, one pull after the other, and the time from one to the next, ticks.
 const PULLS: [f64; 4] = [1.0, 0.8, 0.6, 0.4];
 const PULL_PERIOD_TICKS: u64 = 5000;
@@ -34,10 +36,11 @@ const RESCUE_M: f64 = 0.04;
 const LOSS_PERIOD_TICKS: u64 = 200;
 /// What a lost ball ends while another is in play has ended by then, ticks.
 const EARLY_TICKS: u64 = 4000;
-/// Presses of start that must begin the next game, and the time from one to the next, ticks.
-const PRESSES: u64 = 5;
+/// What begins a game: start, again as for a second coin, or another button.
+pub const BEGINNINGS: [Buttons; 5] = [Buttons::START, Buttons::START, Buttons::PLUNGER, Buttons::LEFT, Buttons::RIGHT];
+/// From one press that may begin the next game to another, ticks.
 const PRESS_PERIOD_TICKS: u64 = 5000;
-/// How long start is pressed, ticks.
+/// How long a button is pressed for that, ticks.
 pub const PRESS_TICKS: u64 = 100;
 /// Between two presses of the flippers' buttons while the table is empty, ticks: rules may ask the player something.
 const ASKED_TICKS: u64 = 500;
@@ -120,7 +123,9 @@ pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec
             break;
         }
         let loss = game.lose_ball(*kept_ticks);
-        found.extend(game.dead_flippers().map(|kind| (kind, lost + 1)));
+        if found.is_empty() {
+            found.extend(game.dead_flippers().map(|kind| (kind, lost + 1)));
+        }
         if matches!(loss, Loss::Unseen) {
             break;
         }
@@ -136,7 +141,7 @@ impl WholeGame<'_> {
     /// Waits until a ball is on the table, or none will come.
     fn wait_for_ball(&mut self, is_first: bool) -> Arrival {
         // The first has been waited for already.
-        let waited = if is_first { super::first_game::BEGIN_TICKS } else { 0 };
+        let waited = if is_first { BEGIN_TICKS } else { 0 };
         for tick in waited..EMPTY_TICKS {
             if !self.simulation.rules_state().playing {
                 return Arrival::GameOver;
@@ -153,6 +158,7 @@ impl WholeGame<'_> {
     fn lose_ball(&mut self, kept_ticks: u64) -> Loss {
         self.seen = Seen::default();
         self.before_loss = None;
+        let most_contact_solves = MOST_CONTACT_SOLVES + CONTACT_SOLVES_PER_TICK * kept_ticks;
         let mut contact_solves = 0;
         let mut lost_at = None;
         for tick in 0..MOST_TICKS {
@@ -161,7 +167,7 @@ impl WholeGame<'_> {
             if !rules.playing || balls.is_empty() {
                 return Loss::Seen;
             }
-            if contact_solves > MOST_CONTACT_SOLVES {
+            if contact_solves > most_contact_solves {
                 return Loss::Unseen;
             }
             self.seen.look(rules);
@@ -212,14 +218,18 @@ impl WholeGame<'_> {
         Some(false)
     }
 
-    /// Whether a press of start begins the next game.
+    /// Whether a press of a button begins the next game.
     fn begins_again(&self) -> bool {
         let mut simulation = self.simulation.clone();
-        (0..PRESSES * PRESS_PERIOD_TICKS).any(|tick| {
-            let is_down = tick % PRESS_PERIOD_TICKS >= PRESS_PERIOD_TICKS - PRESS_TICKS;
-            simulation.tick(if is_down { Buttons::START } else { Buttons::NONE });
-            simulation.rules_state().playing
-        })
+        let mut is_begun_by = |button: Buttons| {
+            (0..PRESS_PERIOD_TICKS).any(|tick| {
+                let is_down =
+                    tick.checked_sub(PRESS_PERIOD_TICKS - BEGIN_TICKS).is_some_and(|since| since < PRESS_TICKS);
+                simulation.tick(if is_down { button } else { Buttons::NONE });
+                simulation.rules_state().playing
+            })
+        };
+        BEGINNINGS.into_iter().any(&mut is_begun_by)
     }
 
     /// What is missing where no ball comes behind so many lost ones.

@@ -47,15 +47,19 @@ fn a_game_that_never_begins_is_told() {
         let found = playtest.first_game().unwrap();
         (found[0].kind, found[0].is_warning(), sentences(&playtest, found)[0].clone())
     };
-    let (kind, is_warning, told) = found("const A = 1;\nfn on_button(name) { if name == \"strat\" { start_game(3); } }");
+    let (kind, is_warning, told) =
+        found("const A = 1;\nfn on_button(name) { if name == \"strat\" { start_game(3); } }");
     assert!(kind == FindingKind::NoGame && !is_warning, "{told}");
     assert!(told.starts_with("rules.rhai:2: no game begins when start is pressed; "), "{told}");
     // A table that only shows lamps is none that cannot be played.
-    let (kind, is_warning, told) = found("fn on_start() { lamp(\"*\", \"on\"); } // no start_game");
+    let (kind, is_warning, told) = found("fn on_start() { now(); } // no start_game");
     assert!(kind == FindingKind::NoStart && is_warning && told.starts_with("warning: rules.rhai: no game"), "{told}");
     // A second coin, or another button.
-    let coins = changed("name == \"start\" && ", "name == \"start\" { this.coins = if \"coins\" in this { 2 } else { 1 }; }
-        if name == \"start\" && this.coins == 2 && ");
+    let coins = changed(
+        "name == \"start\" && ",
+        "name == \"start\" { this.coins = if \"coins\" in this { 2 } else { 1 }; }
+        if name == \"start\" && this.coins == 2 && ",
+    );
     assert_eq!(first_game(&coins), []);
     assert_eq!(first_game(&changed("\"start\"", "\"plunger\"")), []);
 }
@@ -80,7 +84,10 @@ fn a_lost_ball_without_a_consequence_is_told_on_every_table_and_of_every_ball() 
         let kinds = |from, to| kinds(&table, &changed(from, to));
         assert_eq!(kinds("3", "3"), []);
         assert_eq!(kinds("\"drain\" &&", "\"drian\" &&"), [FindingKind::BallWithoutEnd]);
-        assert_eq!(kinds("{ if next_player() { add_ball(); } else { game_over(); } }", "{ }"), [FindingKind::BallWithoutEnd]);
+        assert_eq!(
+            kinds("{ if next_player() { add_ball(); } else { game_over(); } }", "{ }"),
+            [FindingKind::BallWithoutEnd]
+        );
         assert_eq!(kinds("{ add_ball(); } else", "{ } else"), [FindingKind::NoNextBall]);
         assert_eq!(kinds("{ game_over(); }", "{ }"), [FindingKind::NoGameOver]);
         assert_eq!(
@@ -94,7 +101,8 @@ fn a_lost_ball_without_a_consequence_is_told_on_every_table_and_of_every_ball() 
         assert_eq!(kinds("!playing()", "!playing() && scores().len() == 0"), [FindingKind::NoNextGame]);
     }
     let told = told(DRAIN, &changed("{ add_ball(); } else", "{ } else"));
-    let expected = "rules.rhai:3: ball 1 is lost in drain (table.svg line 8), `next_player()` begins the next turn, and no ball";
+    let expected =
+        "rules.rhai:3: ball 1 is lost in drain (table.svg line 8), `next_player()` begins the next turn, and no ball";
     assert!(told[0].starts_with(expected), "{told:?}");
 }
 
@@ -102,7 +110,7 @@ fn a_lost_ball_without_a_consequence_is_told_on_every_table_and_of_every_ball() 
 #[test]
 fn rules_that_mean_it_are_left_alone() {
     let lost = "if name == \"drain\" && balls_in_play() == 0 { ";
-    let saves = |by: &str| first_game(&changed(lost, &format!("{lost} if {by} {{ add_ball(); return; }} ")));
+    let saves = |by: &str| first_game(&changed(lost, &format!("{lost} {by} {{ add_ball(); return; }} ")));
     let with_launch = |more: &str, by: &str| {
         let rules = changed(lost, &format!("{lost} if {by} {{ add_ball(); return; }} "));
         first_game(&format!("{rules}\nfn on_launch() {{ {more} }}"))
@@ -110,7 +118,7 @@ fn rules_that_mean_it_are_left_alone() {
     // Ball save: whenever a ball is shot, and so for ever if it is lost at once.
     assert_eq!(with_launch("after(15_000, \"save\");", "running(\"save\")"), []);
     // Two extra balls.
-    let extra = "{ if !(\"extra\" in this) { this.extra = 0; } this.extra += 1; this.extra <= 2 }";
+    let extra = "if !(\"extra\" in this) { this.extra = 0; } this.extra += 1; if this.extra <= 2";
     assert_eq!(saves(extra), []);
     // Each launch brings a second ball.
     let multiball = "if !(\"more\" in this) || this.more != ball() { this.more = ball(); add_ball(); }";
