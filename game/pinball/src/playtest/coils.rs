@@ -17,8 +17,6 @@ const LYING_M_S: f64 = 0.01;
 const FLIPPED_M_S: f64 = 0.5;
 /// Steps of a flipper's stroke, and along it.
 const STROKE_STEPS: i32 = 16;
-/// Flippers that reach no deeper into each other's stroke only seem to cross: a drawing's decimals, m.
-const CROSSING_M: f64 = 1e-3;
 
 /// Whether there is a trial for such a part.
 pub fn has_trial(kind: &Kind) -> bool {
@@ -138,33 +136,25 @@ pub fn crossing_flippers(machine: &Machine) -> Vec<Finding> {
     crossings.map(|(part, place)| Finding::of_part(FindingKind::FlippersCross, part, place)).collect()
 }
 
-/// Where two flippers meet on their strokes: while one turns the other may be anywhere.
+/// Where the middle of a flipper that turns comes into another, which lies at an end of its stroke. Tips that only touch are
+/// left alone.
 fn crossing(one: &Flipper, other: &Flipper) -> Option<DVec2> {
-    let places = outline_places(one);
-    let others = sweep(other);
-    places.into_iter().find(|place| others.iter().any(|outline| outline.distance(*place).0 < -CROSSING_M))
-}
-
-/// Places at the edge of a flipper's outline, all along its stroke.
-fn outline_places(flipper: &Flipper) -> Vec<DVec2> {
-    let along = |outline: &Taper| {
-        let outline = *outline;
-        (0..=STROKE_STEPS).flat_map(move |step| {
-            let part = f64::from(step) / f64::from(STROKE_STEPS);
-            let middle = outline.a.center.lerp(outline.b.center, part);
-            let radius = outline.a.radius + (outline.b.radius - outline.a.radius) * part;
-            let side = (outline.b.center - outline.a.center).normalize_or_zero();
-            [side.perp(), -side.perp(), side].map(|way| middle + way * radius)
-        })
+    let along =
+        |outline: Taper| (0..=STROKE_STEPS).map(move |step| outline.a.center.lerp(outline.b.center, part(step)));
+    let meets = |turning: &Flipper, lying: &Flipper| {
+        let ends = [lying.outline(lying.rest_rad), lying.outline(lying.up_rad)];
+        let mut places = sweep(turning).into_iter().flat_map(along);
+        places.find(|place| ends.iter().any(|outline| outline.distance(*place).0 < 0.0))
     };
-    sweep(flipper).iter().flat_map(along).collect()
+    meets(one, other).or_else(|| meets(other, one))
 }
 
 /// A flipper's outlines from rest to the end of its stroke.
 fn sweep(flipper: &Flipper) -> Vec<Taper> {
-    let angle = |step: i32| {
-        let part = f64::from(step) / f64::from(STROKE_STEPS);
-        flipper.rest_rad + (flipper.up_rad - flipper.rest_rad) * part
-    };
+    let angle = |step: i32| flipper.rest_rad + (flipper.up_rad - flipper.rest_rad) * part(step);
     (0..=STROKE_STEPS).map(|step| flipper.outline(angle(step))).collect()
+}
+
+fn part(step: i32) -> f64 {
+    f64::from(step) / f64::from(STROKE_STEPS)
 }

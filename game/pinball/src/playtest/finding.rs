@@ -1,10 +1,10 @@
 //! A finding: one thing that only play shows, as a sentence with the part's name and line.
 
-use super::rules_finding;
+use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::{Core, DVec2, Segment, Shape};
-use physics::{BALL_RADIUS_M, FlipperControl, Kind, Layout, PartId};
+use geometry::DVec2;
+use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
 use std::cmp::Reverse;
 
 /// What only play shows.
@@ -87,8 +87,8 @@ impl Finding {
 
     /// What was found of a ball there, about the part that is nearest: of a ball above the playfield the nearest ramp.
     pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2, is_above: bool) -> Finding {
-        let ramp = nearest_ramp(layout, place_m).filter(|_| is_above);
-        let part = ramp.or_else(|| nearest_part(layout, place_m, None));
+        let ramp = nearest::ramp(layout, place_m).filter(|_| is_above);
+        let part = ramp.or_else(|| nearest::part(layout, place_m, None));
         Finding { kind, part, place_mm: place_m * 1000.0, count: 1 }
     }
 
@@ -245,7 +245,7 @@ impl Finding {
 
     /// Name and line of what is nearest to the ball, but for the part itself.
     fn beside(&self, table: &Table) -> String {
-        let near = nearest_part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
+        let near = nearest::part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
         near.map_or_else(|| "nothing".to_string(), |part| named(table, part))
     }
 
@@ -299,44 +299,4 @@ fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
         told.extend(first.zip(kind).map(|(first, kind)| Finding { kind, count, ..first }));
     }
     told
-}
-
-/// The part whose surface is nearest to a ball at `place_m`, if it is not `but`.
-fn nearest_part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<PartId> {
-    let distance =
-        |kind: &Kind| touchable(kind).into_iter().map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp);
-    let parts = layout.parts.iter().enumerate().map(|(index, part)| (PartId(index as u16), &part.kind));
-    let others = parts.filter(|(part, _)| Some(*part) != but);
-    let distances = others.filter_map(|(part, kind)| Some((part, distance(kind)?)));
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
-}
-
-/// The ramp whose middle is nearest to a ball at `place_m`.
-fn nearest_ramp(layout: &Layout, place_m: DVec2) -> Option<PartId> {
-    let parts = layout.parts.iter().enumerate();
-    let distances = parts.filter_map(|(index, part)| match &part.kind {
-        Kind::Ramp(ramp) => {
-            let legs = ramp.path.iter().map(|leg| Shape { core: leg.offset(0.0), radius: 0.0 }.distance(place_m).0);
-            Some((PartId(index as u16), legs.fold(f64::INFINITY, f64::min)))
-        }
-        _ => None,
-    });
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
-}
-
-/// What of a part a ball touches.
-pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
-    let bar = |segment: Segment| Shape::capsule(segment.a, segment.b, 0.0);
-    let moving = match kind {
-        Kind::Spinner(own) => Some(bar(own.segment)),
-        Kind::Gate(own) => Some(bar(own.segment)),
-        Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
-        Kind::CaptiveBall(own) => Some(Shape::disc(own.center, BALL_RADIUS_M)),
-        // A diverter lies as it is drawn until the rules turn it.
-        Kind::Flipper(own) if own.control == FlipperControl::Rules => {
-            Some(Shape { core: Core::Taper(own.outline(own.rest_rad)), radius: 0.0 })
-        }
-        _ => None,
-    };
-    kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()
 }

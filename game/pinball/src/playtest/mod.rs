@@ -8,6 +8,7 @@ mod coils;
 mod finding;
 mod first_game;
 mod let_go;
+mod nearest;
 mod places;
 mod plunger;
 mod reach;
@@ -17,8 +18,8 @@ mod switches;
 mod tests;
 mod whole_game;
 
-use finding::touchable;
 pub use finding::{Finding, FindingKind};
+use nearest::touchable;
 
 use crate::bot::Bot;
 use crate::bot::anomaly::AnomalyKind;

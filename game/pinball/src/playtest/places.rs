@@ -1,6 +1,6 @@
 //! Places where balls are let go: where one may lie, and the same number of others whatever else stands on the table.
 
-use super::finding::touchable;
+use super::nearest::touchable;
 use super::reach::Reach;
 use geometry::{Core, DVec2, Shape};
 use physics::{BALL_RADIUS_M, Kind, Machine};

@@ -1,7 +1,8 @@
 //! The switches' trials: balls are shot at each part from places round it, as a player could shoot them, and one of them
 //! must close its switch.
 
-use super::finding::{Finding, FindingKind, touchable};
+use super::finding::{Finding, FindingKind};
+use super::nearest::touchable;
 use super::reach::Reach;
 use geometry::{DVec2, Segment, Shape};
 use physics::{BALL_RADIUS_M, Controls, Event, EventKind, Gate, Kind, Machine, PartId, Saucer, Spinner};

@@ -50,6 +50,9 @@ fn a_ball_on_a_ramp_is_told_of_the_ramp() {
     let near = |above| Finding::near(FindingKind::Stuck, playtest.machine.layout(), DVec2::new(0.2, 0.3), above);
     assert!(sentences(&playtest, vec![near(true)])[0].contains(": way: "));
     assert!(sentences(&playtest, vec![near(false)])[0].contains(": below: "));
+    // Below its low end, where a ball rolls in from above and does not come out.
+    let wedge = Finding::near(FindingKind::Stuck, playtest.machine.layout(), DVec2::new(0.105, 0.48), false);
+    assert!(sentences(&playtest, vec![wedge])[0].contains(": way: "));
 }
 
 #[test]
