@@ -29,20 +29,21 @@ const MAX_SAUCERS: usize = 16;
 /// Contact solves that a trial may take.
 const MOST_CONTACT_SOLVES: u64 = 400_000;
 
-/// What the rules do wrong, or leave undone.
+/// What the rules do wrong, or leave undone, and what they complain about meanwhile.
 ///
 /// # Errors
 /// If they do not run.
-pub fn try_rules(table: &Arc<Table>) -> Result<Vec<Finding>, Failure> {
+pub fn try_rules(table: &Arc<Table>) -> Result<(Vec<Finding>, Vec<String>), Failure> {
     let mut simulation = Simulation::new(table.clone(), 0)?;
     (0..PRESS_TICKS).for_each(|_| simulation.tick(Buttons::START));
     (PRESS_TICKS..BEGIN_TICKS).for_each(|_| simulation.tick(Buttons::NONE));
     if !simulation.display().playing {
-        return Ok(Vec::new()); // what the bot shows
+        return Ok((Vec::new(), simulation.complaints())); // what the bot shows
     }
     let saucers = held(&simulation);
     let told = |kind| Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 };
-    Ok(first_ball(simulation).into_iter().map(told).chain(saucers).collect())
+    let (found, complaints) = first_ball(simulation);
+    Ok((found.into_iter().map(told).chain(saucers).collect(), complaints))
 }
 
 /// What has been seen of a game.
@@ -59,7 +60,7 @@ struct Seen {
 }
 
 /// Plays until the first ball is lost and something has come of it.
-fn first_ball(mut simulation: Simulation) -> Vec<FindingKind> {
+fn first_ball(mut simulation: Simulation) -> (Vec<FindingKind>, Vec<String>) {
     let is_empty = simulation.machine().balls().is_empty();
     let mut seen = Seen { empty_ticks: if is_empty { BEGIN_TICKS } else { 0 }, ..Seen::default() };
     let mut contact_solves = 0;
@@ -84,7 +85,7 @@ fn first_ball(mut simulation: Simulation) -> Vec<FindingKind> {
     if has_flippers && seen.in_play_ticks >= IN_PLAY_TICKS && !seen.flippers_live && !seen.tilted {
         found.push(FindingKind::DeadFlippers);
     }
-    found
+    (found, simulation.complaints())
 }
 
 impl Seen {

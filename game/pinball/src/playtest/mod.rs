@@ -143,11 +143,11 @@ impl Playtest {
         }
     }
 
-    /// What the rules do wrong, or leave undone, in a game's first ball.
+    /// What the rules do wrong, or leave undone, in a game's first ball, and what they complain about.
     ///
     /// # Errors
     /// If they do not run.
-    pub fn first_game(&self) -> Result<Vec<Finding>, Failure> {
+    pub fn first_game(&self) -> Result<(Vec<Finding>, Vec<String>), Failure> {
         first_game::try_rules(&self.table)
     }
 

@@ -206,7 +206,7 @@ fn first_game(rules: &str) -> Vec<FindingKind> {
     let hole = r#"<circle class="saucer" id="hole" cx="200" cy="300" r="15" data-eject-deg="90" data-eject-m-s="1"/>"#;
     let drain = r#"<line class="drain" id="drain" x1="90" y1="960" x2="410" y2="960" stroke-width="10"/>"#;
     let playtest = playtest_of(with_rules(&format!("{WALLS}{hole}{drain}"), rules));
-    playtest.first_game().unwrap().iter().map(|finding| finding.kind).collect()
+    playtest.first_game().unwrap().0.iter().map(|finding| finding.kind).collect()
 }
 
 /// Games without flippers, without a ball, without an end were called good: all that is needed was in the rules, and none
