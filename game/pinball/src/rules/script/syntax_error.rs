@@ -33,8 +33,6 @@ const OTHERS: [(&str, &str); 22] = [
 
 /// What is told of a comment without an end.
 pub const UNCLOSED_COMMENT: &str = "a comment begins on this line and is never closed: a `*/` is missing";
-/// Signs before which a value must have stood.
-const CLOSING: [&str; 5] = [";", ",", ")", "]", "}"];
 /// Words behind which a name stands.
 const NAMING: [&str; 4] = ["let", "const", "fn", "for"];
 
@@ -52,7 +50,7 @@ pub fn told(error: &ParseError, text: &str) -> Mistake {
         return (begin, UNCLOSED_COMMENT.to_string());
     }
     let last = tokens::last_before(text, line, column);
-    let behind = last.map_or_else(String::new, |last| format!(" behind `{}`", last.text));
+    let behind = last.map_or_else(String::new, |last| format!(" behind `{}`", tokens::whole_operator(text, last)));
     // Of what is missing, the line on which it would stand.
     let missing_line = last.map_or(line, |last| last.last_line());
     if let ParseErrorType::BadInput(error) = error.err_type() {
@@ -66,30 +64,54 @@ pub fn told(error: &ParseError, text: &str) -> Mistake {
     if let Some(mistake) = unbalanced(text).filter(|(own, _)| *own <= line) {
         return mistake;
     }
-    let words = [last, tokens::at(text, line, column)].into_iter().flatten();
-    let other = words.map(|token| token.text).find(|word| is_word(word) && hint(word).is_some());
-    match (error.err_type(), other) {
-        (ParseErrorType::MissingToken(..), Some(other)) => (line, foreign(other)),
-        (ParseErrorType::Reserved(word), _)
-            if is_word(word) && last.is_some_and(|last| NAMING.contains(&last.text)) =>
-        {
+    match (error.err_type(), last) {
+        (ParseErrorType::MissingToken(missing, _), Some(last)) => {
+            let what = in_its_place(missing, text, last).unwrap_or_else(|| absent(missing, &behind));
+            (missing_line, what)
+        }
+        (ParseErrorType::Reserved(word), Some(last)) if is_word(word) && NAMING.contains(&last.text) => {
             (line, kept(word))
         }
         (error, _) => of_type(error, line, (missing_line, &behind)),
     }
 }
 
+/// What is told of something that is missing behind a word, where what stands there says more.
+fn in_its_place(missing: &str, text: &str, last: tokens::Token) -> Option<String> {
+    let next = text[last.end()..].trim_start();
+    let word = next.find(|letter: char| !letter.is_alphanumeric() && letter != '_').map_or(next, |end| &next[..end]);
+    let is_named = || tokens::before(text, last).is_some_and(|before| matches!(before.text, "let" | "const"));
+    match missing {
+        _ if is_word(last.text) && hint(last.text).is_some() => Some(foreign(last.text)),
+        _ if !word.is_empty() && hint(word).is_some() => Some(foreign(word)),
+        _ if next.starts_with("::") => Some("rules have no `::`: they have no modules".to_string()),
+        ";" if is_named() && next.starts_with("==") => Some("`==` compares: to set a variable, write `=`".to_string()),
+        ";" if is_named() => Some(absent("=", &format!(" behind `{}`", last.text))),
+        _ => None,
+    }
+}
+
+/// Whether a value must stand behind what is there.
+fn is_open(behind: &str) -> bool {
+    let last = behind.strip_suffix('`').and_then(|behind| behind.chars().last());
+    last.is_some_and(|last| "=<>+-*/%&|([,!:".contains(last))
+}
+
+fn absent(missing: &str, behind: &str) -> String {
+    let article = if is_word(missing) { "" } else { "a " };
+    format!("{article}`{missing}` is missing{behind}")
+}
+
 /// What is told of an error on this line, of what is missing on that one behind that.
 fn of_type(error: &ParseErrorType, line: usize, (missing_line, behind): (usize, &str)) -> Mistake {
     match error {
-        ParseErrorType::BadInput(LexError::UnexpectedInput(sign)) if CLOSING.contains(&sign.as_str()) => {
+        ParseErrorType::BadInput(LexError::UnexpectedInput(sign))
+            if sign.is_ascii() && !is_word(sign) && is_open(behind) =>
+        {
             (missing_line, format!("a value is missing{behind}, before `{sign}`"))
         }
         ParseErrorType::BadInput(error) => (line, unreadable(error, behind)),
-        ParseErrorType::MissingToken(missing, _) => {
-            let article = if is_word(missing) { "" } else { "a " };
-            (missing_line, format!("{article}`{missing}` is missing{behind}"))
-        }
+        ParseErrorType::MissingToken(missing, _) => (missing_line, absent(missing, behind)),
         ParseErrorType::UnexpectedEOF => {
             (missing_line, format!("the script ends in the middle: the rest is missing{behind}"))
         }

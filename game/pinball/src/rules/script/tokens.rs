@@ -34,10 +34,21 @@ pub fn last_before(text: &str, line: usize, column: usize) -> Option<Token<'_>> 
     tokens(text).into_iter().take_while(|token| token.start < start).last()
 }
 
-/// The word, mark or string that stands at a place.
-pub fn at(text: &str, line: usize, column: usize) -> Option<Token<'_>> {
-    let place = place(text, line, column)?;
-    tokens(text).into_iter().find(|token| (token.start..token.end()).contains(&place))
+/// The word, mark or string before another.
+pub fn before<'a>(text: &'a str, token: Token) -> Option<Token<'a>> {
+    tokens(text).into_iter().take_while(|other| other.start < token.start).last()
+}
+
+/// A mark with the signs that make one operator with it: `==` for its second sign.
+pub fn whole_operator<'a>(text: &'a str, token: Token<'a>) -> &'a str {
+    const SIGNS: [char; 10] = ['=', '!', '<', '>', '&', '|', '+', '-', '*', '%'];
+    match token.text.starts_with(SIGNS) {
+        true => {
+            let start = text[..token.end()].trim_end_matches(SIGNS).len();
+            &text[start..token.end()]
+        }
+        false => token.text,
+    }
 }
 
 /// The line on which a comment begins that is never closed.
