@@ -19,17 +19,19 @@ const MAX_DRAINS: usize = 6;
 /// Contact solves that a trial may take.
 const MOST_CONTACT_SOLVES: u64 = 400_000;
 
-/// What the rules do wrong, or leave undone.
+/// What the rules do wrong, or leave undone, and what they complain about meanwhile.
 ///
 /// # Errors
 /// If they do not run.
-pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<Vec<Finding>, Failure> {
+pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<(Vec<Finding>, Vec<String>), Failure> {
     let mut simulation = Simulation::new(table.clone(), 0)?;
     if !BEGINNINGS.into_iter().any(|button| begins(&mut simulation, button)) {
         let kind = if means_to_begin(&table.rules) { FindingKind::NoGame } else { FindingKind::NoStart };
-        return Ok(vec![Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 }]);
+        let told = Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 };
+        return Ok((vec![told], simulation.complaints()));
     }
-    Ok(game(&simulation, places).into_iter().chain(held(&simulation)).collect())
+    let (found, complaints) = game(&simulation, places);
+    Ok((found.into_iter().chain(held(&simulation)).collect(), complaints))
 }
 
 /// Whether a game is on behind a press of this button.
@@ -46,16 +48,20 @@ fn means_to_begin(rules: &str) -> bool {
 }
 
 /// The game whose balls are lost in the first drain, and in each of the others the game's first ball.
-fn game(simulation: &Simulation, places: &LossPlaces) -> Vec<Finding> {
+fn game(simulation: &Simulation, places: &LossPlaces) -> (Vec<Finding>, Vec<String>) {
     let Some((first, others)) = places.drains.split_first() else {
         return whole_game::play(simulation, places, None, MOST_BALLS);
     };
-    let found = whole_game::play(simulation, places, Some(*first), MOST_BALLS);
-    if !found.is_empty() {
-        return found; // of the others the same would be told
+    let (mut found, mut complaints) = whole_game::play(simulation, places, Some(*first), MOST_BALLS);
+    // Of the others the same would be told.
+    let others = if found.is_empty() { others } else { &[] };
+    for drain in others.iter().take(MAX_DRAINS - 1) {
+        let (own, more) = whole_game::play(simulation, places, Some(*drain), 1);
+        found.extend(own);
+        let new: Vec<String> = more.into_iter().filter(|one| !complaints.contains(one)).collect();
+        complaints.extend(new);
     }
-    let others = others.iter().take(MAX_DRAINS - 1);
-    others.flat_map(|drain| whole_game::play(simulation, places, Some(*drain), 1)).collect()
+    (found, complaints)
 }
 
 /// Saucers that keep a ball, in a game whose first ball waits at the plunger.

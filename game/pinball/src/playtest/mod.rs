@@ -156,11 +156,12 @@ impl Playtest {
         }
     }
 
-    /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon.
+    /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon, and what they complain
+    /// about.
     ///
     /// # Errors
     /// If they do not run.
-    pub fn first_game(&self) -> Result<Vec<Finding>, Failure> {
+    pub fn first_game(&self) -> Result<(Vec<Finding>, Vec<String>), Failure> {
         first_game::try_rules(&self.table, &self.loss_places())
     }
 

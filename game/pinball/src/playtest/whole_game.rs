@@ -92,8 +92,13 @@ enum Loss {
 }
 
 /// What the rules do wrong, or leave undone, from here to the end of a game whose balls are lost in this drain, or until so
-/// many are lost.
-pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec2)>, balls: usize) -> Vec<Finding> {
+/// many are lost; and what they complain about.
+pub fn play(
+    begun: &Simulation,
+    places: &LossPlaces,
+    drain: Option<(PartId, DVec2)>,
+    balls: usize,
+) -> (Vec<Finding>, Vec<String>) {
     let seen = Seen::default();
     let mut game = WholeGame { simulation: begun.clone(), places, drain, before_loss: None, seen };
     let mut found = Vec::new();
@@ -134,7 +139,7 @@ pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec
     found.extend(ends_early.unwrap_or(false).then_some((FindingKind::EndsEarly, 1)));
     let part = drain.map(|(part, _)| part);
     let told = |(kind, count)| Finding { kind, part, place_mm: DVec2::ZERO, count };
-    found.into_iter().map(told).collect()
+    (found.into_iter().map(told).collect(), game.simulation.complaints())
 }
 
 impl WholeGame<'_> {

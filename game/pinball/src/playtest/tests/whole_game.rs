@@ -21,7 +21,7 @@ const BASIN: &str = r#"<path class="wall" d="M10 700H210M250 700H460" fill="none
 
 fn told(drawn: &str, rules: &str) -> Vec<String> {
     let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{drawn}"), rules));
-    sentences(&playtest, playtest.first_game().unwrap())
+    sentences(&playtest, playtest.first_game().unwrap().0)
 }
 
 /// What is told of a game with these rules.
@@ -31,7 +31,7 @@ fn first_game(rules: &str) -> Vec<FindingKind> {
 
 fn kinds(drawn: &str, rules: &str) -> Vec<FindingKind> {
     let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{drawn}"), rules));
-    playtest.first_game().unwrap().iter().map(|finding| finding.kind).collect()
+    playtest.first_game().unwrap().0.iter().map(|finding| finding.kind).collect()
 }
 
 fn changed(from: &str, to: &str) -> String {
@@ -44,7 +44,7 @@ fn changed(from: &str, to: &str) -> String {
 fn a_game_that_never_begins_is_told() {
     let found = |rules: &str| {
         let playtest = playtest_of(with_rules(WALLS, rules));
-        let found = playtest.first_game().unwrap();
+        let found = playtest.first_game().unwrap().0;
         (found[0].kind, found[0].is_warning(), sentences(&playtest, found)[0].clone())
     };
     let (kind, is_warning, told) =
@@ -142,7 +142,7 @@ fn every_drain_is_tried() {
 #[test]
 fn spectrum_plays_a_whole_game() {
     let playtest = playtest_of(spectrum());
-    assert_eq!(sentences(&playtest, playtest.first_game().unwrap()), Vec::<String>::new());
+    assert_eq!(sentences(&playtest, playtest.first_game().unwrap().0), Vec::<String>::new());
     assert_eq!(playtest.loss_places().drains.len(), 1);
 }
 
