@@ -102,7 +102,7 @@ fn flippers_whose_strokes_cross_are_told() {
         )
     };
     assert_eq!(coils(&right(310.0)), Vec::<String>::new());
-    assert_eq!(coils(&right(281.0)), Vec::<String>::new(), "tips that touch");
+    assert_eq!(coils(&right(290.0)), Vec::<String>::new(), "tips that touch when both are up");
     let told = coils(&right(265.0));
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(told[0].contains(": left: its stroke crosses that of right (line 9) at "), "{told:?}");
