@@ -22,8 +22,15 @@ pub fn places(machine: &Machine, reach: &Reach, most: usize) -> Vec<DVec2> {
     let mut all = some(reach.pits());
     all.extend(some(beside.collect()));
     let left = most.saturating_sub(all.len());
-    all.extend(reach.spread_places().into_iter().take(left));
+    let flaps: Vec<Shape> = machine.layout().parts.iter().flat_map(|part| flaps(&part.kind)).collect();
+    let is_free = |place: &DVec2| flaps.iter().all(|flap| flap.distance(*place).0 >= BALL_RADIUS_M);
+    all.extend(reach.spread_places().into_iter().filter(is_free).take(left));
     all
+}
+
+/// The flap of a gate: below it no ball comes to rest.
+fn flaps(kind: &Kind) -> Vec<Shape> {
+    if matches!(kind, Kind::Gate(_)) { touchable(kind) } else { Vec::new() }
 }
 
 /// Places beside a part that moves, and may hold a ball which what stands still would not.

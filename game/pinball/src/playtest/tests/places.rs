@@ -2,7 +2,8 @@
 
 use super::{let_go, playtest, sentences};
 use crate::playtest::{Finding, FindingKind};
-use geometry::DVec2;
+use geometry::{DVec2, Shape};
+use physics::{BALL_RADIUS_M, Controls};
 
 /// A pocket was told of a table and not of the same one with a post more: none of its places was in the pocket.
 #[test]
@@ -25,6 +26,25 @@ fn a_gate_that_holds_a_ball_is_told_whatever_else_is_on_the_table() {
         let (x, y) = (60 + 31 * post, 500 + 17 * post);
         let told = let_go(&playtest(&format!(r#"{gate}<circle class="post" id="p" cx="{x}" cy="{y}" r="4"/>"#)));
         assert!(told.len() == 1 && told[0].contains(": flap: a ball lies still beside it"), "{told:?}");
+    }
+}
+
+/// A ball that was let go below a gate's flap lay there for ever, on one table and not on the same with a post more. No ball
+/// comes to rest there: shot from below, as fast as takes it just there, it goes on or falls back.
+#[test]
+fn no_ball_is_let_go_below_a_flap() {
+    let gate = r#"<line class="gate" id="flap" x1="198" y1="366" x2="236" y2="350" data-way="up"/>
+<path class="wall" d="M195 300V450M239 300V450" fill="none" stroke-width="6"/>"#;
+    let playtest = playtest(gate);
+    let flap = Shape::capsule(DVec2::new(0.198, 0.366), DVec2::new(0.236, 0.350), 0.0);
+    assert!(playtest.places(100_000).iter().all(|place| flap.distance(*place).0 >= BALL_RADIUS_M));
+    for shot in 0..80 {
+        let speed = 0.24 + 0.003 * f64::from(shot);
+        let mut machine = playtest.machine.clone();
+        machine.put_ball(DVec2::new(0.217, 0.41), DVec2::new(0.0, -speed), [0.0; 3]);
+        (0..5000).for_each(|_| machine.tick(Controls::NONE, &[]));
+        let lies = machine.balls().iter().any(|ball| flap.distance(ball.center).0 < 0.5 * BALL_RADIUS_M);
+        assert!(!lies, "{speed} m/s");
     }
 }
 
