@@ -135,6 +135,14 @@ impl Machine {
         id
     }
 
+    /// Puts a ball in play to another place on the playfield, at rest, for experiments.
+    pub fn move_ball(&mut self, id: u32, center: DVec2) {
+        let is_it = |ball: &&mut Ball| ball.id == id && ball.captive().is_none();
+        if let Some(ball) = self.state.balls.iter_mut().find(is_it) {
+            *ball = Ball::new(id, center);
+        }
+    }
+
     /// Returns the cabinet's acceleration, m/s^2.
     fn push_cabinet(&mut self, controls: &Controls) -> DVec2 {
         let motion = self.state.mechanisms.cabinet.tick(controls);

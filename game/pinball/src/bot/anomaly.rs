@@ -46,6 +46,8 @@ pub struct Anomaly {
     pub tick: u64,
     /// Where the ball was, mm.
     pub center_mm: DVec2,
+    /// It was on a ramp, or high above the playfield.
+    pub above: bool,
     /// What it was in or near: a part's name, or how fast it was.
     pub detail: String,
 }
@@ -133,7 +135,7 @@ impl AnomalyDetector {
     }
 
     fn notice(&mut self, tick: u64, ball: &BallPose, kind: AnomalyKind, detail: String) {
-        let anomaly = Anomaly { kind, tick, center_mm: ball.center * 1000.0, detail };
+        let anomaly = Anomaly { kind, tick, center_mm: ball.center * 1000.0, above: ball.above, detail };
         self.noticed.entry((ball.id, kind)).or_insert(anomaly);
     }
 

@@ -1,55 +1,43 @@
-//! The coils' and switches' trials: a ball before each, and what it must do with it.
+//! The coils' trials: a ball before each, and what it must do with it.
 
 use super::finding::{Finding, FindingKind};
 use super::reach::Reach;
+use super::switches::{self, Shot};
 use super::{THROWN_M, farthest, wait};
-use geometry::{DVec2, Shape, trig};
-use physics::{
-    BALL_RADIUS_M, Bumper, Command, Controls, EventKind, Flipper, FlipperControl, Kickback, Kind, Machine, PartId,
-    Saucer, Slingshot,
-};
+use geometry::{DVec2, Taper, trig};
+use physics::{BALL_RADIUS_M, Command, Controls, Flipper, FlipperControl, Kickback, Kind, Machine, PartId, Saucer};
 
 /// Room that is left between a ball and what it is put at, m.
 const GAP_M: f64 = 2e-4;
-/// How fast a ball is shot at a switch, m/s; twice the part's own threshold if that is more.
-const SHOT_M_S: f64 = 1.5;
-/// A ball is shot from no farther, m.
-const SHOT_RANGE_M: f64 = 0.06;
 /// A captive ball that is farther from where it is drawn has come out, m.
 const CAPTIVE_M: f64 = 0.15;
 /// A ball that lies is no faster, m/s.
 const LYING_M_S: f64 = 0.01;
 /// A ball that is flipped is this fast, m/s.
 const FLIPPED_M_S: f64 = 0.5;
+/// Steps of a flipper's stroke, and along it.
+const STROKE_STEPS: i32 = 16;
 
 /// Whether there is a trial for such a part.
 pub fn has_trial(kind: &Kind) -> bool {
-    matches!(
-        kind,
-        Kind::Saucer(_)
-            | Kind::Kickback(_)
-            | Kind::Flipper(_)
-            | Kind::Bumper(_)
-            | Kind::Slingshot(_)
-            | Kind::DropTarget(_)
-    )
+    matches!(kind, Kind::Kickback(_) | Kind::Flipper(_)) || switches::has_trial(kind)
 }
 
 /// What is wrong with this part's coil or switch.
 pub fn try_it(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind) -> Option<Finding> {
     let machine = machine.clone();
     match kind {
-        Kind::Saucer(saucer) => try_saucer(machine, part, saucer),
         Kind::Kickback(kickback) => try_kickback(machine, part, kickback),
         Kind::Flipper(flipper) => try_flipper(machine, part, flipper),
-        Kind::Bumper(Bumper { threshold_m_s, .. }) | Kind::Slingshot(Slingshot { threshold_m_s, .. }) => {
-            shoot_at(machine, reach, part, kind.surfaces().first()?, *threshold_m_s)
+        Kind::Saucer(saucer) => {
+            let keeps_it = try_saucer(machine.clone(), part, saucer);
+            keeps_it.or_else(|| switches::try_it(&machine, reach, part, kind))
         }
-        Kind::DropTarget(target) => {
-            let hit = shoot_at(machine.clone(), reach, part, &target.shape, target.threshold_m_s);
-            hit.or_else(|| try_raise(machine, reach, part, &target.shape, target.threshold_m_s))
-        }
-        _ => None,
+        Kind::DropTarget(_) => match switches::closing_shot(&machine, reach, part, kind) {
+            Ok(shot) => try_raise(machine, part, shot?),
+            Err(finding) => Some(finding),
+        },
+        _ => switches::try_it(&machine, reach, part, kind),
     }
 }
 
@@ -125,33 +113,48 @@ fn try_flipper(mut machine: Machine, part: PartId, flipper: &Flipper) -> Option<
     (!flipped).then(|| Finding::of_part(FindingKind::DoesNotFlip, part, center))
 }
 
-/// A ball that is shot at the part closes its switch.
-fn shoot_at(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
-    // What no ball can come to is told as such.
-    let (place, distance) = reach.nearest(shape, SHOT_RANGE_M)?;
-    let closed = is_hit(&mut machine, part, (place, distance), shape, threshold_m_s);
-    (!closed).then(|| Finding::of_part(FindingKind::SwitchNeverCloses, part, place))
-}
-
-/// Shoots a ball from the place to the nearest of the part's surface; whether its switch closes.
-fn is_hit(machine: &mut Machine, part: PartId, from: (DVec2, f64), shape: &Shape, threshold_m_s: f64) -> bool {
-    let (place, normal) = (from.0, shape.distance(from.0).1);
-    let speed = SHOT_M_S.max(2.0 * threshold_m_s);
-    machine.put_ball(place, -normal * speed, [0.0; 3]);
-    let is_ours = |event: &physics::Event| event.part == Some(part) && event.kind == EventKind::Closed;
-    (0..500).any(|_| {
-        machine.tick(Controls::NONE, &[]);
-        machine.events().iter().any(is_ours)
-    })
-}
-
 /// A drop target that has fallen stands up again.
-fn try_raise(mut machine: Machine, reach: &Reach, part: PartId, shape: &Shape, threshold_m_s: f64) -> Option<Finding> {
-    let from = reach.nearest(shape, SHOT_RANGE_M)?;
-    is_hit(&mut machine, part, from, shape, threshold_m_s);
-    wait(&mut machine, Controls::NONE, 1000);
+fn try_raise(mut machine: Machine, part: PartId, shot: Shot) -> Option<Finding> {
+    machine.put_ball(shot.place, shot.velocity, [0.0; 3]);
+    wait(&mut machine, Controls::NONE, 1500);
     machine.tick(Controls::NONE, &[Command::Raise(part)]);
     wait(&mut machine, Controls::NONE, 2000);
     let stands = machine.pose().drop_targets.iter().any(|(own, height)| *own == part && *height > 0.9);
-    (!stands).then(|| Finding::of_part(FindingKind::DoesNotRise, part, from.0))
+    (!stands).then(|| Finding::of_part(FindingKind::DoesNotRise, part, shot.place))
+}
+
+/// Flippers whose strokes cross, each pair once.
+pub fn crossing_flippers(machine: &Machine) -> Vec<Finding> {
+    let parts = machine.layout().parts.iter().enumerate();
+    let flippers = parts.filter_map(|(index, part)| match &part.kind {
+        Kind::Flipper(flipper) if flipper.control != FlipperControl::Rules => Some((PartId(index as u16), flipper)),
+        _ => None,
+    });
+    let flippers: Vec<(PartId, &Flipper)> = flippers.collect();
+    let pairs = flippers.iter().enumerate().flat_map(|(at, one)| flippers[..at].iter().map(move |other| (other, one)));
+    let crossings = pairs.filter_map(|((part, one), (_, other))| Some((*part, crossing(one, other)?)));
+    crossings.map(|(part, place)| Finding::of_part(FindingKind::FlippersCross, part, place)).collect()
+}
+
+/// Where the middle of a flipper that turns comes into another, which lies at an end of its stroke. Tips that only touch are
+/// left alone.
+fn crossing(one: &Flipper, other: &Flipper) -> Option<DVec2> {
+    let along =
+        |outline: Taper| (0..=STROKE_STEPS).map(move |step| outline.a.center.lerp(outline.b.center, part(step)));
+    let meets = |turning: &Flipper, lying: &Flipper| {
+        let ends = [lying.outline(lying.rest_rad), lying.outline(lying.up_rad)];
+        let mut places = sweep(turning).into_iter().flat_map(along);
+        places.find(|place| ends.iter().any(|outline| outline.distance(*place).0 < 0.0))
+    };
+    meets(one, other).or_else(|| meets(other, one))
+}
+
+/// A flipper's outlines from rest to the end of its stroke.
+fn sweep(flipper: &Flipper) -> Vec<Taper> {
+    let angle = |step: i32| flipper.rest_rad + (flipper.up_rad - flipper.rest_rad) * part(step);
+    (0..=STROKE_STEPS).map(|step| flipper.outline(angle(step))).collect()
+}
+
+fn part(step: i32) -> f64 {
+    f64::from(step) / f64::from(STROKE_STEPS)
 }

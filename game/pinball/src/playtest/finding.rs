@@ -1,9 +1,10 @@
 //! A finding: one thing that only play shows, as a sentence with the part's name and line.
 
+use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::{Core, DVec2, Segment, Shape};
-use physics::{BALL_RADIUS_M, FlipperControl, Kind, Layout, PartId};
+use geometry::DVec2;
+use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
 use std::cmp::Reverse;
 
 /// What only play shows.
@@ -35,50 +36,34 @@ pub enum FindingKind {
     DoesNotFlip,
     /// A drop target that was raised does not stand.
     DoesNotRise,
-    /// A ball that is shot at the part does not close its switch.
+    /// Two flippers are in each other's way.
+    FlippersCross,
+    /// No ball that is shot at the part closes its switch.
     SwitchNeverCloses,
     /// No ball can come to the part from the plunger.
     Unreachable,
-    /// No game begins when start is pressed.
+    /// No game begins when start is pressed, though the rules mean one to.
     NoGame,
+    /// No game begins, and the rules speak of none.
+    NoStart,
     /// A game has begun, and no ball comes.
     NoBall,
     /// The ball is lost, and neither another comes nor does the game end.
     BallWithoutEnd,
+    /// The ball is lost, the next turn begins, and no ball comes.
+    NoNextBall,
+    /// The last ball is lost, and the game is not over.
+    NoGameOver,
+    /// Balls are lost, others come, and the game is never over.
+    GameWithoutEnd,
+    /// A lost ball ends the turn while another is in play.
+    EndsEarly,
+    /// The game is over, and no other begins.
+    NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
     /// The rules never throw a saucer's ball out.
     NeverEjected,
-}
-
-impl FindingKind {
-    /// What the rules leave out, and what to add; empty for what is not theirs.
-    fn of_rules(self) -> &'static str {
-        match self {
-            FindingKind::NoGame => {
-                "no game begins when start is pressed; add `start_game(3)` and `add_ball()` to \
-                                    `on_button(name)`"
-            }
-            FindingKind::NoBall => {
-                "a game begins and no ball comes for 14 s, until the ball search gives one; call \
-                                    `add_ball()` behind `start_game`"
-            }
-            FindingKind::BallWithoutEnd => {
-                "the ball is lost and nothing follows for 14 s, until the ball search gives \
-                                            another; when `on_switch` hears the drain, which needs an `id`, and \
-                                            `balls_in_play()` is 0, call `next_player()` and `add_ball()`, or `game_over()`"
-            }
-            FindingKind::DeadFlippers => {
-                "the flippers are dead while the first ball is in play; call `flippers(true)` \
-                                          where a game or a ball begins"
-            }
-            FindingKind::NeverEjected => {
-                "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
-                                          timer that `on_switch` starts"
-            }
-            _ => "",
-        }
-    }
 }
 
 /// One thing that only play shows.
@@ -100,9 +85,11 @@ impl Finding {
         Finding { kind, part: Some(part), place_mm: place_m * 1000.0, count: 1 }
     }
 
-    /// What was found with a ball at `place_m`: it is told of the nearest part.
-    pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2) -> Finding {
-        Finding { kind, part: nearest_part(layout, place_m, None), place_mm: place_m * 1000.0, count: 1 }
+    /// What was found of a ball there, about the part that is nearest: of a ball above the playfield the nearest ramp.
+    pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2, is_above: bool) -> Finding {
+        let ramp = nearest::ramp(layout, place_m).filter(|_| is_above);
+        let part = ramp.or_else(|| nearest::part(layout, place_m, None));
+        Finding { kind, part, place_mm: place_m * 1000.0, count: 1 }
     }
 
     /// Whether the table can be played all the same.
@@ -112,14 +99,20 @@ impl Finding {
             FindingKind::FreedBySearch
                 | FindingKind::SwitchNeverCloses
                 | FindingKind::Unreachable
-                | FindingKind::NoGame
+                | FindingKind::NoStart
+                | FindingKind::GameWithoutEnd
+                | FindingKind::EndsEarly
+                | FindingKind::NoNextGame
                 | FindingKind::DoesNotFlip
+                | FindingKind::FlippersCross
         )
     }
 
     /// The same as a sentence for a person: a warning, or a failure.
     pub fn failure(&self, table: &Table) -> Failure {
-        let sentence = format!("{}: {}", self.place(table), self.sentence(table));
+        let of_part = || (self.place(table), self.sentence(table));
+        let (place, what) = rules_finding::told(self, table).unwrap_or_else(of_part);
+        let sentence = format!("{place}: {what}");
         if self.is_warning() { Failure::warning(sentence) } else { Failure::new(sentence) }
     }
 
@@ -183,32 +176,87 @@ impl Finding {
                 .to_string()
             }
             FindingKind::DoesNotRise => "it does not stand up again when it is raised: leave it more room".to_string(),
-            FindingKind::SwitchNeverCloses => {
-                format!("a ball that is shot at it from {at} does not close its switch; leave its face free")
-            }
+            FindingKind::FlippersCross => format!(
+                "its stroke crosses that of {} at {at}: move them apart, or let them turn less",
+                self.crossed(table)
+            ),
+            FindingKind::SwitchNeverCloses => self.never_closes(table),
             FindingKind::Unreachable => {
                 "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
             }
+            FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
+                                          timer that `on_switch` starts"
+                .to_string(),
+            // Told by `rules_finding`.
             FindingKind::NoGame
+            | FindingKind::NoStart
             | FindingKind::NoBall
             | FindingKind::BallWithoutEnd
-            | FindingKind::DeadFlippers
-            | FindingKind::NeverEjected => self.kind.of_rules().to_string(),
+            | FindingKind::NoNextBall
+            | FindingKind::NoGameOver
+            | FindingKind::GameWithoutEnd
+            | FindingKind::EndsEarly
+            | FindingKind::NoNextGame
+            | FindingKind::DeadFlippers => String::new(),
         }
+    }
+
+    /// What no ball does, by the kind of the part.
+    fn never_closes(&self, table: &Table) -> String {
+        let DVec2 { x, y } = self.place_mm;
+        let balls = format!("of {} balls, the first from {x:.0}, {y:.0} mm,", self.count);
+        let kind = self.part.and_then(|part| table.layout.parts.get(usize::from(part.0))).map(|part| &part.kind);
+        match kind {
+            Some(Kind::Saucer(saucer)) => format!(
+                "{balls} that roll over it at 0.1 to 0.8 m/s it catches none; see its radius ({:.1} mm), its capture_m_s \
+                 ({}) and that its middle is free",
+                saucer.circle.radius * 1000.0,
+                saucer.capture_m_s
+            ),
+            Some(Kind::Spinner(_)) => {
+                format!("{balls} that are shot through below it none turns it half-way round; leave its ways free")
+            }
+            Some(Kind::Gate(_)) => format!(
+                "{balls} that are shot through it none passes it the way that is free; see its data-way, and leave that way free"
+            ),
+            Some(Kind::Rollover(_)) => {
+                format!("{balls} that are shot over it none closes its switch: a ball's centre must come over it")
+            }
+            _ => format!(
+                "{balls} that are shot at it none closes its switch; turn it so that a ball comes straight at its face, and \
+                 leave that free"
+            ),
+        }
+    }
+
+    /// Name and line of the flipper that is the nearest to the place on its stroke, but for the part itself.
+    fn crossed(&self, table: &Table) -> String {
+        let place = self.place_mm * 0.001;
+        let others = table.layout.parts.iter().enumerate().filter_map(|(index, part)| match &part.kind {
+            Kind::Flipper(own) if self.part != Some(PartId(index as u16)) => {
+                let reach = own.length_m + own.tip_radius_m;
+                Some((index, own.base.center.distance(place) - reach))
+            }
+            _ => None,
+        });
+        let nearest = others.min_by(|one, other| one.1.total_cmp(&other.1));
+        nearest.map_or_else(String::new, |(part, _)| named(table, part))
     }
 
     /// Name and line of what is nearest to the ball, but for the part itself.
     fn beside(&self, table: &Table) -> String {
-        let near = nearest_part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
-        near.map_or_else(
-            || "nothing".to_string(),
-            |part| format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part]),
-        )
+        let near = nearest::part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
+        near.map_or_else(|| "nothing".to_string(), |part| named(table, part))
     }
 
     fn times(&self) -> String {
         if self.count > 1 { format!(" ({} times)", self.count) } else { String::new() }
     }
+}
+
+/// Name and line of a part.
+fn named(table: &Table, part: usize) -> String {
+    format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part])
 }
 
 /// Balls that lie no farther from each other lie in the same pocket, mm.
@@ -236,8 +284,7 @@ fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
         let mut pocket = vec![first];
         let mut looked_at = 0;
         while let Some(ball) = pocket.get(looked_at).copied() {
-            let is_beside =
-                |other: &Finding| other.kind == ball.kind && other.place_mm.distance(ball.place_mm) < POCKET_MM;
+            let is_beside = |other: &Finding| other.place_mm.distance(ball.place_mm) < POCKET_MM;
             let (beside, others): (Vec<Finding>, Vec<Finding>) = left.into_iter().partition(is_beside);
             pocket.extend(beside);
             left = others;
@@ -247,33 +294,9 @@ fn in_pockets(findings: Vec<Finding>) -> Vec<Finding> {
         let part = pocket.iter().map(|ball| ball.part).max_by_key(|&part| (balls_beside(part), Reverse(part)));
         let first = pocket.iter().rev().find(|ball| Some(ball.part) == part).copied();
         let count = pocket.iter().map(|ball| ball.count).sum();
-        told.extend(first.map(|first| Finding { count, ..first }));
+        // Where one ball stays that another is freed from, the pocket keeps balls.
+        let kind = pocket.iter().map(|ball| ball.kind).min();
+        told.extend(first.zip(kind).map(|(first, kind)| Finding { kind, count, ..first }));
     }
     told
-}
-
-/// The part whose surface is nearest to a ball at `place_m`, if it is not `but`.
-fn nearest_part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<PartId> {
-    let distance =
-        |kind: &Kind| touchable(kind).into_iter().map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp);
-    let parts = layout.parts.iter().enumerate().map(|(index, part)| (PartId(index as u16), &part.kind));
-    let others = parts.filter(|(part, _)| Some(*part) != but);
-    let distances = others.filter_map(|(part, kind)| Some((part, distance(kind)?)));
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
-}
-
-/// What of a part a ball touches.
-pub(super) fn touchable(kind: &Kind) -> Vec<Shape> {
-    let bar = |segment: Segment| Shape::capsule(segment.a, segment.b, 0.0);
-    let moving = match kind {
-        Kind::Spinner(own) => Some(bar(own.segment)),
-        Kind::Gate(own) => Some(bar(own.segment)),
-        Kind::Kickback(own) => Some(Shape::disc(own.tip, own.half_width_m)),
-        // A diverter lies as it is drawn until the rules turn it.
-        Kind::Flipper(own) if own.control == FlipperControl::Rules => {
-            Some(Shape { core: Core::Taper(own.outline(own.rest_rad)), radius: 0.0 })
-        }
-        _ => None,
-    };
-    kind.surfaces().into_iter().chain(kind.sensor()).chain(moving).collect()
 }

@@ -1,113 +1,67 @@
-//! The rules' trial: a game begins, its first ball is shot and nobody flips. A ball must come, the flippers must be live,
-//! and a lost ball must have a consequence; and a saucer's ball must come out again.
+//! The rules' trial: a game begins, its balls are lost and nobody flips. A ball must come, the flippers must be live, a
+//! lost ball must have a consequence, and the game an end; and a saucer's ball must come out again.
 
 use super::finding::{Finding, FindingKind};
-use crate::simulation::SimulationRules;
+use super::whole_game::{self, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
 use crate::{Buttons, Failure, Simulation, Table};
 use geometry::DVec2;
-use physics::{Event, EventKind, FlipperControl, Kind, PartId};
+use physics::{Event, EventKind, Kind, PartId};
 use std::sync::Arc;
 
-/// How long start is pressed, and when the game is on at the latest, ticks.
-const PRESS_TICKS: u64 = 100;
-const BEGIN_TICKS: u64 = 2000;
-/// The table may be empty in a game for so long: soon after that the ball search gives a ball, whatever the rules say.
-const EMPTY_TICKS: u64 = 14_300;
-/// A first ball that is not lost by then is none of this trial's business, ticks.
-const MOST_TICKS: u64 = 90_000;
-/// How long the plunger is pulled, one pull after the other, ticks, and the time from one to the next.
-const PULLS_TICKS: [u64; 4] = [1200, 900, 700, 500];
-const PULL_PERIOD_TICKS: u64 = 5000;
-/// With a ball on the table for so long flippers are live, ticks.
-const IN_PLAY_TICKS: u64 = 3000;
+/// A game is on so long after start was pressed, and has given its first ball at the latest, ticks.
+pub const BEGIN_TICKS: u64 = 2000;
 /// A saucer may keep its ball for so long, ticks.
 const HELD_TICKS: u64 = 20_000;
-/// Between two presses of the flippers' buttons meanwhile, ticks: rules may ask the player something.
-const ASKED_TICKS: u64 = 500;
 /// Saucers that are tried.
 const MAX_SAUCERS: usize = 16;
+/// Drains that balls are lost in.
+const MAX_DRAINS: usize = 6;
 /// Contact solves that a trial may take.
 const MOST_CONTACT_SOLVES: u64 = 400_000;
 
-/// What the rules do wrong, or leave undone.
+/// What the rules do wrong, or leave undone, and what they complain about meanwhile.
 ///
 /// # Errors
 /// If they do not run.
-pub fn try_rules(table: &Arc<Table>) -> Result<Vec<Finding>, Failure> {
+pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<(Vec<Finding>, Vec<String>), Failure> {
     let mut simulation = Simulation::new(table.clone(), 0)?;
-    (0..PRESS_TICKS).for_each(|_| simulation.tick(Buttons::START));
+    if !BEGINNINGS.into_iter().any(|button| begins(&mut simulation, button)) {
+        let kind = if means_to_begin(&table.rules) { FindingKind::NoGame } else { FindingKind::NoStart };
+        let told = Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 };
+        return Ok((vec![told], simulation.complaints()));
+    }
+    let (found, complaints) = game(&simulation, places);
+    Ok((found.into_iter().chain(held(&simulation)).collect(), complaints))
+}
+
+/// Whether a game is on behind a press of this button.
+fn begins(simulation: &mut Simulation, button: Buttons) -> bool {
+    (0..PRESS_TICKS).for_each(|_| simulation.tick(button));
     (PRESS_TICKS..BEGIN_TICKS).for_each(|_| simulation.tick(Buttons::NONE));
-    if !simulation.display().playing {
-        return Ok(Vec::new()); // what the bot shows
+    simulation.display().playing
+}
+
+/// Whether the rules speak of the beginning of a game: those of a table that only shows lamps do not.
+fn means_to_begin(rules: &str) -> bool {
+    let code = rules.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
+    code.into_iter().any(|line| line.contains("start_game") || line.contains("\"start\""))
+}
+
+/// The game whose balls are lost in the first drain, and in each of the others the game's first ball.
+fn game(simulation: &Simulation, places: &LossPlaces) -> (Vec<Finding>, Vec<String>) {
+    let Some((first, others)) = places.drains.split_first() else {
+        return whole_game::play(simulation, places, None, MOST_BALLS);
+    };
+    let (mut found, mut complaints) = whole_game::play(simulation, places, Some(*first), MOST_BALLS);
+    // Of the others the same would be told.
+    let others = if found.is_empty() { others } else { &[] };
+    for drain in others.iter().take(MAX_DRAINS - 1) {
+        let (own, more) = whole_game::play(simulation, places, Some(*drain), 1);
+        found.extend(own);
+        let new: Vec<String> = more.into_iter().filter(|one| !complaints.contains(one)).collect();
+        complaints.extend(new);
     }
-    let saucers = held(&simulation);
-    let told = |kind| Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 };
-    Ok(first_ball(simulation).into_iter().map(told).chain(saucers).collect())
-}
-
-/// What has been seen of a game.
-#[derive(Default)]
-struct Seen {
-    /// The table is empty for so long.
-    empty_ticks: u64,
-    /// A ball has been on the table for so long.
-    in_play_ticks: u64,
-    /// The flippers have been live.
-    flippers_live: bool,
-    /// The machine was tilted.
-    tilted: bool,
-}
-
-/// Plays until the first ball is lost and something has come of it.
-fn first_ball(mut simulation: Simulation) -> Vec<FindingKind> {
-    let is_empty = simulation.machine().balls().is_empty();
-    let mut seen = Seen { empty_ticks: if is_empty { BEGIN_TICKS } else { 0 }, ..Seen::default() };
-    let mut contact_solves = 0;
-    let mut found = Vec::new();
-    for tick in 0..MOST_TICKS {
-        let rules = simulation.rules_state();
-        let is_empty = simulation.machine().balls().is_empty();
-        let another_came = !is_empty && seen.empty_ticks > 0 && seen.in_play_ticks > 0;
-        if !rules.playing || another_came || contact_solves > MOST_CONTACT_SOLVES {
-            break;
-        }
-        seen.look(rules, is_empty);
-        if seen.empty_ticks >= EMPTY_TICKS {
-            let never = seen.in_play_ticks == 0;
-            found.push(if never { FindingKind::NoBall } else { FindingKind::BallWithoutEnd });
-            break;
-        }
-        simulation.tick(plunger(tick));
-        contact_solves += simulation.machine().contact_solves();
-    }
-    let has_flippers = simulation.table().layout.parts.iter().any(|part| is_flipper(&part.kind));
-    if has_flippers && seen.in_play_ticks >= IN_PLAY_TICKS && !seen.flippers_live && !seen.tilted {
-        found.push(FindingKind::DeadFlippers);
-    }
-    found
-}
-
-impl Seen {
-    fn look(&mut self, rules: SimulationRules, is_empty: bool) {
-        self.flippers_live |= rules.flippers_live;
-        self.tilted |= rules.tilted;
-        if is_empty {
-            self.empty_ticks += 1;
-        } else {
-            self.empty_ticks = 0;
-            self.in_play_ticks += 1;
-        }
-    }
-}
-
-fn is_flipper(kind: &Kind) -> bool {
-    matches!(kind, Kind::Flipper(flipper) if flipper.control != FlipperControl::Rules)
-}
-
-/// Pulls of different strength: a full one may come back round a bend.
-fn plunger(tick: u64) -> Buttons {
-    let pull = PULLS_TICKS[(tick / PULL_PERIOD_TICKS) as usize % PULLS_TICKS.len()];
-    if tick % PULL_PERIOD_TICKS < pull { Buttons::PLUNGER } else { Buttons::NONE }
+    (found, complaints)
 }
 
 /// Saucers that keep a ball, in a game whose first ball waits at the plunger.
@@ -138,13 +92,4 @@ fn keeps(mut simulation: Simulation, part: PartId, center: DVec2) -> bool {
         }
     }
     caught
-}
-
-/// The flippers' buttons, now the one and now the other.
-fn answers(tick: u64) -> Buttons {
-    match tick / ASKED_TICKS % 4 {
-        1 => Buttons::LEFT,
-        3 => Buttons::RIGHT,
-        _ => Buttons::NONE,
-    }
 }

@@ -45,10 +45,10 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         let balls = machine.balls();
         let Some(ball) = balls.first() else { return freed };
         if !(ball.center.is_finite() && ball.velocity.is_finite()) {
-            return Some(Finding::near(FindingKind::NotANumber, &layout, place_m));
+            return Some(Finding::near(FindingKind::NotANumber, &layout, place_m, false));
         }
         if !is_on(&machine, ball.center) {
-            return Some(Finding::near(FindingKind::Escaped, &layout, ball.center));
+            return Some(Finding::near(FindingKind::Escaped, &layout, ball.center, ball.above));
         }
         if machine.stuck_ticks().iter().all(|&ticks| ticks < STUCK_TICKS) {
             continue;
@@ -57,9 +57,9 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
             return freed;
         }
         if freed.is_some() {
-            return Some(Finding::near(FindingKind::Stuck, &layout, ball.center));
+            return Some(Finding::near(FindingKind::Stuck, &layout, ball.center, ball.above));
         }
-        freed = Some(Finding::near(FindingKind::FreedBySearch, &layout, ball.center));
+        freed = Some(Finding::near(FindingKind::FreedBySearch, &layout, ball.center, ball.above));
         machine.tick(Controls::NONE, &[Command::BallSearch]);
         wait(&mut machine, Controls::NONE, STUCK_TICKS);
     }

@@ -8,13 +8,18 @@ mod coils;
 mod finding;
 mod first_game;
 mod let_go;
+mod nearest;
+mod places;
 mod plunger;
 mod reach;
+mod rules_finding;
+mod switches;
 #[cfg(test)]
 mod tests;
+mod whole_game;
 
-use finding::touchable;
 pub use finding::{Finding, FindingKind};
+use nearest::touchable;
 
 use crate::bot::Bot;
 use crate::bot::anomaly::AnomalyKind;
@@ -24,6 +29,7 @@ use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
 use reach::Reach;
 use std::sync::Arc;
+use whole_game::LossPlaces;
 
 /// How long the bot plays, s.
 pub const BOT_S: u32 = 60;
@@ -34,6 +40,9 @@ const USUAL_BURDEN: usize = 12;
 const MOST_TRIALS: usize = 400;
 /// A ball that is thrown has come this far, m.
 const THROWN_M: f64 = 0.05;
+
+/// Where on the table a ball is put that is to stay in play, in parts of the table's size.
+const REFUGE: DVec2 = DVec2::new(0.5, 0.4);
 
 /// A table that is being tried.
 pub struct Playtest {
@@ -80,9 +89,10 @@ impl Playtest {
         &self.launch
     }
 
-    /// At most `most` places that a ball can come to, spread over all of them, m.
+    /// At most `most` places that a ball can come to, m: pockets, what lies beside parts that move, and others that are
+    /// spread over all of the table.
     pub fn places(&self, most: usize) -> Vec<DVec2> {
-        self.reach.places(most)
+        places::places(&self.machine, &self.reach, most)
     }
 
     /// What becomes of a ball that is let go at rest at one of [`Playtest::places`].
@@ -93,7 +103,8 @@ impl Playtest {
     /// What each coil does with a ball before it, and which switches a ball cannot close.
     pub fn coils(&self) -> Vec<Finding> {
         let tried = self.trials().filter_map(|(part, kind)| coils::try_it(&self.machine, &self.reach, part, kind));
-        coils::loose_captives(&self.machine).into_iter().chain(tried).collect()
+        let crossing = coils::crossing_flippers(&self.machine);
+        coils::loose_captives(&self.machine).into_iter().chain(crossing).chain(tried).collect()
     }
 
     /// The parts whose coils are tried: of very many some, for each trial takes the longer the more moves.
@@ -108,7 +119,7 @@ impl Playtest {
 
     /// Parts beside which a ball can leave the playfield.
     pub fn open_edges(&self) -> Vec<Finding> {
-        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place);
+        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place, false);
         self.merged(self.reach.open_edges().into_iter().map(near).collect())
     }
 
@@ -136,19 +147,35 @@ impl Playtest {
                         self.reach.comes_to_ramp(ramp) && ramp.path.iter().any(near)
                     })
                 };
-                let touched = |shape: &Shape| self.reach.comes_to(shape, BALL_RADIUS_M);
+                // Over a switch, a hole or a field the ball's centre must come.
+                let reach_m = if kind.sensor().is_some() { 0.0 } else { BALL_RADIUS_M };
+                let touched = |shape: &Shape| self.reach.comes_to(shape, reach_m);
                 let shapes = touchable(kind);
                 !shapes.iter().any(touched) && !shapes.iter().any(on_a_ramp)
             }
         }
     }
 
-    /// What the rules do wrong, or leave undone, in a game's first ball.
+    /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon, and what they complain
+    /// about.
     ///
     /// # Errors
     /// If they do not run.
-    pub fn first_game(&self) -> Result<Vec<Finding>, Failure> {
-        first_game::try_rules(&self.table)
+    pub fn first_game(&self) -> Result<(Vec<Finding>, Vec<String>), Failure> {
+        first_game::try_rules(&self.table, &self.loss_places())
+    }
+
+    /// Where balls are lost, and where they are kept in play until then.
+    fn loss_places(&self) -> LossPlaces {
+        let layout = self.machine.layout();
+        let parts = layout.parts.iter().enumerate();
+        let drains = parts.filter_map(|(index, part)| match &part.kind {
+            Kind::Drain(drain) => Some((PartId(index as u16), self.reach.place_in(&self.machine, &drain.shape)?)),
+            _ => None,
+        });
+        let refuge = Shape::disc(layout.size_m * REFUGE, 0.0);
+        let refuge = self.reach.nearest(&refuge, layout.size_m.max_element()).map(|(place, _)| place);
+        LossPlaces { drains: drains.collect(), refuge }
     }
 
     /// A bot's first minute.
@@ -167,12 +194,9 @@ impl Playtest {
                 AnomalyKind::Overlap => FindingKind::Overlap,
                 AnomalyKind::NotANumber => FindingKind::NotANumber,
             };
-            Finding::near(kind, layout, anomaly.center_mm * 0.001)
+            Finding::near(kind, layout, anomaly.center_mm * 0.001, anomaly.above)
         });
-        let no_game = Finding { kind: FindingKind::NoGame, part: None, place_mm: DVec2::ZERO, count: 1 };
-        let began = run.balls.iter().any(|ticks| *ticks > 0);
-        let findings = findings.chain((!began && self.launch.is_empty()).then_some(no_game)).collect();
-        Ok(BotRun { findings, score: run.score(), complaints: run.complaints })
+        Ok(BotRun { findings: findings.collect(), score: run.score(), complaints: run.complaints })
     }
 
     /// All that was found, the worst first: the same about the same part once. Where the playfield is open, balls that
@@ -184,6 +208,9 @@ impl Playtest {
         let dead: Vec<_> =
             findings.iter().filter(|one| one.kind == FindingKind::KeepsItsBall).map(|one| one.part).collect();
         findings.retain(|finding| finding.kind != FindingKind::NeverEjected || !dead.contains(&finding.part));
+        let hidden: Vec<_> =
+            findings.iter().filter(|one| one.kind == FindingKind::Unreachable).map(|one| one.part).collect();
+        findings.retain(|finding| finding.kind != FindingKind::SwitchNeverCloses || !hidden.contains(&finding.part));
         finding::merged(findings)
     }
 }

@@ -11,6 +11,8 @@ use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
 const STEP_M: f64 = 0.002;
 /// Along each side of a square so many places are tried, if there is no room in its middle.
 const TRIES: i32 = 4;
+/// A ball that is put into a shape is so deep in it, m, or half its radius.
+const INSIDE_M: f64 = 1e-3;
 /// No place is to the last bit above the middle of a post: a ball lies even there.
 const ASIDE_M: f64 = 3e-4;
 
@@ -107,10 +109,36 @@ impl Reach {
         (inside && square < self.squares.len()).then_some(square)
     }
 
-    /// At most `most` of the places where a ball has room, spread over all of them.
-    pub fn places(&self, most: usize) -> Vec<DVec2> {
-        let stride = self.roomy().count().div_ceil(most.max(1)).max(1);
-        self.roomy().step_by(stride).map(|square| self.middle(square)).collect()
+    /// All places where a ball has room, in an order in which those at the beginning are spread over all of the table,
+    /// however many they are. Where a place stands in it does not depend on other places.
+    pub fn spread_places(&self) -> Vec<DVec2> {
+        let mut roomy: Vec<usize> = self.roomy().collect();
+        roomy.sort_by_key(|square| dither_rank(square % self.columns, square / self.columns));
+        roomy.into_iter().map(|square| self.middle(square)).collect()
+    }
+
+    /// Places that a ball could only leave upwards: the lowest of each pocket, in the middle of its floor.
+    pub fn pits(&self) -> Vec<DVec2> {
+        let squares: Vec<usize> = self.roomy().collect();
+        let runs = squares.chunk_by(|one, next| one + 1 == *next && next % self.columns > 0);
+        let pits = runs.filter(|run| !self.leads_down(run[0], run[run.len() - 1]));
+        pits.map(|run| self.middle(run[run.len() / 2])).collect()
+    }
+
+    /// Whether a ball can come down from this run of squares of a row, or on beside it.
+    fn leads_down(&self, first: usize, last: usize) -> bool {
+        let (left, right) = (first % self.columns, last % self.columns);
+        let is_free = |square: usize| self.squares.get(square).is_none_or(|square| *square != Square::OutOfReach);
+        let on = (left > 0 && is_free(first - 1)) || (right + 1 < self.columns && is_free(last + 1));
+        let below = left.saturating_sub(1)..=(right + 1).min(self.columns - 1);
+        let row = first - left + self.columns;
+        on || below.into_iter().any(|column| is_free(row + column))
+    }
+
+    /// The places that have room for a ball and are no farther from `shape` than `range_m`, row by row.
+    pub fn roomy_near(&self, shape: Shape, range_m: f64) -> impl Iterator<Item = DVec2> {
+        let roomy = self.near(&shape, range_m).filter(|square| self.squares[*square] == Square::Roomy);
+        roomy.map(|square| self.middle(square)).filter(move |place| shape.distance(*place).0 <= range_m)
     }
 
     /// The reached place that is nearest to the surface of `shape` and has room for a ball, and how far it is from it;
@@ -123,6 +151,19 @@ impl Reach {
         near.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
+    /// A place inside of `shape`, at its edge, that a ball can come to.
+    pub fn place_in(&self, machine: &Machine, shape: &Shape) -> Option<DVec2> {
+        let near = self.near(shape, 0.0).filter(|square| self.squares[*square] != Square::OutOfReach);
+        let inside = near.filter_map(|square| {
+            let (distance, normal) = shape.distance(self.middle(square));
+            let place = self.middle(square) - normal * (distance.max(0.0) + INSIDE_M.min(0.5 * shape.radius));
+            let is_in = distance < 2.0 * STEP_M && shape.distance(place).0 <= 0.0;
+            (is_in && machine.depth_in_fixed_m(place) <= 0.0).then_some((place, distance))
+        });
+        // The flood ends where a drain begins: the deepest of its squares are the nearest to its middle.
+        inside.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(place, _)| place)
+    }
+
     /// Whether the centre of a ball can come as near as `reach_m` to `shape`.
     pub fn comes_to(&self, shape: &Shape, reach_m: f64) -> bool {
         self.near(shape, reach_m).any(|square| {
@@ -131,7 +172,7 @@ impl Reach {
     }
 
     /// The squares of the grid no farther than `reach_m` from the box round `shape`, and some beside them.
-    fn near(&self, shape: &Shape, reach_m: f64) -> impl Iterator<Item = usize> {
+    fn near(&self, shape: &Shape, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
         let grown = shape.bounds().grown(reach_m + STEP_M);
         let corner = |place: DVec2| (place / STEP_M).max(DVec2::ZERO);
         let (first, last) = (corner(grown.min), corner(grown.max));
@@ -145,6 +186,12 @@ impl Reach {
     pub fn comes_to_ramp(&self, ramp: &Ramp) -> bool {
         ends(ramp).into_iter().any(|end| self.comes_to(&Shape::disc(end, ramp.half_width_m), 0.0))
     }
+}
+
+/// Where a square stands in the order of a Bayer matrix: the bits of its coordinates, the finest first.
+fn dither_rank(column: usize, row: usize) -> u64 {
+    let bit = |number: usize, at: usize| ((number >> at) & 1) as u64;
+    (0..16).fold(0, |rank, at| rank << 2 | bit(column ^ row, at) << 1 | bit(row, at))
 }
 
 /// The ramp that this kind is, if it is one.

@@ -1,5 +1,9 @@
 //! What the playtest finds on small tables with one fault each, and that Spectrum has none.
 
+mod places;
+mod switches;
+mod whole_game;
+
 use super::{FindingKind, Playtest};
 use crate::Table;
 use crate::table::tests::{spectrum, with_rules};
@@ -186,54 +190,6 @@ fn spectrum_has_no_findings() {
     assert!(playtest.places(300).iter().any(|place| place.distance(near) < 0.05), "spread over all of it");
 }
 
-#[test]
-fn a_game_that_never_begins_is_told() {
-    let run = playtest("").bot_run().unwrap();
-    assert_eq!(run.findings.iter().map(|finding| finding.kind).collect::<Vec<_>>(), [FindingKind::NoGame]);
-}
-
-/// Rules that begin a game, and what they do when the ball is lost.
-const GAME: &str =
-    "fn on_button(name) { if name == \"start\" && !playing() { start_game(3); flippers(true); add_ball(); } }
-fn on_timer(name) { eject(\"hole\"); }
-fn on_switch(name) {
-  if name == \"hole\" { after(1000, \"out\"); }
-  if name == \"drain\" && balls_in_play() == 0 { if next_player() { add_ball(); } else { game_over(); } }
-}";
-
-/// What is told of the first game with these rules.
-fn first_game(rules: &str) -> Vec<FindingKind> {
-    let hole = r#"<circle class="saucer" id="hole" cx="200" cy="300" r="15" data-eject-deg="90" data-eject-m-s="1"/>"#;
-    let drain = r#"<line class="drain" id="drain" x1="90" y1="960" x2="410" y2="960" stroke-width="10"/>"#;
-    let playtest = playtest_of(with_rules(&format!("{WALLS}{hole}{drain}"), rules));
-    playtest.first_game().unwrap().iter().map(|finding| finding.kind).collect()
-}
-
-/// Games without flippers, without a ball, without an end were called good: all that is needed was in the rules, and none
-/// of it came.
-#[test]
-fn rules_that_leave_a_game_unplayable_are_told() {
-    assert_eq!(first_game(GAME), []);
-    let changed = |from: &str, to: &str| {
-        assert!(GAME.contains(from), "{from}");
-        first_game(&GAME.replace(from, to))
-    };
-    assert_eq!(changed(" add_ball(); } }", " } }"), [FindingKind::NoBall]);
-    assert_eq!(changed("flippers(true)", "flippers(playing() && ball() > 1)"), [FindingKind::DeadFlippers]);
-    assert_eq!(changed("\"drain\" &&", "\"drian\" &&"), [FindingKind::BallWithoutEnd]);
-    assert_eq!(changed("\"hole\" {", "\"hloe\" {"), [FindingKind::NeverEjected]);
-}
-
-#[test]
-fn a_saucer_that_waits_for_the_player_or_locks_its_ball_is_left_alone() {
-    let timer = "if name == \"hole\" { after(1000, \"out\"); }";
-    let asks = GAME
-        .replace(timer, "")
-        .replace("fn on_button(name) {", "fn on_button(name) { if name == \"left\" { eject(\"hole\"); }");
-    assert_eq!(first_game(&asks), []);
-    assert_eq!(first_game(&GAME.replace(timer, "if name == \"hole\" { add_ball(); }")), []);
-}
-
 /// 800 drop targets took 26 seconds to be tried, each of them among all the others.
 #[test]
 fn of_very_many_coils_some_are_tried() {
@@ -261,6 +217,6 @@ fn a_ball_that_lies_on_a_diverter_is_told_of_it() {
     let hook = r#"<path class="wall" id="hook" d="M262 380V360" stroke-width="4"/>"#;
     let playtest = playtest(&format!("{arm}{hook}"));
     let place = DVec2::new(0.22, 0.38);
-    let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place);
+    let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place, false);
     assert!(sentences(&playtest, vec![near])[0].contains(": arm: a ball lies still beside it"));
 }

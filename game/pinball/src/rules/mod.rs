@@ -18,6 +18,7 @@ mod review;
 mod score;
 mod script;
 mod script_state;
+mod signatures;
 mod switches;
 mod timers;
 mod value;

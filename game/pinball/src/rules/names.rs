@@ -51,6 +51,11 @@ impl Names {
         self.kinds.iter().enumerate().map(|(index, (_, kind))| (PartId(index as u16), kind))
     }
 
+    /// The name of a lamp, if there is one.
+    pub fn any_lamp(&self) -> Option<&str> {
+        self.lamps.keys().next().map(String::as_str)
+    }
+
     /// Whether a part or a lamp has this name.
     pub fn exists(&self, name: &str) -> bool {
         self.parts.contains_key(name) || self.lamps.contains_key(name)

@@ -79,7 +79,7 @@ impl Program {
             return Err(Failure::of_many(mistakes.collect()));
         }
         let numbered = script.functions().zip(0..).filter(|(function, _)| is_call(&function.name));
-        let call = |name: &str, number| (name.to_string(), (number, line_of(name, &table.rules)));
+        let call = |name: &str, number| (name.to_string(), (number, line_of_function(name, &table.rules)));
         let calls = numbered.map(|(function, number)| call(&function.name, number)).collect();
         Ok(Program { script, calls, names, file })
     }
@@ -158,13 +158,13 @@ fn wrong_calls(script: &Script, text: &str) -> Vec<Mistake> {
                 format!("nothing calls {}; there are {}", function.name, names.join(", "))
             }
         };
-        mistakes.push((line_of(&function.name, text), what));
+        mistakes.push((line_of_function(&function.name, text), what));
     }
     mistakes
 }
 
 /// The line on which a function begins.
-fn line_of(function: &str, text: &str) -> usize {
+pub fn line_of_function(function: &str, text: &str) -> usize {
     let begin = format!("fn {function}(");
     text.lines().position(|line| line.contains(&begin)).map_or(1, |index| index + 1)
 }

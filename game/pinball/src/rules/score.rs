@@ -45,14 +45,19 @@ impl Score {
         if !self.playing {
             return false;
         }
-        let last = self.player + 1 >= self.scores.len();
-        if last && self.ball >= self.balls {
+        if self.is_last_turn() {
             return false;
         }
+        let last = self.player + 1 >= self.scores.len();
         self.player = if last { 0 } else { self.player + 1 };
         self.ball += u32::from(last);
         self.tilted = false;
         true
+    }
+
+    /// Whether the last player plays the last ball.
+    pub fn is_last_turn(&self) -> bool {
+        self.player + 1 >= self.scores.len() && self.ball >= self.balls
     }
 
     /// Ends the game; the scores stay to be looked at.

@@ -69,6 +69,10 @@ pub(crate) struct SimulationRules {
     pub flippers_live: bool,
     /// Balls that were asked for and have not arrived yet.
     pub owed: u32,
+    /// Whose turn it is: the player, from 0, and the ball, from 1.
+    pub turn: (usize, u32),
+    /// The last player plays the last ball.
+    pub is_last_turn: bool,
 }
 
 impl Simulation {
@@ -168,13 +172,25 @@ impl Simulation {
     /// What the rules have decided about this moment.
     pub(crate) fn rules_state(&self) -> SimulationRules {
         let state = self.rules.script_state();
-        let (playing, tilted) = (state.score.playing, state.score.tilted);
-        SimulationRules { playing, tilted, flippers_live: state.flippers, owed: state.owed }
+        let score = &state.score;
+        SimulationRules {
+            playing: score.playing,
+            tilted: score.tilted,
+            flippers_live: state.flippers,
+            owed: state.owed,
+            turn: (score.player, score.ball),
+            is_last_turn: score.is_last_turn(),
+        }
     }
 
     /// Puts a ball on the playfield, at rest: no game does that, trials do.
     pub(crate) fn put_ball(&mut self, center: DVec2) {
         self.machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
+    }
+
+    /// Puts a ball in play to another place, at rest: no game does that, trials do.
+    pub(crate) fn move_ball(&mut self, id: u32, center: DVec2) {
+        self.machine.move_ball(id, center);
     }
 
     /// The steps that the rules have taken in the last tick.

@@ -44,14 +44,17 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     // Of a table whose plunger fails, what a game shows is a consequence too.
     let plays = is_sound && playtest.launch().is_empty();
     let bot = || plays.then(|| playtest.bot_run()).transpose();
-    let first_game = || if plays { playtest.first_game() } else { Ok(Vec::new()) };
+    let first_game = || if plays { playtest.first_game() } else { Ok(Default::default()) };
     let (run, (rules, found)) = rayon::join(bot, || rayon::join(first_game, let_go));
     bar.finish_and_clear();
     let (played, score, complaints) =
         run?.map_or_else(Default::default, |BotRun { findings, score, complaints }| (findings, score, complaints));
-    let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played, rules?].concat();
+    let (rules, more) = rules?;
+    let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played, rules].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
-    let findings = complaints.into_iter().map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
+    // What both games complained about is told once.
+    let complaints = complaints.iter().chain(more.iter().filter(|one| !complaints.contains(one)));
+    let findings = complaints.map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
     let findings = first_of(findings.collect());
     Ok(Trial { findings, places: places.len(), bot_score: score })
 }

@@ -94,7 +94,8 @@ impl<'a> Facts<'a> {
 /// What the game tells a function of this name.
 fn told(name: &str, parameters: usize) -> Vec<Words> {
     let by = match name {
-        "on_switch" | "on_open" => Some(Told::Part),
+        "on_switch" => Some(Told::Part),
+        "on_open" => Some(Told::Opened),
         "on_button" | "on_release" => Some(Told::Button),
         "on_timer" => Some(Told::Timer),
         _ => None,
@@ -104,7 +105,7 @@ fn told(name: &str, parameters: usize) -> Vec<Words> {
 }
 
 /// The variables that something changes after they were made.
-fn assignments(node: &Node, found: &mut BTreeSet<u16>) {
+pub fn assignments(node: &Node, found: &mut BTreeSet<u16>) {
     match &node.kind {
         Kind::Assign(assign) => found.extend(root(&assign.place)),
         Kind::Chain(chain)

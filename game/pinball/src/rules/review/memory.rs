@@ -20,12 +20,20 @@ struct Use {
     calls_on_others: Vec<u16>,
 }
 
+/// The functions whose `this` may be something else than what the script remembers; nothing where entries are set whose
+/// names are not known before play.
+pub fn foreign_functions(script: &Script) -> Option<BTreeSet<u16>> {
+    uses(script).map(|uses| foreign(&uses))
+}
+
+fn uses(script: &Script) -> Option<Vec<Use>> {
+    let uses: Vec<Use> = script.functions().map(|function| Use::of(&function.body)).collect();
+    (!uses.iter().any(|one| one.sets_others)).then_some(uses)
+}
+
 /// The entries of `this` that are read and never set.
 pub fn remarks(script: &Script) -> Vec<Remark> {
-    let uses: Vec<Use> = script.functions().map(|function| Use::of(&function.body)).collect();
-    if uses.iter().any(|one| one.sets_others) {
-        return Vec::new();
-    }
+    let Some(uses) = uses(script) else { return Vec::new() };
     let foreign = foreign(&uses);
     let set: BTreeSet<&Arc<str>> = uses.iter().flat_map(|one| &one.set).collect();
     let own = uses.iter().zip(0..).filter(|(_, number)| !foreign.contains(number));

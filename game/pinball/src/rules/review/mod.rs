@@ -1,13 +1,20 @@
 //! A review of the rules: what can be seen of them without play and is no reason not to play, as a name that nothing has.
 //! A recording plays whatever its rules are; a table's maker wants to know.
 
+mod arguments;
 mod calls;
+mod consequences;
+mod entry_values;
 mod facts;
+mod known;
+mod literal;
+mod lost_ball;
 mod memory;
 mod messages;
 mod names;
 mod remark;
 mod timers;
+mod unreached;
 mod words;
 
 #[cfg(test)]
@@ -15,11 +22,17 @@ mod tests;
 
 pub use messages::KnownMessage;
 
+use super::host_function::ScriptContext;
+use super::names::Names;
 use super::program::Program;
+use super::script::{UNCLOSED_COMMENT, open_comment};
+use super::script_state::ScriptState;
+use crate::lamps::LampController;
 use crate::table::FILES;
 use crate::{Failure, Table};
 use facts::Facts;
 use remark::Remark;
+use std::sync::Arc;
 
 /// Remarks that are worth reading at once.
 const MAX_REMARKS: usize = 100;
@@ -39,11 +52,18 @@ impl Review {
         let Ok(program) = Program::new(table) else { return Review::default() };
         let (script, names) = (program.script(), program.names());
         let facts = Facts::new(script);
+        let lamps = LampController::new(table);
+        let context = &mut ScriptContext { script: ScriptState::new(0), lamps, names: Arc::new(Names::new(table)) };
         let mut remarks = [
             names::remarks(&facts, names, &table.rules),
             timers::remarks(&facts, script, &table.rules),
             memory::remarks(script),
+            entry_values::remarks(script),
             calls::remarks(&facts, names),
+            lost_ball::remarks(&facts, names, script, &table.rules),
+            arguments::remarks(&facts, script, context),
+            unreached::remarks(script, &table.rules),
+            open_comment(&table.rules).map(|line| Remark::error(line, UNCLOSED_COMMENT)).into_iter().collect(),
         ]
         .concat();
         remarks.sort();

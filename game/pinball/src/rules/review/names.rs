@@ -38,11 +38,14 @@ fn comparison(one: &Comparison, names: &Names, started: &Words, optional: &Words
 /// Why no event has this name.
 fn impossible(told: Told, text: &str, names: &Names, started: &Words, optional: &Words) -> Option<String> {
     match told {
-        Told::Part => match names.part(text) {
-            Ok(part) => {
-                let silent = matches!(names.kind(part), Some(Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_)));
-                silent.then(|| format!("\"{text}\" has no switch, so no event is ever about it"))
-            }
+        Told::Part | Told::Opened => match names.part(text) {
+            Ok(part) => match names.kind(part).map(switch_of) {
+                Some(Switch::None) => Some(format!("\"{text}\" has no switch, so no event is ever about it")),
+                Some(Switch::Closes) if told == Told::Opened => Some(format!(
+                    "the switch of \"{text}\" closes for a moment and is never told to open: hear it in `on_switch`"
+                )),
+                _ => None,
+            },
             Err(_) if optional.others || optional.literals.contains(text) => None,
             Err(_) if names.lamps(text).is_ok() => {
                 Some(format!("\"{text}\" is a lamp, and no event is ever about a lamp; name a part"))
@@ -58,7 +61,8 @@ fn impossible(told: Told, text: &str, names: &Names, started: &Words, optional: 
             (!is_known).then(|| format!("there is no button called \"{text}\"{meant} (there are {all})"))
         }
         Told::Timer => {
-            let by_part = started.told.contains(&Told::Part) && names.part(text).is_ok();
+            let is_of_part = [Told::Part, Told::Opened].iter().any(|told| started.told.contains(told));
+            let by_part = is_of_part && names.part(text).is_ok();
             let is_started = started.others || started.literals.contains(text) || by_part;
             let meant = spelling::near(text, started.literals.iter().map(|word| &**word));
             let meant = meant.map_or_else(String::new, |meant| format!("; did you mean \"{meant}\"?"));
@@ -87,7 +91,62 @@ fn arguments(call: &Call, names: &Names, optional: &Words) -> Vec<Remark> {
         "flash" => look(2, &check_color),
         _ => {}
     }
-    found.into_iter().map(|what| Remark::error(call.line as usize, what)).collect()
+    let line = call.line as usize;
+    let asked = if name == "closed" { closed(call, names) } else { Vec::new() };
+    found.into_iter().map(|what| Remark::error(line, what)).chain(asked).collect()
+}
+
+/// A part's switch.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Switch {
+    /// There is none.
+    None,
+    /// It closes for a moment.
+    Closes,
+    /// It is closed as long as a ball is there, or a target is down.
+    Stays,
+}
+
+fn switch_of(kind: &Kind) -> Switch {
+    match kind {
+        Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) => Switch::None,
+        Kind::Rollover(_) | Kind::Saucer(_) | Kind::Magnet(_) | Kind::Kickback(_) | Kind::DropTarget(_) => {
+            Switch::Stays
+        }
+        Kind::Bumper(_)
+        | Kind::Slingshot(_)
+        | Kind::Target(_)
+        | Kind::Ramp(_)
+        | Kind::Gate(_)
+        | Kind::Spinner(_)
+        | Kind::Drain(_)
+        | Kind::CaptiveBall(_) => Switch::Closes,
+    }
+}
+
+/// What `closed` is asked that it cannot answer.
+fn closed(call: &Call, names: &Names) -> Vec<Remark> {
+    let Some(words) = call.words.first() else { return Vec::new() };
+    let line = call.line as usize;
+    let told = words.literals.iter().filter_map(|name| {
+        let kind = names.part(name).ok().and_then(|part| names.kind(part))?;
+        match switch_of(kind) {
+            Switch::None => {
+                let what = format!("`closed(\"{name}\")` is always false: \"{name}\" has no switch");
+                // An array may name other things for something else.
+                Some(if words.only().is_some() { Remark::error(line, what) } else { Remark::warning(line, what) })
+            }
+            Switch::Closes => Some(Remark::warning(
+                line,
+                format!(
+                    "`closed(\"{name}\")` is true for good once a ball has been there: its switch closes for a moment and \
+                     is never told to open; hear it in `on_switch`, and keep in `this` what is to be known later"
+                ),
+            )),
+            Switch::Stays => None,
+        }
+    });
+    told.collect()
 }
 
 fn mode(word: &str) -> Result<(), String> {

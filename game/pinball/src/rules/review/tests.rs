@@ -1,5 +1,9 @@
 //! What a table's maker is told of rules that can be played and do not do what they say.
 
+mod arguments;
+mod lost_ball;
+mod unreached;
+
 use super::Review;
 use crate::rules::tests::bench::table;
 use crate::table::tests::spectrum;
@@ -147,12 +151,12 @@ fn what_is_remembered_by_no_rule_is_told_where_it_is_read() {
 /// A game whose flippers were never switched on was called good.
 #[test]
 fn calls_without_which_no_game_can_be_played_are_told() {
-    let rules = "fn on_button(name) { if name == \"start\" { start_game(3); } }";
+    let rules = "fn on_button(name) { if name == \"start\" { start_game(1); } } fn on_switch(name) { game_over(); }";
     let ball = "1: a game begins without a ball: no rule calls `add_ball()`; call it behind `start_game`";
     let saucer = " the saucer \"saucer\" keeps its ball: no rule calls `eject(\"saucer\")`; start a timer in \
                   `on_switch` and call it in `on_timer`";
     assert_eq!(told_of(rules, &["drain", "saucer"]), [saucer, ball]);
-    let both = rules.replace("start_game(3);", "start_game(3); add_ball(); for hole in [\"saucer\"] { eject(hole); }");
+    let both = rules.replace("start_game(1);", "start_game(1); add_ball(); for hole in [\"saucer\"] { eject(hole); }");
     assert_eq!(told_of(&both, &["drain", "saucer"]), Vec::<String>::new());
     assert_eq!(told_of("fn on_feed() { score(1); }", &["drain", "saucer"]), Vec::<String>::new(), "nothing begins");
 }
@@ -166,7 +170,8 @@ fn coils_that_no_rule_works_are_told() {
         r#"<line class="kickback" id="kb" x1="300" y1="500" x2="300" y2="480" stroke-width="20"/>"#,
     ];
     let told = |more: &str| -> Vec<String> {
-        let rules = format!("fn on_button(name) {{\nstart_game(3); flippers(true); add_ball(); {more}\n}}");
+        let lost = "fn on_switch(name) { if name == \"drain#1\" { game_over(); } }";
+        let rules = format!("fn on_button(name) {{\nstart_game(1); flippers(true); add_ball(); {more}\n}}\n{lost}");
         let review = Review::of(&crate::table::tests::with_rules(&drawn.concat(), &rules));
         review.findings.iter().map(ToString::to_string).filter(|one| !one.contains("saucer")).collect()
     };

@@ -9,8 +9,10 @@ const MAX_WORDS: usize = 256;
 /// Where a name comes from that a script is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Told {
-    /// The game, for a part's switch.
+    /// The game, for a part's switch that closes.
     Part,
+    /// The game, for a part's switch that opens.
+    Opened,
     /// The game, for a button.
     Button,
     /// The script itself, for its timer.

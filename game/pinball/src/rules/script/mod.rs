@@ -3,6 +3,7 @@
 //! Rhai's parser reads the text. Its evaluator is left out: it copies, compares and searches values without counting,
 //! so that one operation can take milliseconds. Here a value cannot be copied, compared or printed without a [`Meter`].
 
+mod brackets;
 mod chain;
 mod data;
 mod interpreter;
@@ -16,6 +17,7 @@ mod read;
 mod read_expression;
 mod stop;
 mod syntax;
+mod syntax_error;
 mod text;
 mod tokens;
 mod told;
@@ -29,7 +31,8 @@ pub use meter::{Meter, text_steps};
 pub use node::{Chain, Kind, Node, Operator, Pattern, Root, Step, StepKind, Switch};
 pub use read::Mistake;
 pub use stop::{Failed, Stop, fail};
-pub use tokens::too_many;
+pub use syntax_error::UNCLOSED_COMMENT;
+pub use tokens::{open_comment, too_many};
 
 use crate::rules::host_function::ScriptContext;
 use interpreter::Frame;

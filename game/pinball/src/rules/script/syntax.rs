@@ -1,8 +1,8 @@
 //! What Rhai's parser gives: nothing of it is run by Rhai.
 
 use super::read::Mistake;
-use super::tokens;
-use rhai::{AST, ASTNode, Engine, OptimizationLevel, ParseError, ParseErrorType, Stmt};
+use super::syntax_error;
+use rhai::{AST, ASTNode, Engine, OptimizationLevel, Stmt};
 
 /// Deepest nesting of expressions.
 const MAX_EXPRESSIONS: usize = 48;
@@ -28,7 +28,7 @@ impl SyntaxTree {
             .set_max_array_size(super::meter::MAX_ITEMS)
             .set_max_map_size(super::meter::MAX_ITEMS)
             .set_optimization_level(OptimizationLevel::None);
-        engine.compile(text).map(SyntaxTree).map_err(|error| mistake(&error, text))
+        engine.compile(text).map(SyntaxTree).map_err(|error| syntax_error::told(&error, text))
     }
 
     /// The functions by name: names and parameters.
@@ -72,22 +72,5 @@ impl SyntaxTree {
         });
         let what = "too many cases of a `switch` stand in cases of another: put them into functions of their own";
         if ends { Ok(()) } else { Err((line, what.to_string())) }
-    }
-}
-
-/// What the parser says, where a person sees it: what is missing is missing behind the last word that is there.
-fn mistake(error: &ParseError, text: &str) -> Mistake {
-    let (line, column) = (error.position().line().unwrap_or(1), error.position().position().unwrap_or(1));
-    if let Some(fraction) = tokens::fraction_at(text, line, column) {
-        return (line, format!("a whole number is expected, not {fraction}: rules know no fractions"));
-    }
-    match error.err_type() {
-        ParseErrorType::MissingToken(missing, _) if missing == ";" => {
-            let last = tokens::last_before(text, line, column);
-            let (line, behind) =
-                last.map_or((line, String::new()), |last| (last.last_line(), format!(" behind `{}`", last.text)));
-            (line, format!("a `;` is missing{behind}"))
-        }
-        other => (line, other.to_string()),
     }
 }

@@ -4,6 +4,7 @@ mod agreement;
 mod cost;
 mod language;
 mod random_script;
+mod syntax_errors;
 mod twin;
 
 use super::{Data, Failed, Meter, Mistake, Script, Stop};

@@ -34,6 +34,34 @@ pub fn last_before(text: &str, line: usize, column: usize) -> Option<Token<'_>> 
     tokens(text).into_iter().take_while(|token| token.start < start).last()
 }
 
+/// The word, mark or string before another.
+pub fn before<'a>(text: &'a str, token: Token) -> Option<Token<'a>> {
+    tokens(text).into_iter().take_while(|other| other.start < token.start).last()
+}
+
+/// A mark with the signs that make one operator with it: `==` for its second sign.
+pub fn whole_operator<'a>(text: &'a str, token: Token<'a>) -> &'a str {
+    const SIGNS: [char; 10] = ['=', '!', '<', '>', '&', '|', '+', '-', '*', '%'];
+    match token.text.starts_with(SIGNS) {
+        true => {
+            let start = text[..token.end()].trim_end_matches(SIGNS).len();
+            &text[start..token.end()]
+        }
+        false => token.text,
+    }
+}
+
+/// The line on which a comment begins that is never closed.
+pub fn open_comment(text: &str) -> Option<usize> {
+    let mut found = None;
+    each_piece(text, |line, piece| {
+        if piece.starts_with("/*") && comment(piece).1 {
+            found = Some(line);
+        }
+    });
+    found
+}
+
 /// The number with a fraction that stands at or just before a place.
 pub fn fraction_at(text: &str, line: usize, column: usize) -> Option<&str> {
     let at = place(text, line, column)?;
@@ -81,34 +109,43 @@ impl Token<'_> {
 }
 
 /// The words, strings and marks of a script, without comments.
-fn tokens(text: &str) -> Vec<Token<'_>> {
+pub fn tokens(text: &str) -> Vec<Token<'_>> {
     let mut tokens = Vec::new();
+    let mut start = 0;
+    each_piece(text, |line, piece| {
+        let is_comment = piece.starts_with("//") || piece.starts_with("/*");
+        if !is_comment && !piece.starts_with(char::is_whitespace) {
+            tokens.push(Token { line, start, text: piece });
+        }
+        start += piece.len();
+    });
+    tokens
+}
+
+/// Calls `each` with all pieces of a text, one behind the other, and their lines.
+fn each_piece<'a>(text: &'a str, mut each: impl FnMut(usize, &'a str)) {
     let (mut start, mut line) = (0, 1);
     while let Some(first) = text[start..].chars().next() {
         let rest = &text[start..];
-        let is_comment = rest.starts_with("//") || rest.starts_with("/*");
         let length = match first {
             '/' if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
-            '/' if is_comment => comment(rest),
+            '/' if rest.starts_with("/*") => comment(rest).0,
             '"' | '\'' | '`' => quoted(rest, first),
             _ if is_of_word(first) => rest.find(|letter| !is_of_word(letter)).unwrap_or(rest.len()),
             _ => first.len_utf8(),
         };
-        if !is_comment && !first.is_whitespace() {
-            tokens.push(Token { line, start, text: &rest[..length] });
-        }
+        each(line, &rest[..length]);
         line += rest[..length].matches('\n').count();
         start += length;
     }
-    tokens
 }
 
 fn is_of_word(letter: char) -> bool {
     letter == '_' || letter.is_ascii_alphanumeric()
 }
 
-/// The length of the block comment that the text begins with; they nest.
-fn comment(text: &str) -> usize {
+/// The length of the block comment that the text begins with, and whether it is never closed; they nest.
+fn comment(text: &str) -> (usize, bool) {
     let mut depth = 0;
     let mut place = 0;
     while let Some(mark) = text.get(place..).and_then(|rest| rest.find(['/', '*'])) {
@@ -122,13 +159,13 @@ fn comment(text: &str) -> usize {
                 depth -= 1;
                 place += 2;
                 if depth == 0 {
-                    return place;
+                    return (place, false);
                 }
             }
             _ => place += 1,
         }
     }
-    text.len()
+    (text.len(), true)
 }
 
 /// The length of the text in quotes that this begins with, both quotes included.

@@ -1,0 +1,92 @@
+//! What the rules leave out, as a sentence with the line of the function that it is missing in.
+
+use super::finding::{Finding, FindingKind};
+use crate::Table;
+use crate::table::FILES;
+use physics::PartId;
+
+/// Place and sentence of what is the rules' fault alone; none of other findings.
+pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
+    let count = finding.count;
+    let (function, sentence) = match finding.kind {
+        FindingKind::NoGame => (
+            "on_button",
+            "no game begins when start is pressed; where `on_button(name)` hears \"start\" and no game is on, call \
+             `start_game(3)` and `add_ball()`"
+                .to_string(),
+        ),
+        FindingKind::NoStart => (
+            "on_button",
+            "no game can begin: no rule speaks of `start_game` or of \"start\"; if the table is there to be played, call \
+             `start_game(3)` and `add_ball()` in `on_button(name)`"
+                .to_string(),
+        ),
+        FindingKind::NoBall => (
+            "on_button",
+            "a game begins and no ball comes for 14 s, until the ball search gives one; call `add_ball()` behind \
+             `start_game`"
+                .to_string(),
+        ),
+        FindingKind::DeadFlippers => (
+            "on_button",
+            format!(
+                "the flippers are dead while ball {count} of a game is in play; call `flippers(true)` where a game or a \
+                 ball begins"
+            ),
+        ),
+        FindingKind::NoNextGame => (
+            "on_button",
+            "the first game is over and no press of start begins another for 25 s; see what `on_button(name)` asks before \
+             it calls `start_game`"
+                .to_string(),
+        ),
+        _ => ("on_switch", of_lost_ball(finding, table)?),
+    };
+    let line = line_of(function, &table.rules).map_or_else(String::new, |line| format!(":{line}"));
+    Some((format!("{}{line}", table.file(FILES[2])), sentence))
+}
+
+/// What the rules do wrong when a ball is lost.
+fn of_lost_ball(finding: &Finding, table: &Table) -> Option<String> {
+    let count = finding.count;
+    let drain = finding.part.map_or_else(String::new, |part| format!(" in {}", name(part, table)));
+    Some(match finding.kind {
+        FindingKind::BallWithoutEnd => format!(
+            "ball {count} is lost{drain} and nothing follows for 14 s, until the ball search gives another; when \
+             `on_switch` hears the drain, which needs an `id`, and `balls_in_play()` is 0, call `next_player()` and \
+             `add_ball()`, or `game_over()`"
+        ),
+        FindingKind::NoNextBall => format!(
+            "ball {count} is lost{drain}, `next_player()` begins the next turn, and no ball comes for 14 s, until the ball \
+             search gives one; call `add_ball()` where `next_player()` is true"
+        ),
+        FindingKind::NoGameOver => format!(
+            "the last ball is lost{drain} and the game goes on without one, until the ball search gives another; call \
+             `game_over()` where `next_player()` is false"
+        ),
+        FindingKind::GameWithoutEnd => format!(
+            "the game is not over when {count} balls are lost{drain}, the last five of one turn, the longest of them in play \
+             for 32 s; call `next_player()` when a ball is lost, and `game_over()` where that is false"
+        ),
+        FindingKind::EndsEarly => format!(
+            "a ball that is lost{drain} ends the turn while another is on the table, as the ball search may have given one; \
+             let it end only when `balls_in_play()` is 0"
+        ),
+        _ => return None,
+    })
+}
+
+/// Name and line of a part in the drawing.
+fn name(part: PartId, table: &Table) -> String {
+    let part = usize::from(part.0);
+    let name = table.layout.parts.get(part).map_or("", |part| &part.name);
+    let line = table.part_lines.get(part).map_or_else(String::new, |line| format!(" ({} line {line})", FILES[0]));
+    format!("{name}{line}")
+}
+
+/// The line on which a function of the rules begins, if there is one.
+fn line_of(function: &str, rules: &str) -> Option<usize> {
+    let is_it =
+        |line: &str| line.trim_start().strip_prefix("fn ").is_some_and(|rest| rest.trim_start().starts_with(function));
+    rules.lines().position(is_it).map(|index| index + 1)
+}

@@ -1,0 +1,83 @@
+//! Where balls are let go: in pockets and beside what moves on every table, whatever else is on it.
+
+use super::{let_go, playtest, sentences};
+use crate::playtest::{Finding, FindingKind};
+use geometry::{DVec2, Shape};
+use physics::{BALL_RADIUS_M, Controls};
+
+/// A pocket was told of a table and not of the same one with a post more: none of its places was in the pocket.
+#[test]
+fn a_pocket_is_told_whatever_else_is_on_the_table() {
+    let cup = r#"<path class="wall" id="cup" d="M218 340L230 352L242 340" fill="none" stroke-width="2"/>"#;
+    for post in 0..6 {
+        let (x, y) = (100 + 37 * post, 500 + 13 * post);
+        let told = let_go(&playtest(&format!(r#"{cup}<circle class="post" id="p" cx="{x}" cy="{y}" r="4"/>"#)));
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(told[0].contains(": cup: a ball lies still beside it"), "{told:?}");
+    }
+}
+
+/// A ball that has passed a level gate falls back on its flap.
+#[test]
+fn a_gate_that_holds_a_ball_is_told_whatever_else_is_on_the_table() {
+    let gate = r#"<line class="gate" id="flap" x1="203" y1="350" x2="232" y2="350" data-way="up"/>
+<path class="wall" d="M200 300V400M235 300V400" fill="none" stroke-width="6"/>"#;
+    for post in 0..4 {
+        let (x, y) = (60 + 31 * post, 500 + 17 * post);
+        let told = let_go(&playtest(&format!(r#"{gate}<circle class="post" id="p" cx="{x}" cy="{y}" r="4"/>"#)));
+        assert!(told.len() == 1 && told[0].contains(": flap: a ball lies still beside it"), "{told:?}");
+    }
+}
+
+/// A ball that was let go below a gate's flap lay there for ever, on one table and not on the same with a post more. No ball
+/// comes to rest there: shot from below, as fast as takes it just there, it goes on or falls back.
+#[test]
+fn no_ball_is_let_go_below_a_flap() {
+    let gate = r#"<line class="gate" id="flap" x1="198" y1="366" x2="236" y2="350" data-way="up"/>
+<path class="wall" d="M195 300V450M239 300V450" fill="none" stroke-width="6"/>"#;
+    let playtest = playtest(gate);
+    let flap = Shape::capsule(DVec2::new(0.198, 0.366), DVec2::new(0.236, 0.350), 0.0);
+    assert!(playtest.places(100_000).iter().all(|place| flap.distance(*place).0 >= BALL_RADIUS_M));
+    for shot in 0..80 {
+        let speed = 0.24 + 0.003 * f64::from(shot);
+        let mut machine = playtest.machine.clone();
+        machine.put_ball(DVec2::new(0.217, 0.41), DVec2::new(0.0, -speed), [0.0; 3]);
+        (0..5000).for_each(|_| machine.tick(Controls::NONE, &[]));
+        let lies = machine.balls().iter().any(|ball| flap.distance(ball.center).0 < 0.5 * BALL_RADIUS_M);
+        assert!(!lies, "{speed} m/s");
+    }
+}
+
+/// Of two balls in one pocket one was freed by the ball search: the pocket was told twice.
+#[test]
+fn a_pocket_is_told_once_whatever_becomes_of_its_balls() {
+    let playtest = playtest("");
+    let near = |kind, x| Finding::near(kind, playtest.machine.layout(), DVec2::new(x, 0.4), false);
+    let both = vec![near(FindingKind::FreedBySearch, 0.30), near(FindingKind::Stuck, 0.31)];
+    let told = sentences(&playtest, playtest.merged(both));
+    assert!(told.len() == 1 && told[0].contains("does not free it (2 times)"), "{told:?}");
+}
+
+/// Of a ball that lay on a level ramp a far wall was told.
+#[test]
+fn a_ball_on_a_ramp_is_told_of_the_ramp() {
+    let ramp =
+        r#"<path class="ramp" id="way" d="M100 600V300H300" data-heights-mm="0 50 50" stroke-width="40" fill="none"/>
+<circle class="post" id="below" cx="200" cy="300" r="6"/>"#
+            .replace("V300H300", "V350A50 50 0 0 1 150 300H300")
+            .replace("0 50 50", "0 50 50 50");
+    let playtest = playtest(&ramp);
+    let near = |above| Finding::near(FindingKind::Stuck, playtest.machine.layout(), DVec2::new(0.2, 0.3), above);
+    assert!(sentences(&playtest, vec![near(true)])[0].contains(": way: "));
+    assert!(sentences(&playtest, vec![near(false)])[0].contains(": below: "));
+    // Below its low end, where a ball rolls in from above and does not come out.
+    let wedge = Finding::near(FindingKind::Stuck, playtest.machine.layout(), DVec2::new(0.105, 0.48), false);
+    assert!(sentences(&playtest, vec![wedge])[0].contains(": way: "));
+}
+
+#[test]
+fn there_are_as_many_places_as_were_asked_for() {
+    let playtest = playtest(r#"<circle class="bumper" id="pop" cx="200" cy="400" r="30"/>"#);
+    assert_eq!(playtest.places(500).len(), 500);
+    assert!(playtest.places(3).len() <= 5);
+}

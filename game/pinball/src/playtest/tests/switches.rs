@@ -1,0 +1,109 @@
+//! Whether a ball can close the switches of a table, shot at them as a player can.
+
+use super::{playtest, sentences};
+use crate::playtest::FindingKind;
+
+fn coils(drawn: &str) -> Vec<String> {
+    let playtest = playtest(drawn);
+    sentences(&playtest, playtest.merged([playtest.coils(), playtest.unreachable()].concat()))
+}
+
+fn kinds(drawn: &str) -> Vec<FindingKind> {
+    let playtest = playtest(drawn);
+    let all = playtest.merged([playtest.coils(), playtest.unreachable()].concat());
+    all.iter().map(|finding| finding.kind).collect()
+}
+
+/// Of two drop targets 5 mm apart a ball that was shot at the end of one hit both, and the one was told as dead.
+#[test]
+fn parts_that_stand_close_together_are_hit_by_themselves() {
+    let bank = |gap: f64| {
+        let target = |index: u32| {
+            let x = 150.0 + f64::from(index) * (25.0 + gap);
+            format!(
+                r#"<line class="drop-target" id="d{index}" x1="{x}" y1="300" x2="{}" y2="300" stroke-width="4"/>"#,
+                x + 25.0
+            )
+        };
+        format!(r#"{}<path class="wall" d="M140 290H300" stroke-width="4"/>"#, (0..3).map(target).collect::<String>())
+    };
+    for gap in [0.0, 2.0, 5.0, 9.0] {
+        assert_eq!(coils(&bank(gap)), Vec::<String>::new(), "{gap}");
+    }
+}
+
+/// A target that lies in its wall was called good: no trial asked for targets at all.
+#[test]
+fn a_target_that_no_ball_hits_is_told() {
+    let wall = r#"<path class="wall" id="side" d="M200 250V450" fill="none" stroke-width="6"/>"#;
+    let thin = r#"<path class="wall" id="side" d="M200 250V450" fill="none" stroke-width="4"/>"#;
+    let target = |x: f64, width: f64| {
+        format!(r#"{wall}<line class="target" id="face" x1="{x}" y1="330" x2="{x}" y2="360" stroke-width="{width}"/>"#)
+    };
+    assert_eq!(coils(&target(205.0, 4.0)), Vec::<String>::new());
+    assert_eq!(kinds(&target(200.0, 1.0)), [FindingKind::Unreachable]);
+    let told = coils(&target(200.0, 1.0).replace(wall, thin));
+    assert!(told.len() == 1 && told[0].contains("table.svg:9: face: of "), "{told:?}");
+    assert!(told[0].contains("that are shot at it none closes its switch; turn it so that a ball comes"), "{told:?}");
+    // In a lane in which a ball can only roll past it.
+    let lane = r#"<path class="wall" d="M229.2 250V450" fill="none" stroke-width="1"/>"#;
+    let beside = target(201.0, 1.0).replace("stroke-width=\"6\"", "stroke-width=\"1\"");
+    assert_eq!(kinds(&beside), []);
+    assert_eq!(kinds(&format!("{beside}{lane}")), [FindingKind::SwitchNeverCloses]);
+}
+
+#[test]
+fn a_rollover_that_no_ball_is_over_is_told() {
+    let wall = r#"<path class="wall" d="M200 250V450" fill="none" stroke-width="6"/>"#;
+    let rollover = |x: f64| format!(r#"{wall}<line class="rollover" id="r" x1="{x}" y1="330" x2="{x}" y2="360"/>"#);
+    assert_eq!(coils(&rollover(230.0)), Vec::<String>::new());
+    let told = coils(&rollover(207.0));
+    assert!(told.len() == 1 && told[0].contains(": r: no ball can come to it"), "{told:?}");
+}
+
+/// A saucer of 1 mm, or one that catches nothing that moves, was called good.
+#[test]
+fn a_saucer_that_catches_no_ball_is_told() {
+    let saucer = |radius: f64, more: &str| {
+        format!(
+            r#"<circle class="saucer" id="hole" cx="200" cy="300" r="{radius}" data-eject-deg="90" data-eject-m-s="1"/>{more}"#
+        )
+    };
+    assert_eq!(coils(&saucer(15.0, "")), Vec::<String>::new());
+    assert_eq!(coils(&saucer(8.0, "")), Vec::<String>::new());
+    let told = coils(&saucer(1.0, ""));
+    assert!(
+        told.len() == 1 && told[0].contains("it catches none; see its radius (1.0 mm), its capture_m_s (1)"),
+        "{told:?}"
+    );
+    let bumper = r#"<circle class="bumper" id="pop" cx="200" cy="300" r="30"/>"#;
+    assert_eq!(kinds(&saucer(10.0, bumper)), [FindingKind::Unreachable]);
+}
+
+#[test]
+fn a_spinner_and_a_gate_that_no_ball_passes_are_told() {
+    let lane = r#"<path class="wall" d="M180 250V450M220 250V450" fill="none" stroke-width="6"/>"#;
+    let end = r#"<path class="wall" d="M180 337H220" fill="none" stroke-width="6"/>"#;
+    let spinner = r#"<line class="spinner" id="s" x1="184" y1="350" x2="216" y2="350"/>"#;
+    let gate = r#"<line class="gate" id="g" x1="184" y1="350" x2="216" y2="350" data-way="up"/>"#;
+    assert_eq!(coils(&format!("{lane}{spinner}")), Vec::<String>::new());
+    assert_eq!(coils(&format!("{lane}{gate}")), Vec::<String>::new());
+    let told = coils(&format!("{lane}{end}{gate}"));
+    assert!(told.len() == 1 && told[0].contains(": g: of ") && told[0].contains("none passes it"), "{told:?}");
+}
+
+/// They went through each other, and nobody said so.
+#[test]
+fn flippers_whose_strokes_cross_are_told() {
+    let right = |x: f64| {
+        format!(
+            r#"<line class="flipper" id="right" data-side="right" data-up-deg="50" x1="{x}" y1="850" x2="{}" y2="885"/>"#,
+            x - 60.0
+        )
+    };
+    assert_eq!(coils(&right(310.0)), Vec::<String>::new());
+    assert_eq!(coils(&right(290.0)), Vec::<String>::new(), "tips that touch when both are up");
+    let told = coils(&right(265.0));
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains(": left: its stroke crosses that of right (line 9) at "), "{told:?}");
+}

@@ -1,0 +1,163 @@
+//! What a whole game shows of rules with one fault each, wherever the walls lead a ball.
+
+use super::{WALLS, playtest, playtest_of, sentences};
+use crate::playtest::FindingKind;
+use crate::table::tests::{spectrum, with_rules};
+
+/// Rules that begin a game, and what they do when the ball is lost.
+const GAME: &str =
+    "fn on_button(name) { if name == \"start\" && !playing() { start_game(3); flippers(true); add_ball(); } }
+fn on_timer(name) { eject(\"hole\"); }
+fn on_switch(name) {
+  if name == \"hole\" { after(1000, \"out\"); }
+  if name == \"drain\" && balls_in_play() == 0 { if next_player() { add_ball(); } else { game_over(); } }
+}";
+const HOLE: &str =
+    r#"<circle class="saucer" id="hole" cx="200" cy="300" r="15" data-eject-deg="90" data-eject-m-s="1"/>"#;
+const DRAIN: &str = r#"<line class="drain" id="drain" x1="90" y1="960" x2="410" y2="960" stroke-width="10"/>"#;
+/// A floor from wall to wall, so that no ball comes to the drain by itself but through its middle, and that slowly.
+const BASIN: &str = r#"<path class="wall" d="M10 700H210M250 700H460" fill="none" stroke-width="6"/>
+<path class="wall" d="M200 690V660M260 690V660" fill="none" stroke-width="6"/>"#;
+
+fn told(drawn: &str, rules: &str) -> Vec<String> {
+    let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{drawn}"), rules));
+    sentences(&playtest, playtest.first_game().unwrap().0)
+}
+
+/// What is told of a game with these rules.
+fn first_game(rules: &str) -> Vec<FindingKind> {
+    kinds(DRAIN, rules)
+}
+
+fn kinds(drawn: &str, rules: &str) -> Vec<FindingKind> {
+    let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{drawn}"), rules));
+    playtest.first_game().unwrap().0.iter().map(|finding| finding.kind).collect()
+}
+
+fn changed(from: &str, to: &str) -> String {
+    assert!(GAME.contains(from), "{from}");
+    GAME.replace(from, to)
+}
+
+/// It was a warning that named no line.
+#[test]
+fn a_game_that_never_begins_is_told() {
+    let found = |rules: &str| {
+        let playtest = playtest_of(with_rules(WALLS, rules));
+        let found = playtest.first_game().unwrap().0;
+        (found[0].kind, found[0].is_warning(), sentences(&playtest, found)[0].clone())
+    };
+    let (kind, is_warning, told) =
+        found("const A = 1;\nfn on_button(name) { if name == \"strat\" { start_game(3); } }");
+    assert!(kind == FindingKind::NoGame && !is_warning, "{told}");
+    assert!(told.starts_with("rules.rhai:2: no game begins when start is pressed; "), "{told}");
+    // A table that only shows lamps is none that cannot be played.
+    let (kind, is_warning, told) = found("fn on_start() { now(); } // no start_game");
+    assert!(kind == FindingKind::NoStart && is_warning && told.starts_with("warning: rules.rhai: no game"), "{told}");
+    // A second coin, or another button.
+    let coins = changed(
+        "name == \"start\" && ",
+        "name == \"start\" { this.coins = if \"coins\" in this { 2 } else { 1 }; }
+        if name == \"start\" && this.coins == 2 && ",
+    );
+    assert_eq!(first_game(&coins), []);
+    assert_eq!(first_game(&changed("\"start\"", "\"plunger\"")), []);
+}
+
+/// Games without flippers, without a ball, without an end were called good: all that is needed was in the rules, and none
+/// of it came.
+#[test]
+fn rules_that_leave_a_game_unplayable_are_told() {
+    assert_eq!(first_game(GAME), []);
+    let changed = |from, to| first_game(&changed(from, to));
+    assert_eq!(changed(" add_ball(); } }", " } }"), [FindingKind::NoBall]);
+    assert_eq!(changed("flippers(true)", "flippers(playing() && ball() > 1)"), [FindingKind::DeadFlippers]);
+    assert_eq!(changed("\"drain\" &&", "\"drian\" &&"), [FindingKind::BallWithoutEnd]);
+    assert_eq!(changed("\"hole\" {", "\"hloe\" {"), [FindingKind::NeverEjected]);
+}
+
+/// On a table whose first ball was not lost within the trial nothing was said of what a lost ball leads to, and behind the
+/// first ball nothing on any.
+#[test]
+fn a_lost_ball_without_a_consequence_is_told_on_every_table_and_of_every_ball() {
+    for table in [DRAIN.to_string(), format!("{DRAIN}{BASIN}")] {
+        let kinds = |from, to| kinds(&table, &changed(from, to));
+        assert_eq!(kinds("3", "3"), []);
+        assert_eq!(kinds("\"drain\" &&", "\"drian\" &&"), [FindingKind::BallWithoutEnd]);
+        assert_eq!(
+            kinds("{ if next_player() { add_ball(); } else { game_over(); } }", "{ }"),
+            [FindingKind::BallWithoutEnd]
+        );
+        assert_eq!(kinds("{ add_ball(); } else", "{ } else"), [FindingKind::NoNextBall]);
+        assert_eq!(kinds("{ game_over(); }", "{ }"), [FindingKind::NoGameOver]);
+        assert_eq!(
+            kinds("{ if next_player() { add_ball(); } else { game_over(); } }", "{ next_player(); add_ball(); }"),
+            [FindingKind::GameWithoutEnd]
+        );
+        assert_eq!(kinds("&& balls_in_play() == 0 ", ""), [FindingKind::EndsEarly]);
+        // Behind the second ball.
+        assert_eq!(kinds("{ add_ball(); } else", "{ if ball() < 3 { add_ball(); } } else"), [FindingKind::NoNextBall]);
+        assert_eq!(kinds("{ add_ball(); }", "{ add_ball(); flippers(ball() < 3); }"), [FindingKind::DeadFlippers]);
+        assert_eq!(kinds("!playing()", "!playing() && scores().len() == 0"), [FindingKind::NoNextGame]);
+    }
+    let told = told(DRAIN, &changed("{ add_ball(); } else", "{ } else"));
+    let expected =
+        "rules.rhai:3: ball 1 is lost in drain (table.svg line 8), `next_player()` begins the next turn, and no ball";
+    assert!(told[0].starts_with(expected), "{told:?}");
+}
+
+/// What gives a lost ball back for a while, or once, is no fault; nor is a second ball.
+#[test]
+fn rules_that_mean_it_are_left_alone() {
+    let lost = "if name == \"drain\" && balls_in_play() == 0 { ";
+    let saves = |by: &str| first_game(&changed(lost, &format!("{lost} {by} {{ add_ball(); return; }} ")));
+    let with_launch = |more: &str, by: &str| {
+        let rules = changed(lost, &format!("{lost} if {by} {{ add_ball(); return; }} "));
+        first_game(&format!("{rules}\nfn on_launch() {{ {more} }}"))
+    };
+    // Ball save: whenever a ball is shot, and so for ever if it is lost at once.
+    assert_eq!(with_launch("after(15_000, \"save\");", "running(\"save\")"), []);
+    // Two extra balls.
+    let extra = "if !(\"extra\" in this) { this.extra = 0; } this.extra += 1; if this.extra <= 2";
+    assert_eq!(saves(extra), []);
+    // Each launch brings a second ball.
+    let multiball = "if !(\"more\" in this) || this.more != ball() { this.more = ball(); add_ball(); }";
+    assert_eq!(with_launch(multiball, "false"), []);
+    // The next ball comes after a bonus.
+    let late = changed("{ add_ball(); }", "{ after(9000, \"next\"); }")
+        .replace("eject(\"hole\");", "if name == \"next\" { add_ball(); } else { eject(\"hole\"); }");
+    assert_eq!(first_game(&late), []);
+}
+
+/// Of two drains one was forgotten.
+#[test]
+fn every_drain_is_tried() {
+    let hole = r#"<circle class="drain" id="well" cx="300" cy="500" r="12"/>"#;
+    let drawn = format!("{hole}{DRAIN}");
+    assert_eq!(kinds(&drawn, &changed("name == \"drain\"", "name in [\"drain\", \"well\"]")), []);
+    let told = told(&drawn, GAME);
+    assert!(told.len() == 1 && told[0].contains(": ball 1 is lost in well (table.svg line 8) and nothing"), "{told:?}");
+}
+
+#[test]
+fn spectrum_plays_a_whole_game() {
+    let playtest = playtest_of(spectrum());
+    assert_eq!(sentences(&playtest, playtest.first_game().unwrap().0), Vec::<String>::new());
+    assert_eq!(playtest.loss_places().drains.len(), 1);
+}
+
+#[test]
+fn a_saucer_that_waits_for_the_player_or_locks_its_ball_is_left_alone() {
+    let timer = "if name == \"hole\" { after(1000, \"out\"); }";
+    let asks = GAME
+        .replace(timer, "")
+        .replace("fn on_button(name) {", "fn on_button(name) { if name == \"left\" { eject(\"hole\"); }");
+    assert_eq!(first_game(&asks), []);
+    assert_eq!(first_game(&GAME.replace(timer, "if name == \"hole\" { add_ball(); }")), []);
+}
+
+#[test]
+fn the_small_table_can_lose_its_balls() {
+    assert_eq!(playtest(DRAIN).loss_places().drains.len(), 1, "the other is out of reach below it");
+    assert!(playtest("").loss_places().refuge.is_some());
+}
