@@ -354,7 +354,10 @@ fn a_look_that_does_not_fit_is_left_out() {
         game::art::check(&carried).unwrap();
     }
     let broken = EmbeddedTable { game: "{}".into(), look: None }.table("mine").unwrap_err().to_string();
-    assert!(broken.starts_with("the table mine that it carries is none that this program knows, from byte 2 of"), "{broken}");
+    assert!(
+        broken.starts_with("the table mine that it carries is none that this program knows, from byte 2 of"),
+        "{broken}"
+    );
 }
 
 /// Where the numbers of a JSON text are.
