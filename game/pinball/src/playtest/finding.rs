@@ -143,7 +143,8 @@ impl Finding {
                 format!("a ball has left the playfield near it, at {at}{}: close the way with a wall", self.times())
             }
             FindingKind::ComesOut => {
-                "the captive ball comes out of its place: draw walls round it whose gap is narrower than 27 mm".to_string()
+                "the captive ball comes out of its place: draw walls round it whose gap is narrower than 27 mm"
+                    .to_string()
             }
             FindingKind::OpenEdge => {
                 format!("a ball can leave the playfield beside it, at {at}: close the way with a wall or a drain")
@@ -164,6 +165,13 @@ impl Finding {
                  nothing bars the lane, and that it leads round a bend",
                 self.beside(table)
             ),
+            _ => self.sentence_of_part(table),
+        }
+    }
+
+    /// The same of what is said of a part itself, not of a ball beside it.
+    fn sentence_of_part(&self, table: &Table) -> String {
+        match self.kind {
             FindingKind::KeepsItsBall => {
                 "the ball that it throws out falls back into it: throw it faster, or to where the way is free".to_string()
             }
@@ -177,8 +185,10 @@ impl Finding {
             }
             FindingKind::DoesNotRise => "it does not stand up again when it is raised: leave it more room".to_string(),
             FindingKind::FlippersCross => format!(
-                "its stroke crosses that of {} at {at}: move them apart, or let them turn less",
-                self.crossed(table)
+                "its stroke crosses that of {} at {:.0}, {:.0} mm: move them apart, or let them turn less",
+                self.crossed(table),
+                self.place_mm.x,
+                self.place_mm.y
             ),
             FindingKind::SwitchNeverCloses => self.never_closes(table),
             FindingKind::Unreachable => {
@@ -187,17 +197,8 @@ impl Finding {
             FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
                                           timer that `on_switch` starts"
                 .to_string(),
-            // Told by `rules_finding`.
-            FindingKind::NoGame
-            | FindingKind::NoStart
-            | FindingKind::NoBall
-            | FindingKind::BallWithoutEnd
-            | FindingKind::NoNextBall
-            | FindingKind::NoGameOver
-            | FindingKind::GameWithoutEnd
-            | FindingKind::EndsEarly
-            | FindingKind::NoNextGame
-            | FindingKind::DeadFlippers => String::new(),
+            // All others are told above, or by `rules_finding`.
+            _ => String::new(),
         }
     }
 

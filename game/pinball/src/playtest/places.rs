@@ -10,7 +10,7 @@ const SHARE: usize = 4;
 /// A ball that is let go beside a part is no farther from it, m.
 const BESIDE_M: f64 = 0.003;
 /// Places beside a part that are farther apart are two, m.
-const APART_M: f64 = 0.008;
+const APART_M: f64 = 0.01;
 
 /// At most `most` places that a ball can come to.
 pub fn places(machine: &Machine, reach: &Reach, most: usize) -> Vec<DVec2> {
@@ -33,7 +33,7 @@ fn flaps(kind: &Kind) -> Vec<Shape> {
     if matches!(kind, Kind::Gate(_)) { touchable(kind) } else { Vec::new() }
 }
 
-/// Places beside a part that moves, and may hold a ball which what stands still would not.
+/// Places above a part that moves, and may hold a ball which what stands still would not.
 fn beside(reach: &Reach, kind: &Kind) -> Vec<DVec2> {
     let shapes = match kind {
         Kind::Flipper(own) => vec![Shape { core: Core::Taper(own.outline(own.rest_rad)), radius: 0.0 }],
@@ -43,7 +43,11 @@ fn beside(reach: &Reach, kind: &Kind) -> Vec<DVec2> {
     let mut found: Vec<DVec2> = Vec::new();
     for shape in shapes {
         let near = reach.roomy_near(shape, BALL_RADIUS_M + BESIDE_M);
-        for place in near.filter(|place| shape.distance(*place).0 >= BALL_RADIUS_M) {
+        let lies_on = |place: &DVec2| {
+            let (distance, normal) = shape.distance(*place);
+            distance >= BALL_RADIUS_M && normal.y < 0.0
+        };
+        for place in near.filter(lies_on) {
             if found.iter().all(|other| other.distance(place) > APART_M) {
                 found.push(place);
             }

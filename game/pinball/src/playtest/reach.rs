@@ -13,6 +13,8 @@ const STEP_M: f64 = 0.002;
 const TRIES: i32 = 4;
 /// A ball that is put into a shape is so deep in it, m, or half its radius.
 const INSIDE_M: f64 = 1e-3;
+/// So far above the lowest row of a pocket there is room in the middle of a square, rows.
+const PIT_ROWS: usize = 3;
 /// No place is to the last bit above the middle of a post: a ball lies even there.
 const ASIDE_M: f64 = 3e-4;
 
@@ -117,22 +119,32 @@ impl Reach {
         roomy.into_iter().map(|square| self.middle(square)).collect()
     }
 
-    /// Places that a ball could only leave upwards: the lowest of each pocket, in the middle of its floor.
+    /// Places that a ball could only leave upwards: in each pocket the lowest that has room, in the middle of its floor.
     pub fn pits(&self) -> Vec<DVec2> {
-        let squares: Vec<usize> = self.roomy().collect();
-        let runs = squares.chunk_by(|one, next| one + 1 == *next && next % self.columns > 0);
-        let pits = runs.filter(|run| !self.leads_down(run[0], run[run.len() - 1]));
-        pits.map(|run| self.middle(run[run.len() / 2])).collect()
+        let rows = self.squares.chunks(self.columns).enumerate();
+        let pits = rows.flat_map(|(row, squares)| {
+            let all: Vec<usize> = (0..self.columns).filter(|column| squares[*column] != Square::OutOfReach).collect();
+            let runs = all.chunk_by(|one, next| one + 1 == *next).filter(|run| !self.leads_down(row, run));
+            runs.filter_map(|run| self.lowest_room(row, run)).collect::<Vec<_>>()
+        });
+        pits.map(|square| self.middle(square)).collect()
     }
 
-    /// Whether a ball can come down from this run of squares of a row, or on beside it.
-    fn leads_down(&self, first: usize, last: usize) -> bool {
-        let (left, right) = (first % self.columns, last % self.columns);
-        let is_free = |square: usize| self.squares.get(square).is_none_or(|square| *square != Square::OutOfReach);
-        let on = (left > 0 && is_free(first - 1)) || (right + 1 < self.columns && is_free(last + 1));
-        let below = left.saturating_sub(1)..=(right + 1).min(self.columns - 1);
-        let row = first - left + self.columns;
-        on || below.into_iter().any(|column| is_free(row + column))
+    /// Whether a ball can come down from this run of a row's columns.
+    fn leads_down(&self, row: usize, run: &[usize]) -> bool {
+        let columns = run[0].saturating_sub(1)..=(run[run.len() - 1] + 1).min(self.columns - 1);
+        let below = |column| self.squares.get((row + 1) * self.columns + column);
+        columns.into_iter().any(|column| below(column).is_none_or(|square| *square != Square::OutOfReach))
+    }
+
+    /// The square in whose middle a ball has room, in the run or just above it, that is nearest to the run's middle.
+    fn lowest_room(&self, row: usize, run: &[usize]) -> Option<usize> {
+        let middle = run[run.len() / 2];
+        let rows = (row.saturating_sub(PIT_ROWS)..=row).rev();
+        rows.into_iter().find_map(|row| {
+            let roomy = run.iter().filter(|column| self.squares[row * self.columns + **column] == Square::Roomy);
+            roomy.min_by_key(|column| column.abs_diff(middle)).map(|column| row * self.columns + column)
+        })
     }
 
     /// The places that have room for a ball and are no farther from `shape` than `range_m`, row by row.
