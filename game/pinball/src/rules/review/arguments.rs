@@ -183,7 +183,10 @@ fn idle(call: &Call, given: &[Option<Given>]) -> Option<String> {
         _ => None,
     };
     match (call.function.name, given.len()) {
-        ("score", 1) if number(0) == Some(0) => Some("`score(0)` gives no points".to_string()),
+        // A constant that is 0 may be set to something else some day.
+        ("score", 1) if call.arguments.first().is_some_and(|node| matches!(node.kind, Kind::Int(0))) => {
+            Some("`score(0)` gives no points".to_string())
+        }
         ("lamp", 3 | 4) | ("show", _) if number(2) == Some(0) => {
             let mode = call.words.get(1)?.only().filter(|mode| !matches!(&***mode, "on" | "off" | "dim"))?;
             Some(format!("a lamp cannot \"{mode}\" in 0 ms: name the time from one to the next, as 400"))

@@ -4,12 +4,14 @@
 
 use super::known::{Frame, Known};
 use super::words::Words;
-use crate::rules::script::{Chain, Kind, Node, Pattern, Root, Script, StepKind, Switch};
+use crate::rules::script::{Chain, Kind, Node, Pattern, Script, Step, StepKind, Switch};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Calls of the script's own functions with different values that are followed.
 const MAX_CALLS: usize = 4096;
+/// Calls in each other on the way to the beginning of a game.
+const MAX_ROUNDS: usize = 8;
 
 /// What events can come to.
 pub struct Consequences<'a> {
@@ -20,6 +22,8 @@ pub struct Consequences<'a> {
     leaves_beginnings: bool,
     /// In such a block.
     in_beginning: bool,
+    /// The functions that begin a game.
+    beginners: BTreeSet<u16>,
     /// Functions that are called, with what, and whether where a game begins.
     called: BTreeSet<(u16, Vec<Known>, bool)>,
     waiting: Vec<(u16, Vec<Known>, bool)>,
@@ -46,6 +50,7 @@ impl<'a> Consequences<'a> {
             running,
             leaves_beginnings: false,
             in_beginning: false,
+            beginners: BTreeSet::new(),
             called: BTreeSet::new(),
             waiting: Vec::new(),
             calls: BTreeSet::new(),
@@ -65,6 +70,7 @@ impl<'a> Consequences<'a> {
     /// The same, but what is done where a game begins does not count.
     pub fn hear_in_play(&mut self, function: &str) {
         self.leaves_beginnings = true;
+        self.beginners = beginners(self.script);
         self.hear(function, &Known::Nothing);
         self.leaves_beginnings = false;
     }
@@ -195,7 +201,7 @@ impl<'a> Consequences<'a> {
 
     fn block(&mut self, nodes: &'a [Node], frame: &mut Frame) -> Flow {
         let before = self.in_beginning;
-        self.in_beginning |= self.leaves_beginnings && nodes.iter().any(|node| begins(node, self.script, MAX_DEPTH));
+        self.in_beginning |= self.leaves_beginnings && nodes.iter().any(|node| begins(node, &self.beginners));
         let ends = nodes.iter().any(|node| self.walk(node, frame) == Flow::Ends);
         self.in_beginning = before;
         if ends { Flow::Ends } else { Flow::Goes }
@@ -243,24 +249,30 @@ impl<'a> Consequences<'a> {
     }
 }
 
-/// Calls in each other that are looked through for the beginning of a game.
-const MAX_DEPTH: usize = 8;
+/// The functions that begin a game whatever their conditions are.
+fn beginners(script: &Script) -> BTreeSet<u16> {
+    let mut found = BTreeSet::new();
+    for _ in 0..MAX_ROUNDS {
+        let own = script.functions().zip(0..).filter(|(function, _)| begins(&function.body, &found));
+        let more: BTreeSet<u16> = own.map(|(_, number)| number).collect();
+        if more == found {
+            break;
+        }
+        found = more;
+    }
+    found
+}
 
-/// Whether a statement begins a game whatever its conditions are.
-fn begins(node: &Node, script: &Script, depth: usize) -> bool {
-    let own = |number: u16| {
-        let function = script.functions().nth(usize::from(number)).filter(|_| depth > 0);
-        function.is_some_and(|function| begins(&function.body, script, depth - 1))
-    };
+/// Whether a statement begins a game whatever its conditions are, where these functions do.
+fn begins(node: &Node, beginners: &BTreeSet<u16>) -> bool {
     match &node.kind {
         Kind::Host(function, _) => function.name == "start_game",
-        Kind::Script(number, _) => own(*number),
-        Kind::Block(nodes) => nodes.iter().any(|node| begins(node, script, depth)),
-        Kind::Let(_, value) | Kind::Return(value) => begins(value, script, depth),
+        Kind::Script(number, _) => beginners.contains(number),
+        Kind::Block(nodes) => nodes.iter().any(|node| begins(node, beginners)),
+        Kind::Let(_, value) | Kind::Return(value) => begins(value, beginners),
         Kind::Chain(chain) => {
-            let is_this = matches!(chain.root, Root::This | Root::Local(_));
-            let mut steps = chain.steps.iter().filter(|_| is_this);
-            steps.any(|step| matches!(step.kind, StepKind::Script(number, _) if own(number)))
+            let calls = |step: &Step| matches!(step.kind, StepKind::Script(number, _) if beginners.contains(&number));
+            chain.steps.iter().any(calls)
         }
         _ => false,
     }

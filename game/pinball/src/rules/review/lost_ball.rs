@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 /// What a lost ball can lead to.
 const ENDS: [&str; 4] = ["next_player", "add_ball", "game_over", "start_game"];
+/// Drains that are looked at.
+const MAX_DRAINS: usize = 16;
 /// Rounds after which no more timers can run in any script that a person writes.
 const MAX_ROUNDS: usize = 32;
 /// Events that only a ball in the plunger lane brings.
@@ -22,8 +24,8 @@ const WITH_BALLS: [&str; 2] = ["on_launch", "on_feed"];
 /// What nothing comes of.
 pub fn remarks(facts: &Facts, names: &Names, script: &Script, rules: &str) -> Vec<Remark> {
     let Some(begin) = facts.calls_of("start_game").next() else { return Vec::new() };
-    let drains: Vec<&str> =
-        names.parts().filter(|(_, kind)| is_drain(kind)).filter_map(|(part, _)| names.part_name(part)).collect();
+    let drains = names.parts().filter(|(_, kind)| is_drain(kind)).take(MAX_DRAINS);
+    let drains: Vec<&str> = drains.filter_map(|(part, _)| names.part_name(part)).collect();
     let Some(running) = timers(script).filter(|_| !drains.is_empty()) else { return Vec::new() };
     let review = Review { facts, script, rules, running: &running, drains: &drains, begin: begin.line as usize };
     let lost: Vec<Remark> = drains.iter().filter_map(|drain| review.unheard(drain)).collect();

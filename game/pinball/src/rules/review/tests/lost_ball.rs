@@ -93,3 +93,13 @@ fn a_ball_that_never_comes_and_a_game_that_never_ends_are_told() {
     let one = format!("{}{}", BEGIN.replace("start_game(3)", "start_game(1)"), drain("game_over();"));
     assert_eq!(told_of(&one, &["drain"]), Vec::<String>::new());
 }
+
+/// Rules in which everything calls everything else are looked through in no time.
+#[test]
+fn rules_of_many_calls_take_no_time() {
+    let calls = (0..60).map(|other| format!("f{other}(name); ")).collect::<String>();
+    let functions =
+        (0..60).map(|own| format!("fn f{own}(name) {{ {calls} if name == \"lane\" {{ score({own} + 1); }} }}\n"));
+    let rules = format!("{}fn on_switch(name) {{ f0(\"a\"); f1(name); }}", functions.collect::<String>());
+    tells(&rules, "62", "a lost ball has no consequence: ");
+}
