@@ -76,13 +76,13 @@ fn of_value(value: &Data) -> Option<Given> {
 
 /// A text that comes from elsewhere.
 fn of_words(words: &Words) -> Option<Given> {
-    let is_text = !words.others && !(words.literals.is_empty() && words.told.is_empty());
+    let is_nothing = words.literals.is_empty() && words.told.is_empty();
     let value = words.only().map(|text| Data::Text(text.clone()));
-    is_text.then_some(Given { is: Some(Type::Text), word: "a text", value })
+    (!words.others && !is_nothing).then_some(Given { is: Some(Type::Text), word: "a text", value })
 }
 
 /// The parameter that cannot be what it is given.
-fn misfit<'a>(signature: Signature, given: &'a [Option<Given>]) -> Option<(&'static str, &'a Given)> {
+fn misfit(signature: Signature, given: &[Option<Given>]) -> Option<(&'static str, &Given)> {
     let pairs = signature.parameters().zip(given).filter_map(|(name, given)| Some((name, given.as_ref()?)));
     pairs.into_iter().find(|(name, given)| given.is != Some(signatures::type_of(name)))
 }
