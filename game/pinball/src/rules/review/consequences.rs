@@ -2,6 +2,7 @@
 //!
 //! What cannot be decided before play is taken both ways: what is not found here cannot happen.
 
+use super::facts::Facts;
 use super::known::{Frame, Known};
 use super::words::Words;
 use crate::rules::script::{Chain, Kind, Node, Pattern, Script, Step, StepKind, Switch};
@@ -16,6 +17,8 @@ const MAX_ROUNDS: usize = 8;
 /// What events can come to.
 pub struct Consequences<'a> {
     script: &'a Script,
+    /// Its calls, with the texts that they can be given.
+    facts: &'a Facts<'a>,
     /// The timers that can run at all.
     running: &'a Words,
     /// Blocks that begin a game are left out, but for the timers that they start.
@@ -44,9 +47,10 @@ enum Flow {
 
 impl<'a> Consequences<'a> {
     /// Nothing has happened yet; only these timers can run.
-    pub fn new(script: &'a Script, running: &'a Words) -> Self {
+    pub fn new(script: &'a Script, facts: &'a Facts<'a>, running: &'a Words) -> Self {
         Consequences {
             script,
+            facts,
             running,
             leaves_beginnings: false,
             in_beginning: false,
@@ -158,7 +162,7 @@ impl<'a> Consequences<'a> {
     fn calls_of(&mut self, kind: &'a Kind, frame: &Frame) {
         match kind {
             Kind::Script(number, values) => self.call_with(*number, values, frame),
-            Kind::Host(function, values) => self.host(function.name, values.get(1), frame),
+            Kind::Host(function, values) => self.host(function.name, values, values.get(1), frame),
             Kind::Chain(chain) => self.chain(chain, frame),
             _ => {}
         }
@@ -169,7 +173,7 @@ impl<'a> Consequences<'a> {
             match &step.kind {
                 StepKind::Script(number, values) => self.call_with(*number, values, frame),
                 // What the chain stands at is the first value.
-                StepKind::Host(function, values) => self.host(function.name, values.first(), frame),
+                StepKind::Host(function, values) => self.host(function.name, values, values.first(), frame),
                 _ => {}
             }
         }
@@ -186,7 +190,7 @@ impl<'a> Consequences<'a> {
     }
 
     /// A function of the game is called; its second value is a timer, if it starts one.
-    fn host(&mut self, name: &'static str, second: Option<&'a Node>, frame: &Frame) {
+    fn host(&mut self, name: &'static str, values: &'a [Node], second: Option<&'a Node>, frame: &Frame) {
         if !self.in_beginning {
             self.calls.insert(name);
         }
@@ -194,9 +198,15 @@ impl<'a> Consequences<'a> {
             let timer = second.map_or(Known::Nothing, |second| frame.known(second, self.script));
             self.timers.add(&match timer {
                 Known::Text(text) => Words::literal(&text),
-                _ => Words::unknown(),
+                _ => self.words_of(values),
             });
         }
+    }
+
+    /// The texts that the second value of this call can be, wherever it comes from.
+    fn words_of(&self, values: &[Node]) -> Words {
+        let own = self.facts.calls_of("after").find(|call| std::ptr::eq(call.arguments, values));
+        own.and_then(|call| call.words.get(1).cloned()).unwrap_or_else(Words::unknown)
     }
 
     fn block(&mut self, nodes: &'a [Node], frame: &mut Frame) -> Flow {

@@ -74,7 +74,11 @@ fn a_timer_that_nothing_starts_is_no_consequence() {
     let hurry = "fn on_release(name) { if running(\"bonus\") { after(1, \"bonus\"); } }\nfn on_timer(name) { switch name { \"bonus\" => if next_player() { add_ball(); } else { game_over(); } } }\n";
     let lost = |body: &str| format!("{hurry}fn on_switch(name) {{ if name == \"drain\" {{ {body} }} }}");
     assert_eq!(told(&lost("after(700, \"bonus\");")), Vec::<String>::new());
-    tells(&lost("flippers(false);"), "4", "a lost ball has no consequence: ");
+    let no = "a lost ball has no consequence: ";
+    tells(&lost("flippers(false);"), "4", no);
+    let side = "let side = if playing() { \"left\" } else { \"right\" }; after(9, \"boost-\" + side); running(\"boost-\" + side);";
+    tells(&lost(side), "4", no);
+    assert_eq!(told(&lost("let timer = \"bon\" + \"us\"; after(9, timer);")), Vec::<String>::new());
 }
 
 /// `next_player()` without `add_ball()`, and the other way round, were called good; so was a game without an end.
