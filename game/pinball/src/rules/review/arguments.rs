@@ -121,9 +121,8 @@ fn turned(own: impl Iterator<Item = Signature>, given: &[Option<Given>]) -> Opti
         turned.swap(place - 1, place);
         turned.iter().zip(&types).all(|(given, needed)| given.is == Some(*needed)).then_some(turned)
     })?;
-    let name = signature.0.split('(').next()?;
     let shown: Vec<String> = turned.iter().filter_map(|given| given.value.as_ref().map(shown)).collect();
-    Some(format!("{name}({})", shown.join(", ")))
+    Some(format!("{}({})", signature.function, shown.join(", ")))
 }
 
 /// What to write instead.
