@@ -119,6 +119,24 @@ impl Kind {
         }
     }
 
+    /// Its switch.
+    pub fn switch(&self) -> Switch {
+        match self {
+            Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) => Switch::None,
+            Kind::DropTarget(_) | Kind::Rollover(_) | Kind::Saucer(_) | Kind::Kickback(_) | Kind::Magnet(_) => {
+                Switch::Maintained
+            }
+            Kind::Bumper(_)
+            | Kind::Slingshot(_)
+            | Kind::Target(_)
+            | Kind::Ramp(_)
+            | Kind::Gate(_)
+            | Kind::Spinner(_)
+            | Kind::Drain(_)
+            | Kind::CaptiveBall(_) => Switch::Momentary,
+        }
+    }
+
     /// Where it notices a ball without throwing it back, m: over a hole, a switch or a field.
     pub fn sensor(&self) -> Option<Shape> {
         let disc = |circle: Circle| Shape::disc(circle.center, circle.radius);
@@ -130,6 +148,17 @@ impl Kind {
             _ => None,
         }
     }
+}
+
+/// A part's switch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    /// There is none.
+    None,
+    /// It closes for a moment, and is never told to open.
+    Momentary,
+    /// It is closed as long as a ball is there, or a target is down.
+    Maintained,
 }
 
 /// What the rules ask of the machine.

@@ -1,5 +1,7 @@
 //! Signatures: with what each function of the game can be called, as `assets/tables/README.md` tells it to table makers.
 
+use super::part_commands::{Order, PART_COMMANDS};
+
 /// What a value must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Type {
@@ -13,10 +15,15 @@ pub enum Type {
 
 /// A way to call a function: `lamp(name, mode)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Signature(pub &'static str);
+pub struct Signature {
+    /// The function.
+    pub function: &'static str,
+    /// Its parameters, as they are written.
+    parameters: &'static str,
+}
 
-/// Every way to call a function of the game.
-static SIGNATURES: [&str; 45] = [
+/// Every way to call a function of the game that commands no part.
+static SIGNATURES: [&str; 40] = [
     "score()",
     "score(points)",
     "scores()",
@@ -57,11 +64,6 @@ static SIGNATURES: [&str; 45] = [
     "flash(name, ms, color)",
     "show(name, mode, period_ms, delay_ms, ms)",
     "show(name, mode, period_ms, delay_ms, ms, color)",
-    "eject(name)",
-    "raise(name)",
-    "kick(name)",
-    "magnet(name, on)",
-    "divert(name, on)",
 ];
 
 /// Parameters that are whole numbers, and that are `true` or `false`; the others are texts.
@@ -70,8 +72,15 @@ const FLAG: &str = "on";
 
 /// The ways to call a function.
 pub fn of(function: &str) -> impl Iterator<Item = Signature> {
-    let own = move |text: &&&str| text.split_once('(').is_some_and(|(name, _)| name == function);
-    SIGNATURES.iter().filter(own).map(|text| Signature(text))
+    let own = SIGNATURES.iter().filter_map(|text| {
+        let (function, parameters) = text.strip_suffix(')')?.split_once('(')?;
+        Some(Signature { function, parameters })
+    });
+    let commands = PART_COMMANDS.iter().map(|command| {
+        let parameters = if let Order::Switch(_) = command.order { "name, on" } else { "name" };
+        Signature { function: command.word, parameters }
+    });
+    own.chain(commands).filter(move |signature| signature.function == function)
 }
 
 /// The ways to call a function as a person writes them: `` `score()` or `score(points)` ``.
@@ -81,14 +90,14 @@ pub fn all_of(function: &str) -> String {
 
 /// Ways to call a function as a person writes them.
 pub fn written(signatures: impl Iterator<Item = Signature>) -> String {
-    signatures.map(|Signature(text)| format!("`{text}`")).collect::<Vec<_>>().join(" or ")
+    let own = signatures.map(|Signature { function, parameters }| format!("`{function}({parameters})`"));
+    own.collect::<Vec<_>>().join(" or ")
 }
 
 impl Signature {
     /// The names of the parameters.
     pub fn parameters(self) -> impl Iterator<Item = &'static str> {
-        let inside = self.0.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')'));
-        inside.split(", ").filter(|name| !name.is_empty())
+        self.parameters.split(", ").filter(|name| !name.is_empty())
     }
 }
 

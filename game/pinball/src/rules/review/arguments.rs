@@ -76,13 +76,13 @@ fn of_value(value: &Data) -> Option<Given> {
 
 /// A text that comes from elsewhere.
 fn of_words(words: &Words) -> Option<Given> {
-    let is_text = !words.others && !(words.literals.is_empty() && words.told.is_empty());
+    let is_nothing = words.literals.is_empty() && words.told.is_empty();
     let value = words.only().map(|text| Data::Text(text.clone()));
-    is_text.then_some(Given { is: Some(Type::Text), word: "a text", value })
+    (!words.others && !is_nothing).then_some(Given { is: Some(Type::Text), word: "a text", value })
 }
 
 /// The parameter that cannot be what it is given.
-fn misfit<'a>(signature: Signature, given: &'a [Option<Given>]) -> Option<(&'static str, &'a Given)> {
+fn misfit(signature: Signature, given: &[Option<Given>]) -> Option<(&'static str, &Given)> {
     let pairs = signature.parameters().zip(given).filter_map(|(name, given)| Some((name, given.as_ref()?)));
     pairs.into_iter().find(|(name, given)| given.is != Some(signatures::type_of(name)))
 }
@@ -121,9 +121,8 @@ fn turned(own: impl Iterator<Item = Signature>, given: &[Option<Given>]) -> Opti
         turned.swap(place - 1, place);
         turned.iter().zip(&types).all(|(given, needed)| given.is == Some(*needed)).then_some(turned)
     })?;
-    let name = signature.0.split('(').next()?;
     let shown: Vec<String> = turned.iter().filter_map(|given| given.value.as_ref().map(shown)).collect();
-    Some(format!("{name}({})", shown.join(", ")))
+    Some(format!("{}({})", signature.function, shown.join(", ")))
 }
 
 /// What to write instead.
@@ -183,7 +182,10 @@ fn idle(call: &Call, given: &[Option<Given>]) -> Option<String> {
         _ => None,
     };
     match (call.function.name, given.len()) {
-        ("score", 1) if number(0) == Some(0) => Some("`score(0)` gives no points".to_string()),
+        // A constant that is 0 may be set to something else some day.
+        ("score", 1) if call.arguments.first().is_some_and(|node| matches!(node.kind, Kind::Int(0))) => {
+            Some("`score(0)` gives no points".to_string())
+        }
         ("lamp", 3 | 4) | ("show", _) if number(2) == Some(0) => {
             let mode = call.words.get(1)?.only().filter(|mode| !matches!(&***mode, "on" | "off" | "dim"))?;
             Some(format!("a lamp cannot \"{mode}\" in 0 ms: name the time from one to the next, as 400"))

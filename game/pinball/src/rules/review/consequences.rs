@@ -2,24 +2,31 @@
 //!
 //! What cannot be decided before play is taken both ways: what is not found here cannot happen.
 
+use super::facts::Facts;
 use super::known::{Frame, Known};
 use super::words::Words;
-use crate::rules::script::{Chain, Kind, Node, Pattern, Root, Script, StepKind, Switch};
+use crate::rules::script::{Chain, Kind, Node, Pattern, Script, Step, StepKind, Switch};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Calls of the script's own functions with different values that are followed.
 const MAX_CALLS: usize = 4096;
+/// Calls in each other on the way to the beginning of a game.
+const MAX_ROUNDS: usize = 8;
 
 /// What events can come to.
 pub struct Consequences<'a> {
     script: &'a Script,
+    /// Its calls, with the texts that they can be given.
+    facts: &'a Facts<'a>,
     /// The timers that can run at all.
     running: &'a Words,
     /// Blocks that begin a game are left out, but for the timers that they start.
     leaves_beginnings: bool,
     /// In such a block.
     in_beginning: bool,
+    /// The functions that begin a game.
+    beginners: BTreeSet<u16>,
     /// Functions that are called, with what, and whether where a game begins.
     called: BTreeSet<(u16, Vec<Known>, bool)>,
     waiting: Vec<(u16, Vec<Known>, bool)>,
@@ -40,12 +47,14 @@ enum Flow {
 
 impl<'a> Consequences<'a> {
     /// Nothing has happened yet; only these timers can run.
-    pub fn new(script: &'a Script, running: &'a Words) -> Self {
+    pub fn new(script: &'a Script, facts: &'a Facts<'a>, running: &'a Words) -> Self {
         Consequences {
             script,
+            facts,
             running,
             leaves_beginnings: false,
             in_beginning: false,
+            beginners: BTreeSet::new(),
             called: BTreeSet::new(),
             waiting: Vec::new(),
             calls: BTreeSet::new(),
@@ -65,6 +74,7 @@ impl<'a> Consequences<'a> {
     /// The same, but what is done where a game begins does not count.
     pub fn hear_in_play(&mut self, function: &str) {
         self.leaves_beginnings = true;
+        self.beginners = beginners(self.script);
         self.hear(function, &Known::Nothing);
         self.leaves_beginnings = false;
     }
@@ -152,7 +162,7 @@ impl<'a> Consequences<'a> {
     fn calls_of(&mut self, kind: &'a Kind, frame: &Frame) {
         match kind {
             Kind::Script(number, values) => self.call_with(*number, values, frame),
-            Kind::Host(function, values) => self.host(function.name, values.get(1), frame),
+            Kind::Host(function, values) => self.host(function.name, values, values.get(1), frame),
             Kind::Chain(chain) => self.chain(chain, frame),
             _ => {}
         }
@@ -163,7 +173,7 @@ impl<'a> Consequences<'a> {
             match &step.kind {
                 StepKind::Script(number, values) => self.call_with(*number, values, frame),
                 // What the chain stands at is the first value.
-                StepKind::Host(function, values) => self.host(function.name, values.first(), frame),
+                StepKind::Host(function, values) => self.host(function.name, values, values.first(), frame),
                 _ => {}
             }
         }
@@ -180,7 +190,7 @@ impl<'a> Consequences<'a> {
     }
 
     /// A function of the game is called; its second value is a timer, if it starts one.
-    fn host(&mut self, name: &'static str, second: Option<&'a Node>, frame: &Frame) {
+    fn host(&mut self, name: &'static str, values: &'a [Node], second: Option<&'a Node>, frame: &Frame) {
         if !self.in_beginning {
             self.calls.insert(name);
         }
@@ -188,14 +198,20 @@ impl<'a> Consequences<'a> {
             let timer = second.map_or(Known::Nothing, |second| frame.known(second, self.script));
             self.timers.add(&match timer {
                 Known::Text(text) => Words::literal(&text),
-                _ => Words::unknown(),
+                _ => self.words_of(values),
             });
         }
     }
 
+    /// The texts that the second value of this call can be, wherever it comes from.
+    fn words_of(&self, values: &[Node]) -> Words {
+        let own = self.facts.calls_of("after").find(|call| std::ptr::eq(call.arguments, values));
+        own.and_then(|call| call.words.get(1).cloned()).unwrap_or_else(Words::unknown)
+    }
+
     fn block(&mut self, nodes: &'a [Node], frame: &mut Frame) -> Flow {
         let before = self.in_beginning;
-        self.in_beginning |= self.leaves_beginnings && nodes.iter().any(|node| begins(node, self.script, MAX_DEPTH));
+        self.in_beginning |= self.leaves_beginnings && nodes.iter().any(|node| begins(node, &self.beginners));
         let ends = nodes.iter().any(|node| self.walk(node, frame) == Flow::Ends);
         self.in_beginning = before;
         if ends { Flow::Ends } else { Flow::Goes }
@@ -243,24 +259,30 @@ impl<'a> Consequences<'a> {
     }
 }
 
-/// Calls in each other that are looked through for the beginning of a game.
-const MAX_DEPTH: usize = 8;
+/// The functions that begin a game whatever their conditions are.
+fn beginners(script: &Script) -> BTreeSet<u16> {
+    let mut found = BTreeSet::new();
+    for _ in 0..MAX_ROUNDS {
+        let own = script.functions().zip(0..).filter(|(function, _)| begins(&function.body, &found));
+        let more: BTreeSet<u16> = own.map(|(_, number)| number).collect();
+        if more == found {
+            break;
+        }
+        found = more;
+    }
+    found
+}
 
-/// Whether a statement begins a game whatever its conditions are.
-fn begins(node: &Node, script: &Script, depth: usize) -> bool {
-    let own = |number: u16| {
-        let function = script.functions().nth(usize::from(number)).filter(|_| depth > 0);
-        function.is_some_and(|function| begins(&function.body, script, depth - 1))
-    };
+/// Whether a statement begins a game whatever its conditions are, where these functions do.
+fn begins(node: &Node, beginners: &BTreeSet<u16>) -> bool {
     match &node.kind {
         Kind::Host(function, _) => function.name == "start_game",
-        Kind::Script(number, _) => own(*number),
-        Kind::Block(nodes) => nodes.iter().any(|node| begins(node, script, depth)),
-        Kind::Let(_, value) | Kind::Return(value) => begins(value, script, depth),
+        Kind::Script(number, _) => beginners.contains(number),
+        Kind::Block(nodes) => nodes.iter().any(|node| begins(node, beginners)),
+        Kind::Let(_, value) | Kind::Return(value) => begins(value, beginners),
         Kind::Chain(chain) => {
-            let is_this = matches!(chain.root, Root::This | Root::Local(_));
-            let mut steps = chain.steps.iter().filter(|_| is_this);
-            steps.any(|step| matches!(step.kind, StepKind::Script(number, _) if own(number)))
+            let calls = |step: &Step| matches!(step.kind, StepKind::Script(number, _) if beginners.contains(&number));
+            chain.steps.iter().any(calls)
         }
         _ => false,
     }

@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 /// What a lost ball can lead to.
 const ENDS: [&str; 4] = ["next_player", "add_ball", "game_over", "start_game"];
+/// Drains that are looked at.
+const MAX_DRAINS: usize = 16;
 /// Rounds after which no more timers can run in any script that a person writes.
 const MAX_ROUNDS: usize = 32;
 /// Events that only a ball in the plunger lane brings.
@@ -22,9 +24,9 @@ const WITH_BALLS: [&str; 2] = ["on_launch", "on_feed"];
 /// What nothing comes of.
 pub fn remarks(facts: &Facts, names: &Names, script: &Script, rules: &str) -> Vec<Remark> {
     let Some(begin) = facts.calls_of("start_game").next() else { return Vec::new() };
-    let drains: Vec<&str> =
-        names.parts().filter(|(_, kind)| is_drain(kind)).filter_map(|(part, _)| names.part_name(part)).collect();
-    let Some(running) = timers(script).filter(|_| !drains.is_empty()) else { return Vec::new() };
+    let drains = names.parts().filter(|(_, kind)| is_drain(kind)).take(MAX_DRAINS);
+    let drains: Vec<&str> = drains.filter_map(|(part, _)| names.part_name(part)).collect();
+    let Some(running) = timers(script, facts).filter(|_| !drains.is_empty()) else { return Vec::new() };
     let review = Review { facts, script, rules, running: &running, drains: &drains, begin: begin.line as usize };
     let lost: Vec<Remark> = drains.iter().filter_map(|drain| review.unheard(drain)).collect();
     if lost.is_empty() { review.unended() } else { lost }
@@ -35,10 +37,10 @@ fn is_drain(kind: &Kind) -> bool {
 }
 
 /// The timers that can run at all, if that comes to an end.
-fn timers(script: &Script) -> Option<Words> {
+fn timers(script: &Script, facts: &Facts) -> Option<Words> {
     let mut running = Words::default();
     for _ in 0..MAX_ROUNDS {
-        let mut all = Consequences::new(script, &running);
+        let mut all = Consequences::new(script, facts, &running);
         hear_all(&mut all);
         let mut more = running.clone();
         more.add(&all.timers);
@@ -72,7 +74,7 @@ struct Review<'a> {
 impl Review<'_> {
     /// What a ball that is lost in this drain can come to, with nothing else on the table.
     fn after(&self, drain: &str) -> Consequences<'_> {
-        let mut found = Consequences::new(self.script, self.running);
+        let mut found = Consequences::new(self.script, self.facts, self.running);
         found.hear("on_switch", &text(drain));
         found.hear_timers();
         ["on_button", "on_release"].into_iter().for_each(|event| found.hear_in_play(event));
@@ -81,7 +83,7 @@ impl Review<'_> {
 
     /// Whether balls that go elsewhere can end a player's turn: a switch before the drain may count for it.
     fn ends_elsewhere(&self) -> bool {
-        let mut found = Consequences::new(self.script, self.running);
+        let mut found = Consequences::new(self.script, self.facts, self.running);
         let drains: BTreeSet<Arc<str>> = self.drains.iter().map(|drain| Arc::from(*drain)).collect();
         ["on_switch", "on_open"].into_iter().for_each(|event| found.hear(event, &Known::Other(drains.clone())));
         WITH_BALLS.into_iter().for_each(|event| found.hear(event, &Known::Nothing));
@@ -125,7 +127,7 @@ impl Review<'_> {
         let mut found = Vec::new();
         let after: Vec<Consequences> = self.drains.iter().map(|drain| self.after(drain)).collect();
         let any = |functions: &[&str]| after.iter().any(|after| after.can_call(functions));
-        let mut all = Consequences::new(self.script, self.running);
+        let mut all = Consequences::new(self.script, self.facts, self.running);
         hear_all(&mut all);
         let next = self.facts.calls_of("next_player").next();
         if let Some(next) = next

@@ -8,7 +8,7 @@ use crate::rules::literal_names;
 use crate::rules::names::Names;
 use crate::rules::switches::BUTTONS;
 use crate::spelling;
-use physics::Kind;
+use physics::{Kind, Switch};
 
 /// What is wrong with the names of a script.
 pub fn remarks(facts: &Facts, names: &Names, script: &str) -> Vec<Remark> {
@@ -39,9 +39,9 @@ fn comparison(one: &Comparison, names: &Names, started: &Words, optional: &Words
 fn impossible(told: Told, text: &str, names: &Names, started: &Words, optional: &Words) -> Option<String> {
     match told {
         Told::Part | Told::Opened => match names.part(text) {
-            Ok(part) => match names.kind(part).map(switch_of) {
+            Ok(part) => match names.kind(part).map(Kind::switch) {
                 Some(Switch::None) => Some(format!("\"{text}\" has no switch, so no event is ever about it")),
-                Some(Switch::Closes) if told == Told::Opened => Some(format!(
+                Some(Switch::Momentary) if told == Told::Opened => Some(format!(
                     "the switch of \"{text}\" closes for a moment and is never told to open: hear it in `on_switch`"
                 )),
                 _ => None,
@@ -96,54 +96,26 @@ fn arguments(call: &Call, names: &Names, optional: &Words) -> Vec<Remark> {
     found.into_iter().map(|what| Remark::error(line, what)).chain(asked).collect()
 }
 
-/// A part's switch.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Switch {
-    /// There is none.
-    None,
-    /// It closes for a moment.
-    Closes,
-    /// It is closed as long as a ball is there, or a target is down.
-    Stays,
-}
-
-fn switch_of(kind: &Kind) -> Switch {
-    match kind {
-        Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) => Switch::None,
-        Kind::Rollover(_) | Kind::Saucer(_) | Kind::Magnet(_) | Kind::Kickback(_) | Kind::DropTarget(_) => {
-            Switch::Stays
-        }
-        Kind::Bumper(_)
-        | Kind::Slingshot(_)
-        | Kind::Target(_)
-        | Kind::Ramp(_)
-        | Kind::Gate(_)
-        | Kind::Spinner(_)
-        | Kind::Drain(_)
-        | Kind::CaptiveBall(_) => Switch::Closes,
-    }
-}
-
 /// What `closed` is asked that it cannot answer.
 fn closed(call: &Call, names: &Names) -> Vec<Remark> {
     let Some(words) = call.words.first() else { return Vec::new() };
     let line = call.line as usize;
     let told = words.literals.iter().filter_map(|name| {
         let kind = names.part(name).ok().and_then(|part| names.kind(part))?;
-        match switch_of(kind) {
+        match kind.switch() {
             Switch::None => {
                 let what = format!("`closed(\"{name}\")` is always false: \"{name}\" has no switch");
                 // An array may name other things for something else.
                 Some(if words.only().is_some() { Remark::error(line, what) } else { Remark::warning(line, what) })
             }
-            Switch::Closes => Some(Remark::warning(
+            Switch::Momentary => Some(Remark::warning(
                 line,
                 format!(
                     "`closed(\"{name}\")` is true for good once a ball has been there: its switch closes for a moment and \
                      is never told to open; hear it in `on_switch`, and keep in `this` what is to be known later"
                 ),
             )),
-            Switch::Stays => None,
+            Switch::Maintained => None,
         }
     });
     told.collect()

@@ -3,7 +3,7 @@
 use super::literal::{literal, same, shown};
 use super::remark::{Remark, line_of};
 use crate::rules::script::{Chain, Data, Kind, Node, Operator, Pattern, Root, Script, StepKind, Switch};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// What is compared: a variable, or an entry of `this` by its path.
@@ -57,11 +57,11 @@ impl Look<'_> {
     }
 
     fn switch(&mut self, switch: &Switch) {
-        let mut taken: Vec<&Data> = Vec::new();
+        let mut taken: BTreeSet<String> = BTreeSet::new();
         for case in &switch.cases {
             let Pattern::Value(value) = &case.pattern else { continue };
             let branch = &switch.branches[case.branch];
-            if taken.iter().any(|other| same(other, value)) {
+            if taken.contains(&shown(value)) {
                 let line = match value {
                     Data::Text(text) => line_of(text, self.rules, branch.body.line),
                     _ => branch.body.line as usize,
@@ -72,7 +72,7 @@ impl Look<'_> {
                 );
                 self.found.push(Remark::error(line, what));
             } else if branch.condition.is_none() {
-                taken.push(value);
+                taken.insert(shown(value));
             }
         }
     }

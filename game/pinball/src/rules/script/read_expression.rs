@@ -3,7 +3,7 @@
 use super::node::{Chain, Kind, Node, Operator, Root, Step, StepKind};
 use super::operators;
 use super::read::{Reader, Reading, line, mistake, node, unknown_operator};
-use crate::rules::host;
+use crate::rules::{host, signatures};
 use crate::spelling;
 use rhai::{ASTFlags, Expr, FnCallExpr, FnPtr, Position};
 
@@ -117,10 +117,11 @@ impl Reader<'_> {
         let known = host::named(name).is_some()
             || super::library::named(name).is_some()
             || self.functions.keys().any(|(other, _)| other == name);
+        let ways = host::named(name).map_or_else(String::new, |_| format!(": it is {}", signatures::all_of(name)));
         let what = match (known, count) {
             (false, _) => format!("there is no function called {name}{}", self.meant(name)),
-            (true, 1) => format!("{name} cannot be called with one value"),
-            (true, count) => format!("{name} cannot be called with {count} values"),
+            (true, 1) => format!("{name} cannot be called with one value{ways}"),
+            (true, count) => format!("{name} cannot be called with {count} values{ways}"),
         };
         mistake(position, what)
     }

@@ -74,7 +74,11 @@ fn a_timer_that_nothing_starts_is_no_consequence() {
     let hurry = "fn on_release(name) { if running(\"bonus\") { after(1, \"bonus\"); } }\nfn on_timer(name) { switch name { \"bonus\" => if next_player() { add_ball(); } else { game_over(); } } }\n";
     let lost = |body: &str| format!("{hurry}fn on_switch(name) {{ if name == \"drain\" {{ {body} }} }}");
     assert_eq!(told(&lost("after(700, \"bonus\");")), Vec::<String>::new());
-    tells(&lost("flippers(false);"), "4", "a lost ball has no consequence: ");
+    let no = "a lost ball has no consequence: ";
+    tells(&lost("flippers(false);"), "4", no);
+    let side = "let side = if playing() { \"left\" } else { \"right\" }; after(9, \"boost-\" + side); running(\"boost-\" + side);";
+    tells(&lost(side), "4", no);
+    assert_eq!(told(&lost("let timer = \"bon\" + \"us\"; after(9, timer);")), Vec::<String>::new());
 }
 
 /// `next_player()` without `add_ball()`, and the other way round, were called good; so was a game without an end.
@@ -92,4 +96,14 @@ fn a_ball_that_never_comes_and_a_game_that_never_ends_are_told() {
     tells(&drain("game_over();"), "warning: 1", first);
     let one = format!("{}{}", BEGIN.replace("start_game(3)", "start_game(1)"), drain("game_over();"));
     assert_eq!(told_of(&one, &["drain"]), Vec::<String>::new());
+}
+
+/// Rules in which everything calls everything else are looked through in no time.
+#[test]
+fn rules_of_many_calls_take_no_time() {
+    let calls = (0..60).map(|other| format!("f{other}(name); ")).collect::<String>();
+    let functions =
+        (0..60).map(|own| format!("fn f{own}(name) {{ {calls} if name == \"lane\" {{ score({own} + 1); }} }}\n"));
+    let rules = format!("{}fn on_switch(name) {{ f0(\"a\"); f1(name); }}", functions.collect::<String>());
+    tells(&rules, "62", "a lost ball has no consequence: ");
 }

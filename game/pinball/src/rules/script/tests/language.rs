@@ -182,7 +182,7 @@ fn what_does_not_exist_is_found_before_play() {
     for (body, what) in [
         ("nothing_like_it(1)", "there is no function called nothing_like_it"),
         ("this.shake()", "there is no function called shake"),
-        ("random()", "random cannot be called with 0 values"),
+        ("random()", "random cannot be called with 0 values: it is `random(n)`"),
         ("eval(\"1\")", "there is no function called eval"),
         ("nobody += 1", "there is no variable or constant called nobody here"),
         ("{ let inner = 1; } inner", "there is no variable or constant called inner here"),
