@@ -58,6 +58,8 @@ pub enum FindingKind {
     GameWithoutEnd,
     /// A lost ball ends the turn while another is in play.
     EndsEarly,
+    /// The game is over, and the player has not had all balls.
+    OverEarly,
     /// The game is over, and no other begins.
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
@@ -103,6 +105,7 @@ impl Finding {
                 | FindingKind::GameWithoutEnd
                 | FindingKind::EndsEarly
                 | FindingKind::NoNextGame
+                | FindingKind::OverEarly
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
         )

@@ -68,6 +68,13 @@ fn of_lost_ball(finding: &Finding, table: &Table) -> Option<String> {
             "the game is not over when {count} balls are lost{drain}, the last five of one turn, the longest of them in play \
              for 32 s; call `next_player()` when a ball is lost, and `game_over()` where that is false"
         ),
+        FindingKind::OverEarly => {
+            let (balls, are) = if count == 1 { ("ball", "is") } else { ("balls", "are") };
+            format!(
+                "the game is over when {count} {balls} {are} lost{drain}, though `start_game` gave it more; call `game_over()` \
+                 only where `next_player()` is false"
+            )
+        }
         FindingKind::EndsEarly => format!(
             "a ball that is lost{drain} ends the turn while another is on the table, as the ball search may have given one; \
              let it end only when `balls_in_play()` is 0"

@@ -112,6 +112,8 @@ pub fn play(
             ends_early = game.ends_early();
         }
         if is_over {
+            let is_early = lost < game.simulation.rules_state().balls as usize;
+            found.extend(is_early.then_some((FindingKind::OverEarly, lost)));
             found.extend((!game.begins_again()).then_some((FindingKind::NoNextGame, lost)));
             break;
         }

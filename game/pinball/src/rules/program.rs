@@ -4,7 +4,7 @@ use super::host_function::ScriptContext;
 use super::literal_names::unknown_names;
 use super::memory::Memory;
 use super::names::Names;
-use super::script::{Data, Failed, Meter, Mistake, Script, too_many};
+use super::script::{Data, Failed, Meter, Mistake, Script, UNCLOSED_COMMENT, open_comment, too_many};
 use super::script_state::ScriptState;
 use super::value::Value;
 use super::work::Work;
@@ -72,6 +72,10 @@ impl Program {
         mistakes.extend(wrong_calls(&script, &table.rules));
         mistakes.extend(unknown_names(&script, &names));
         if !mistakes.is_empty() {
+            // What an endless comment has swallowed is missing everywhere else.
+            if let Some(line) = open_comment(&table.rules) {
+                mistakes = vec![(line, UNCLOSED_COMMENT.to_string())];
+            }
             mistakes.sort();
             mistakes.dedup();
             let mistakes =

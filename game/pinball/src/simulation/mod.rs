@@ -71,6 +71,8 @@ pub(crate) struct SimulationRules {
     pub owed: u32,
     /// Whose turn it is: the player, from 0, and the ball, from 1.
     pub turn: (usize, u32),
+    /// Balls that a player has in this game, or had in the last one.
+    pub balls: u32,
     /// The last player plays the last ball.
     pub is_last_turn: bool,
 }
@@ -179,6 +181,7 @@ impl Simulation {
             flippers_live: state.flippers,
             owed: state.owed,
             turn: (score.player, score.ball),
+            balls: score.balls,
             is_last_turn: score.is_last_turn(),
         }
     }

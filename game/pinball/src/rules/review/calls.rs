@@ -48,7 +48,32 @@ pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
     found.extend(never_named(facts, names, "kick", |kind| matches!(kind, Kind::Kickback(_))).map(|name| {
         Remark::warning(0, format!("the kickback \"{name}\" never kicks: no rule calls `kick(\"{name}\")`"))
     }));
+    found.extend(never_named(facts, names, "divert", is_diverter).map(|name| {
+        Remark::warning(0, format!("the diverter \"{name}\" never turns: no rule calls `divert(\"{name}\", true)`"))
+    }));
+    found.extend(never_switched(facts, names));
     found
+}
+
+fn is_diverter(kind: &Kind) -> bool {
+    matches!(kind, Kind::Flipper(flipper) if flipper.control == FlipperControl::Rules)
+}
+
+/// Magnets that no rule switches on, or off again.
+fn never_switched(facts: &Facts, names: &Names) -> Option<Remark> {
+    let mut magnets = names.parts().filter(|(_, kind)| matches!(kind, Kind::Magnet(_)));
+    let name = magnets.next().and_then(|(part, _)| names.part_name(part))?;
+    let gives = |call: &Call, on: bool| !matches!(call.arguments.get(1).map(|node| &node.kind), Some(NodeKind::Bool(is)) if *is != on);
+    let any = |on: bool| facts.calls_of("magnet").any(|call| gives(call, on));
+    let what = match (any(true), any(false)) {
+        (true, true) => return None,
+        (false, _) => format!("the magnet \"{name}\" never pulls: no rule calls `magnet(\"{name}\", true)`"),
+        (true, false) => format!(
+            "the magnet \"{name}\" never lets go, once it is on: no rule calls `magnet(\"{name}\", false)`; start a timer \
+             and call it in `on_timer`"
+        ),
+    };
+    Some(Remark::warning(0, what))
 }
 
 /// The parts of a kind that no call of `function` can name.

@@ -61,6 +61,9 @@ pub fn told(error: &ParseError, text: &str) -> Mistake {
             return (line, unreadable(error, &behind));
         }
     }
+    if has_odd_quotes(text.lines().nth(line - 1).unwrap_or_default()) {
+        return (line, "a `\"` is missing on this line: texts stand between two of them".to_string());
+    }
     if let Some(mistake) = unbalanced(text).filter(|(own, _)| *own <= line) {
         return mistake;
     }
@@ -89,6 +92,12 @@ fn in_its_place(missing: &str, text: &str, last: tokens::Token) -> Option<String
         ";" if is_named() => Some(absent("=", &format!(" behind `{}`", last.text))),
         _ => None,
     }
+}
+
+/// Whether a line has a quote without its partner. Of a line with a text in back quotes or with a comment nothing is said.
+fn has_odd_quotes(line: &str) -> bool {
+    let quotes = line.replace("\\\\", "").replace("\\\"", "").matches('"').count();
+    quotes % 2 == 1 && !line.contains(['`', '\'']) && !line.contains("//") && !line.contains("/*")
 }
 
 /// Whether a value must stand behind what is there.

@@ -184,6 +184,13 @@ pub(in crate::table) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<
     })
 }
 
+/// What in an element's `style` attribute is no declaration: how it begins, and a warning.
+pub(in crate::table) fn unread_style(source: &Source, node: Node) -> Vec<(String, Diagnostic)> {
+    let unread = declarations::unread_in_attribute(node.attribute("style").unwrap_or(""));
+    let line = source.line(node.range().start);
+    unread.into_iter().map(|one| (one.begin.clone(), sheet::no_declaration(source, line, &one.begin))).collect()
+}
+
 /// A warning of a property that is none, and nearly one.
 pub(in crate::table) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagnostic> {
     sheet::misspelt(source, line, name)

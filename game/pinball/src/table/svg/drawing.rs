@@ -167,6 +167,7 @@ impl Reader<'_> {
         let attribute = node.attribute("transform").unwrap_or("");
         let transform = inherited.transform.clone().and_then(|transform| transform.transformed(attribute));
         let typo = self.unknown_classes(node);
+        let transform = self.told_once(node, inherited, transform);
         if classes(node).next().is_some() {
             self.element(node, &transform, inherited);
         } else {
@@ -223,6 +224,22 @@ impl Reader<'_> {
         }
     }
 
+    /// A transform, or nothing more to say where what is wrong with it was told: a group's is told once, with its own line.
+    fn told_once(
+        &mut self,
+        node: Node,
+        inherited: &Inherited,
+        transform: Result<Transform, String>,
+    ) -> Result<Transform, String> {
+        match transform {
+            Err(why) if inherited.transform.is_ok() && is_container(node) && node.parent_element().is_some() => {
+                self.diagnostic(node, format!("of this {}: {why}", node.tag_name().name()));
+                Err(String::new())
+            }
+            other => other,
+        }
+    }
+
     fn element(&mut self, node: Node, transform: &Result<Transform, String>, inherited: &Inherited) {
         let all: Vec<&str> = classes(node).map(ElementClass::word).collect();
         if all.len() > 1 {
@@ -245,7 +262,9 @@ impl Reader<'_> {
             Ok(element) => self.keep(node, Element { data, ..element }),
             Err(why) => {
                 self.refuse(node);
-                self.diagnostic(node, format!("{name}: {why}"));
+                if !why.is_empty() {
+                    self.diagnostic(node, format!("{name}: {why}"));
+                }
             }
         }
     }

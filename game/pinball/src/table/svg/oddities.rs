@@ -52,11 +52,21 @@ impl Reader<'_> {
 
     /// Tells what is nearly a property, each once.
     fn properties(&mut self, node: Node) {
+        self.unread_style(node);
         let line = self.source.line(node.range().start);
         for name in css::own_properties(node) {
             if !self.names.contains(name.as_ref()) {
                 self.found.extend(css::misspelt(self.source, line, &name));
                 self.names.insert(name.into_owned());
+            }
+        }
+    }
+
+    /// Tells what in a style is no declaration, each once.
+    fn unread_style(&mut self, node: Node) {
+        for (begin, warning) in css::unread_style(self.source, node) {
+            if self.names.insert(begin) {
+                self.found.push(warning);
             }
         }
     }

@@ -24,14 +24,39 @@ pub(super) struct Declaration {
     pub line: usize,
 }
 
-/// The declarations of a `style` attribute, in their order.
-pub(super) fn of_attribute(text: &str) -> Vec<Declaration> {
-    of_block(&mut Parser::new(text))
+/// What stands where a declaration should, and is none.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Unread {
+    /// How it begins.
+    pub begin: String,
+    /// The line that it begins in, from 0.
+    pub line: usize,
 }
 
-/// The declarations between a rule's braces, in their order; what cannot be read is left out, as CSS says.
-pub(super) fn of_block(input: &mut Parser) -> Vec<Declaration> {
-    RuleBodyParser::new(input, &mut Block).flatten().collect()
+/// The declarations of a `style` attribute, in their order.
+pub(super) fn of_attribute(text: &str) -> Vec<Declaration> {
+    of_block(&mut Parser::new(text)).0
+}
+
+/// What in a `style` attribute is no declaration.
+pub(super) fn unread_in_attribute(text: &str) -> Vec<Unread> {
+    of_block(&mut Parser::new(text)).1
+}
+
+/// The declarations between a rule's braces, in their order, and what there is none, which CSS leaves out.
+pub(super) fn of_block(input: &mut Parser) -> (Vec<Declaration>, Vec<Unread>) {
+    let (mut declarations, mut unread) = (Vec::new(), Vec::new());
+    for read in RuleBodyParser::new(input, &mut Block) {
+        match read {
+            Ok(declaration) => declarations.push(declaration),
+            Err((_, written, place)) => {
+                let begin: String = written.trim().chars().take_while(|&c| c != '\n').take(40).collect();
+                unread
+                    .push(Unread { begin: begin.trim_end_matches([';', ' ']).to_string(), line: place.line as usize });
+            }
+        }
+    }
+    (declarations, unread)
 }
 
 struct Block;

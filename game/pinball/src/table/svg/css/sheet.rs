@@ -1,6 +1,6 @@
 //! Style sheets: the rules of a drawing's `<style>` elements.
 
-use super::declarations::{self, Declaration};
+use super::declarations::{self, Declaration, Unread};
 use super::selector::{self, Selectors};
 use super::{brackets, spelling};
 use crate::table::source::{Diagnostic, Source};
@@ -17,6 +17,8 @@ const MAX_DEPTH: usize = 24;
 pub(super) struct Rule {
     pub selectors: Selectors,
     pub declarations: Vec<Declaration>,
+    /// What between its braces is no declaration.
+    pub unread: Vec<Unread>,
     /// The line that it begins in: of its sheet from 0, and of the file when the sheet has been read.
     pub line: usize,
     /// Which of its selectors have meant an element.
@@ -52,6 +54,8 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
             Ok(read) => {
                 let declared = read.iter().flat_map(|rule| &rule.declarations);
                 diagnostics.extend(declared.filter_map(|one| misspelt(source, first + one.line, &one.name)));
+                let unread = read.iter().flat_map(|rule| &rule.unread);
+                diagnostics.extend(unread.map(|unread| no_declaration(source, first + unread.line, &unread.begin)));
                 rules.extend(read.into_iter().map(|rule| Rule { line: first + rule.line, ..rule }));
             }
             Err((_, rule, place)) => {
@@ -74,6 +78,12 @@ pub(super) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagn
     let meant = spelling::meant(name)?;
     let what = format!("the property `{name}` means nothing; did you mean `{meant}`?");
     Some(source.diagnostic_in_line(line, what).into_warning())
+}
+
+/// A warning of what stands where a declaration should.
+pub(super) fn no_declaration(source: &Source, line: usize, begin: &str) -> Diagnostic {
+    let what = format!("`{begin}` says nothing: write `property: value;`, with a `:` between the two");
+    source.diagnostic_in_line(line, what).into_warning()
 }
 
 /// The first bracket of a drawing's sheets that is never closed, as a mistake.
@@ -146,7 +156,8 @@ impl<'i> QualifiedRuleParser<'i> for SheetParser {
     ) -> Result<Vec<Rule>, ParseError<()>> {
         let used = vec![false; selectors.slice().len()];
         let line = start.source_location().line as usize;
-        Ok(vec![Rule { selectors, declarations: declarations::of_block(input), line, used }])
+        let (declarations, unread) = declarations::of_block(input);
+        Ok(vec![Rule { selectors, declarations, unread, line, used }])
     }
 }
 

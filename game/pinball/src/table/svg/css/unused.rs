@@ -57,13 +57,18 @@ enum Meaning {
 struct Named<'a> {
     classes: BTreeSet<&'a str>,
     ids: BTreeSet<&'a str>,
+    elements: BTreeSet<&'a str>,
 }
 
 impl<'a> Named<'a> {
     fn of(document: &'a Document) -> Named<'a> {
         let elements = || document.descendants().filter(Node::is_element);
         let classes = elements().flat_map(|node| node.attribute("class").unwrap_or("").split_ascii_whitespace());
-        Named { classes: classes.collect(), ids: elements().filter_map(|node| node.attribute("id")).collect() }
+        Named {
+            classes: classes.collect(),
+            ids: elements().filter_map(|node| node.attribute("id")).collect(),
+            elements: elements().map(|node| node.tag_name().name()).collect(),
+        }
     }
 
     fn meant(&self, words: &Words) -> Meaning {
@@ -80,6 +85,13 @@ impl<'a> Named<'a> {
         }
         if let Some(element) = words.elements.iter().find_map(|name| shape_typo::meant_element(name)) {
             return Meaning::Another(element.to_string());
+        }
+        // A class whose point was forgotten.
+        let is_class =
+            |name: &&String| own.clone().any(|own| own == name.as_str()) || self.classes.contains(name.as_str());
+        let absent = || words.elements.iter().filter(|name| !self.elements.contains(name.as_str()));
+        if let Some(class) = absent().find(is_class) {
+            return Meaning::Another(format!(".{class}"));
         }
         if unknown.count() + ids.count() > 0 { Meaning::Nobody } else { Meaning::Known }
     }
