@@ -98,6 +98,7 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["pla"], "unrecognized subcommand 'pla'"),
         (&["frame", "--out", "x.png", "--size", "-5x10"], "write it as WIDTHxHEIGHT, for example 540x1080"),
         (&["frame", "--out", "x.png", "--samples", "9"], "--samples is for --integrator monte-carlo"),
+        (&["frame", "--at", "1e5", "--out", "x.png"], "a table that nobody plays is shown up to 3600 s"),
         (&["frame", "--out", ""], "a picture is written to a file: name a .png file"),
         (&["frame", "--out", "x.jpg"], "pictures are written as PNG: name a .png file"),
         (&["frame"], "required arguments were not provided: --out <FILE.png>"),

@@ -305,6 +305,9 @@ impl Cli {
             Some(Command::Dump(DumpArgs { from: Some(from), to: Some(to), .. })) if from > to => {
                 Err(format!("--from {from} is after --to {to}; nothing is between them"))
             }
+            Some(Command::Frame(FrameArgs { replay: None, at: Some(at), .. })) if *at > LONGEST_IDLE_S => Err(format!(
+                "--at {at} is too late: a table that nobody plays is shown up to {LONGEST_IDLE_S} s after it was switched on"
+            )),
             Some(Command::Frame(FrameArgs { integrator: Integrator::Exact, samples: Some(_), .. })) => {
                 Err("--samples is for --integrator monte-carlo; exact light takes no samples".to_string())
             }
@@ -339,6 +342,9 @@ fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
     }
     Err(format!("--zoom {zoom} of {width}x{height} pixels is more than can be drawn; give less of one of them"))
 }
+
+/// How long a table that nobody plays may have been on for its picture, s: all that comes is found within 20 s of computing.
+const LONGEST_IDLE_S: f64 = 3600.0;
 
 /// A picture's file: PNG is the one format that is written.
 fn png_file(name: OsString) -> Result<PathBuf, String> {

@@ -2,6 +2,9 @@
 
 use super::format::{FORMAT_1, FORMAT_VERSION};
 
+/// What bytes are that stand behind all that was recorded.
+pub(super) const BEHIND: &str = "after the end";
+
 /// Why bytes are refused as a recording.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Damage {
@@ -27,8 +30,9 @@ pub enum Damage {
     CutInHeader(u64),
     /// Some bytes are not what was written.
     #[error(
-        "it is damaged: {} not what was written, in {what}; the {ticks} ticks before are whole",
-        if first == last { format!("byte {first} is") } else { format!("bytes {first} to {last} are") }
+        "it is damaged: {} not what was written, {}",
+        if first == last { format!("byte {first} is") } else { format!("bytes {first} to {last} are") },
+        if *what == BEHIND { "behind its end".to_string() } else { format!("in {what}; the {ticks} ticks before are whole") }
     )]
     Changed {
         /// The first byte of the part that does not match its check.

@@ -1,6 +1,7 @@
 //! The words of the file format that its readers and its writer share.
 
 use super::Damage;
+use super::damage::BEHIND;
 
 /// What every recording begins with.
 pub(super) const MAGIC: [u8; 8] = *b"\x89CAUSTIC";
@@ -63,7 +64,7 @@ pub(super) fn read_seal(bytes: &[u8]) -> Result<bool, Damage> {
         Err(Damage::CutShort { left, whole })
     } else if left > whole {
         let (first, last) = (whole as usize, bytes.len() - 1);
-        Err(Damage::Changed { first, last, what: "after the end", ticks: 0 })
+        Err(Damage::Changed { first, last, what: BEHIND, ticks: 0 })
     } else {
         Ok(true)
     }

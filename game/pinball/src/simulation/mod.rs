@@ -17,6 +17,7 @@ pub use snapshot::Snapshot;
 
 use crate::lamps::{ADAPTATION_TICKS, ExposureAdaptation, LampBrightness, LampController};
 use crate::rules::{Program, Rules, TickInput};
+use crate::table::FILES;
 use crate::{Buttons, Failure, Table};
 use geometry::DVec2;
 use physics::{Controls, Event, Fingerprint, Machine, Pose, TickEvent, fingerprint};
@@ -292,8 +293,11 @@ pub(crate) fn controls(buttons: Buttons) -> Controls {
 pub(crate) fn refused(table: &Table, error: &physics::Error) -> Failure {
     match error {
         physics::Error::Layout(part, what) => {
-            let name = table.layout.parts.get(usize::from(part.0)).map_or("", |part| part.name.as_str());
-            Failure::new(format!("{}: the part \"{name}\" cannot be played: {what}", table.origin))
+            let part = usize::from(part.0);
+            let name = table.layout.parts.get(part).map_or("", |part| part.name.as_str());
+            let line = table.part_lines.get(part).map_or_else(String::new, |line| format!(":{line}"));
+            let file = table.file(FILES[0]);
+            Failure::new(format!("{file}{line}: the part \"{name}\" cannot be played: {what}"))
         }
         physics::Error::Save(what) => Failure::new(format!("the saved game cannot be read: {what}")),
     }

@@ -64,6 +64,18 @@ fn a_game_that_never_begins_is_told() {
     assert_eq!(first_game(&changed("\"start\"", "\"plunger\"")), []);
 }
 
+/// A game of three balls that was over with the first one was called good.
+#[test]
+fn a_game_that_is_over_too_early_is_told() {
+    let early = changed(
+        "if next_player() { add_ball(); } else { game_over(); }",
+        "if !next_player() { add_ball(); } else { game_over(); }",
+    );
+    assert_eq!(first_game(&early), [FindingKind::OverEarly]);
+    let told = told(DRAIN, &early);
+    assert!(told[0].contains("the game is over when 1 ball is lost in drain"), "{told:?}");
+}
+
 /// Games without flippers, without a ball, without an end were called good: all that is needed was in the rules, and none
 /// of it came.
 #[test]

@@ -161,6 +161,33 @@ fn calls_without_which_no_game_can_be_played_are_told() {
     assert_eq!(told_of("fn on_feed() { score(1); }", &["drain", "saucer"]), Vec::<String>::new(), "nothing begins");
 }
 
+/// A magnet that holds a ball for ever, and a diverter that nobody turns, were called good.
+#[test]
+fn magnets_and_diverters_that_no_rule_works_are_told() {
+    let drawn = [
+        r#"<circle class="magnet" id="mag" cx="100" cy="300" r="40"/>"#,
+        r#"<line class="diverter" id="dv" x1="300" y1="500" x2="330" y2="500" stroke-width="6" data-turn-deg="40"/>"#,
+    ];
+    let told = |more: &str| -> Vec<String> {
+        let lost = "fn on_switch(name) { if name == \"drain#1\" { game_over(); } }";
+        let begin = "start_game(1); flippers(true); kickers(true); add_ball();";
+        let rules = format!("fn on_button(name) {{\n{begin} {more}\n}}\n{lost}");
+        let review = Review::of(&crate::table::tests::with_rules(&drawn.concat(), &rules));
+        let of_both = |one: &String| one.contains("magnet") || one.contains("diverter");
+        review.findings.iter().map(ToString::to_string).filter(of_both).collect()
+    };
+    let both = told("");
+    assert!(
+        both[0].contains("the diverter \"dv\" never turns") && both[1].contains("the magnet \"mag\" never pulls"),
+        "{both:?}"
+    );
+    let on = told("divert(\"dv\", playing()); magnet(\"mag\", true);");
+    assert!(on.len() == 1 && on[0].contains("the magnet \"mag\" never lets go"), "{on:?}");
+    for off in ["magnet(\"mag\", false);", "let is = playing(); magnet(\"mag\", is);"] {
+        assert_eq!(told(&format!("divert(\"dv\", true); magnet(\"mag\", true); {off}")), Vec::<String>::new());
+    }
+}
+
 /// Bumpers and slingshots that nobody switched on were dead, and nothing was said.
 #[test]
 fn coils_that_no_rule_works_are_told() {

@@ -9,6 +9,8 @@ use svgtypes::{Align, AspectRatio};
 /// SVG's namespace.
 pub(in crate::table) const SVG: &str = "http://www.w3.org/2000/svg";
 
+/// What a unit of a drawing may be, mm: numbers beyond are a slip.
+const MM_PER_UNIT: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 /// The playfield's sides, mm.
 const SIDES_MM: std::ops::RangeInclusive<f64> = 50.0..=5000.0;
 /// Sides of tables that people can stand at, mm. A real playfield is about 514 x 1067.
@@ -53,6 +55,12 @@ impl Page {
             _ => return Err(format!("the viewBox is `{text}`; write {expected}")),
         };
         let Scale { mm_per_unit, unequal } = scale(root, units)?;
+        if !MM_PER_UNIT.contains(&mm_per_unit) {
+            return Err(format!(
+                "the viewBox is `{text}`, so that a unit is {mm_per_unit:e} mm; give it about as many units as there are \
+                 millimetres"
+            ));
+        }
         let size_mm = units * mm_per_unit;
         if size_mm.to_array().iter().all(|side| SIDES_MM.contains(side)) {
             return Ok(Page { size_mm, mm_per_unit, unequal });

@@ -272,3 +272,32 @@ fn a_carried_table_that_is_none_is_refused_in_plain_words() {
         );
     }
 }
+
+/// A colon that was forgotten cost a declaration, and a point a whole rule, in silence.
+#[test]
+fn what_of_a_sheet_says_nothing_is_told() {
+    let says_nothing =
+        |begin: &str| format!("5: `{begin}` says nothing: write `property: value;`, with a `:` between the two");
+    let wall = "<path class='wall' d='M40 40h40'/>";
+    for (sheet, begin) in [
+        (".wall { stroke-width 8; }", "stroke-width 8"),
+        (".wall { stroke-width = 8 }", "stroke-width = 8"),
+        (".wall { stroke: red; fill #fff; stroke-width: 3 }", "fill #fff"),
+    ] {
+        let told = warned(&format!("<style>{sheet}</style>{}", wall.replace("d=", "stroke-width='4' d=")));
+        assert_eq!(told, [says_nothing(begin)], "{sheet}");
+    }
+    let style = "<path class='wall' stroke-width='4' style='fill=#60a0ff;stroke:red' d='M40 40h40'/>";
+    assert_eq!(warned(&format!("{style}{style}")), [says_nothing("fill=#60a0ff")]);
+    let point =
+        warned(&format!("<style>wall {{ stroke-width: 8 }}</style>{}", wall.replace("d=", "stroke-width='4' d=")));
+    assert_eq!(point, ["5: `wall` of this sheet means nothing in the drawing; did you mean `.wall`?"]);
+}
+
+/// One slip in a group's transform was told of each thing in it, and never of the group.
+#[test]
+fn a_transform_of_a_group_is_told_once() {
+    let things = "<circle class='post' cx='40' cy='40' r='4'/><circle class='post' id='p' cx='90' cy='40' r='4'/>";
+    let told = drawn(&format!("\n<g transform='scal(2)'>\n{things}<g>{things}</g></g>").replacen(" id='p'", "", 1));
+    assert!(told.starts_with("6: of this g: the transform `scal(2)` cannot be read; write "), "{told}");
+}

@@ -158,3 +158,10 @@ fn the_first_mistake_is_told() {
     let text = "fn on_start() {\n  message(\"A } (\", 0); // {\n  score(1)\n  score(2);\n}\n";
     assert_eq!(told(text), "3: a `;` is missing behind `)`");
 }
+
+/// A text that never ends swallowed the brackets behind it, and one of them was told to be missing, lines away.
+#[test]
+fn a_quote_without_its_partner_is_told_on_its_own_line() {
+    let text = "fn on_start() {\n  message(\"ALPHA, \"PRESS START\", 0);\n}\nfn on_feed() {\n}\n";
+    assert_eq!(told(text), "2: a `\"` is missing on this line: texts stand between two of them");
+}
