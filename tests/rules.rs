@@ -166,3 +166,15 @@ fn what_the_rules_do_wrong_in_the_first_game_is_told_once() {
         assert_eq!((code, told.matches(&place).count()), (Some(1), 1), "{name}: {told}");
     }
 }
+
+/// A value of the wrong type was told twice, by the game that failed for it and by the review; and of several mistakes that keep
+/// the rules from starting nobody said how many they are.
+#[test]
+fn a_mistake_is_told_once_and_all_are_counted() {
+    let (status, told) = check("twice", &["check", "--quick"], &format!("{GAME}fn on_start() {{ score(\"5\"); }}\n"));
+    assert_eq!((status, told.lines().count()), (Some(1), 1), "{told}");
+    assert!(told.contains("rules.rhai:3: `score(points)` takes a whole number as `points`, not a text"), "{told}");
+    let unknown = format!("{GAME}fn on_start() {{ evel(1); prunt(2); }}\n");
+    let (status, told) = check("counted", &["check", "--quick"], &unknown);
+    assert_eq!((status, told.lines().last()), (Some(1), Some("2 errors")), "{told}");
+}

@@ -33,6 +33,11 @@ impl Failure {
         Failure(failures.into_iter().flat_map(|failure| failure.0).collect())
     }
 
+    /// Each of its sentences as a failure of its own.
+    pub fn into_each(self) -> impl Iterator<Item = Failure> {
+        self.0.into_iter().map(|sentence| Failure(vec![sentence]))
+    }
+
     /// The same failure, with the name of the file that it is about before it: `line 5: ...` becomes `FILE:5: ...`.
     pub fn in_file(mut self, file: impl fmt::Display) -> Failure {
         if let Some(Sentence { text, .. }) = self.0.first_mut() {

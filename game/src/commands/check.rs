@@ -54,10 +54,11 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     report.found.extend(table.overlaps());
     let review = Review::of(&table);
     report.found.extend(messages::warnings(&review.messages, &table));
-    match Simulation::new(table.clone(), 0) {
-        Ok(simulation) => report.found.extend(first_ball(simulation).into_iter().map(Failure::new)),
-        Err(failure) => report.found.push(failure),
-    }
+    let complaints = match Simulation::new(table.clone(), 0) {
+        Ok(simulation) => first_ball(simulation).into_iter().map(Failure::new).collect(),
+        Err(failure) => failure.into_each().collect(),
+    };
+    report.found.extend(untold(complaints, &review));
     // What the rules have complained about is told once.
     let more = review.findings.into_iter().filter(|finding| !report.found.contains(finding)).collect::<Vec<_>>();
     report.found.extend(more);
@@ -74,6 +75,17 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
         report.play = Some((trial.places, trial.bot_score));
     }
     Ok(report)
+}
+
+/// The complaints that are not about a line whose mistake the review has told already.
+fn untold(complaints: Vec<Failure>, review: &Review) -> impl Iterator<Item = Failure> {
+    let place = |failure: &Failure| {
+        let sentence = failure.sentences().next()?;
+        sentence.split_once(": ").map(|(place, _)| place.to_string())
+    };
+    let errors = review.findings.iter().filter(|finding| !finding.is_warning());
+    let told: Vec<_> = errors.filter_map(place).collect();
+    complaints.into_iter().filter(move |complaint| place(complaint).is_none_or(|place| !told.contains(&place)))
 }
 
 /// Prints the art on a small picture; what it costs.

@@ -139,7 +139,7 @@ impl Playtest {
         let mut ramps = self.machine.layout().parts.iter().filter_map(|part| reach::ramp(&part.kind));
         match kind {
             Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) | Kind::CaptiveBall(_) => false,
-            Kind::Ramp(ramp) => !self.reach.comes_to_ramp(ramp),
+            Kind::Ramp(ramp) => !self.reach.comes_to_ramp(ramp) || !reach::has_entrance(ramp, ramps),
             _ => {
                 let on_a_ramp = |shape: &Shape| {
                     ramps.any(|ramp| {

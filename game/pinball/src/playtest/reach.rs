@@ -15,6 +15,10 @@ const TRIES: i32 = 4;
 const INSIDE_M: f64 = 1e-3;
 /// So far above the lowest row of a pocket there is room in the middle of a square, rows.
 const PIT_ROWS: usize = 3;
+/// An end of a ramp that is no higher lies on the playfield, m.
+const LOW_M: f64 = 1e-3;
+/// Ends of ramps that are no farther apart are joined, m.
+const JOINED_M: f64 = 2e-3;
 /// No place is to the last bit above the middle of a post: a ball lies even there.
 const ASIDE_M: f64 = 3e-4;
 
@@ -222,6 +226,23 @@ fn ends(ramp: &Ramp) -> Vec<DVec2> {
         leg.at(length) + leg.direction_at(length) * BALL_RADIUS_M
     });
     first.into_iter().chain(last).collect()
+}
+
+/// Whether a ball can roll onto the ramp: an end lies on the playfield, or another of these ramps begins or ends there.
+pub fn has_entrance<'a>(ramp: &Ramp, mut others: impl Iterator<Item = &'a Ramp>) -> bool {
+    let heights = [ramp.heights_m.first(), ramp.heights_m.last()];
+    let lies_low = heights.into_iter().flatten().any(|height| *height <= LOW_M);
+    let is_joined = |other: &Ramp| {
+        let near = |end: &DVec2| tips(ramp).iter().any(|own| own.distance(*end) <= JOINED_M);
+        other != ramp && tips(other).iter().any(near)
+    };
+    lies_low || others.any(is_joined)
+}
+
+/// The ramp's two ends.
+fn tips(ramp: &Ramp) -> Vec<DVec2> {
+    let first = ramp.path.first().map(|leg| leg.at(0.0));
+    first.into_iter().chain(ramp.path.last().map(|leg| leg.at(leg.length()))).collect()
 }
 
 /// How much room there is for a ball in a square.

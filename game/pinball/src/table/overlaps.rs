@@ -4,6 +4,7 @@
 //! way is in nobody's.
 
 mod room;
+mod strokes;
 
 use super::{FILES, Table};
 use crate::Failure;
@@ -33,6 +34,7 @@ pub(super) fn findings(table: &Table) -> Vec<Failure> {
             found.push((later.part, format!("{what} {}; draw them apart", called(table, earlier)), is_warning));
         }
     }
+    found.extend(strokes::findings(table));
     found.extend(room::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.sort();
     let failure = |(part, what, is_warning): (usize, String, bool)| {

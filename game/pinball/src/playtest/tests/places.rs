@@ -65,6 +65,26 @@ fn a_pocket_is_told_once_whatever_becomes_of_its_balls() {
     assert!(told.len() == 1 && told[0].contains("does not free it (2 times)"), "{told:?}");
 }
 
+/// A ramp whose ends are both above the playfield was called good, and no ball ever came onto it.
+#[test]
+fn a_ramp_that_no_ball_rolls_onto_is_told() {
+    let ramp = |id: &str, heights: &str, y: f64| {
+        format!(
+            r#"<path class="ramp" id="{id}" d="M100 {y}V{}" data-heights-mm="{heights}" stroke-width="40" fill="none"/>"#,
+            y - 200.0
+        )
+    };
+    let unreachable = |drawn: &str| {
+        let playtest = playtest(drawn);
+        sentences(&playtest, playtest.unreachable())
+    };
+    let told = unreachable(&ramp("way", "48 40", 700.0));
+    assert!(told.len() == 1 && told[0].contains(": way: no ball can come to it"), "{told:?}");
+    assert_eq!(unreachable(&ramp("way", "0 48", 700.0)), Vec::<String>::new());
+    let joined = format!("{}{}", ramp("way", "0 48", 700.0), ramp("on", "48 40", 500.0));
+    assert_eq!(unreachable(&joined), Vec::<String>::new());
+}
+
 /// Of a ball that lay on a level ramp a far wall was told.
 #[test]
 fn a_ball_on_a_ramp_is_told_of_the_ramp() {

@@ -65,6 +65,29 @@ fn flippers_whose_strokes_cross_are_told() {
     );
 }
 
+/// A flipper went through a guide, a post or a bumper in its way, and nobody said so.
+#[test]
+fn what_stands_in_a_flippers_stroke_is_told() {
+    let flipper =
+        r#"<line class="flipper" id="f" data-side="left" data-up-deg="50" x1="100" y1="300" x2="160" y2="335"/>"#;
+    for (standing, place) in [
+        (r#"<circle class="post" id="w" cx="150" cy="300" r="4" fill="red"/>"#, "150, 304"),
+        (r#"<path class="wall" id="w" d="M130 280L160 290" stroke-width="4"/>"#, ""),
+        (r#"<circle class="bumper" id="w" cx="160" cy="280" r="20"/>"#, ""),
+        (r#"<line class="target" id="w" x1="140" y1="330" x2="140" y2="310" stroke-width="4"/>"#, ""),
+    ] {
+        let told = one(&format!("{flipper}\n{standing}"));
+        assert!(
+            told.starts_with("warning: 5: f: its stroke goes through w of line 6 at ") && told.contains(place),
+            "{told}"
+        );
+    }
+    // A guide that ends at its pivot, a post below its tip, and a ramp's sides are in nobody's way.
+    let guide = r#"<path class="wall" id="w" d="M60 270L102 296" stroke-width="6"/>"#;
+    let post = r#"<circle class="post" id="p" cx="172" cy="352" r="4" fill="red"/>"#;
+    assert_eq!(told(&format!("{flipper}\n{guide}\n{post}")), [""; 0]);
+}
+
 /// A target on the axis of a lane's wall was hit by no ball.
 #[test]
 fn what_no_ball_can_touch_is_told_with_what_is_in_the_way() {
