@@ -9,6 +9,7 @@ mod golden;
 mod picture;
 mod plot;
 mod recording;
+mod recording_chunks;
 mod recording_files;
 mod rules;
 mod still;
