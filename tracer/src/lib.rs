@@ -22,6 +22,7 @@ pub mod scenes;
 mod shading;
 pub mod simd;
 mod tile;
+pub mod transport;
 mod visibility;
 
 pub use film::display_buffer::DisplayBuffer;

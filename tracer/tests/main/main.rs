@@ -15,4 +15,7 @@ mod overhangs;
 mod quality;
 mod tile_cache;
 mod transmission;
+mod transport_agreement;
+mod transport_beams;
+mod transport_known_answers;
 mod tube_lamps;

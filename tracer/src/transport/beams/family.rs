@@ -1,0 +1,111 @@
+//! A source's rays as a family over u and v.
+
+use crate::transport::spectrum::{WavelengthSample, WavelengthSampler, Weights};
+use crate::transport::{LightSource, SourceForm};
+use geometry::{Ray, trig};
+use std::f64::consts::TAU;
+
+/// What v is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Across {
+    /// The place on the source, or the angle: the wavelength is that of the stratum's middle.
+    Source,
+    /// The wavelength within the stratum.
+    Wavelength,
+    /// Nothing: all of the stratum's rays are one.
+    Nothing,
+}
+
+/// Part of a source's light: one stratum of its wavelengths and one of what makes it wide.
+#[derive(Clone, Copy, Debug)]
+pub struct Family<'a> {
+    pub source: &'a LightSource,
+    /// The wavelengths, nm, from and to.
+    pub nm: [f64; 2],
+    /// v, from and to.
+    pub v: [f64; 2],
+    pub across: Across,
+    /// The colour of all of its light, if nothing is in the way: power times weight.
+    pub color: [f64; 3],
+}
+
+impl Family<'_> {
+    /// The ray at u and v, 0 to 1 over the stratum, and its wavelength.
+    pub fn ray(&self, u: f64, v: f64) -> (Ray, f64) {
+        let middle_nm = 0.5 * (self.nm[0] + self.nm[1]);
+        let within = |[from, to]: [f64; 2]| from + (to - from) * v;
+        match self.across {
+            Across::Source => (self.source.form.family(u, within(self.v)), middle_nm),
+            Across::Wavelength => (self.source.form.family(u, 0.5), within(self.nm)),
+            Across::Nothing => (self.source.form.family(u, 0.5), middle_nm),
+        }
+    }
+}
+
+impl SourceForm {
+    /// The ray at u and v, 0 to 1: equal areas of u and v have equal power.
+    fn family(&self, u: f64, v: f64) -> Ray {
+        match *self {
+            // A matt rim is as bright in each direction over its whole width: v is the place across.
+            SourceForm::Disc { center, radius } => {
+                let direction = trig::direction(TAU * u);
+                let across = 2.0 * v - 1.0;
+                let along = (1.0 - across * across).max(0.0).sqrt();
+                Ray { origin: center + (direction * along + direction.perp() * across) * radius, direction }
+            }
+            _ => self.emit([u, v]),
+        }
+    }
+
+    /// Whether v matters.
+    fn is_wide(&self) -> bool {
+        match *self {
+            SourceForm::Disc { .. } | SourceForm::Tube(_) => true,
+            SourceForm::Beam { half_angle, .. } => half_angle > 0.0,
+            SourceForm::Point(_) | SourceForm::Cone { .. } => false,
+        }
+    }
+}
+
+/// The families of a source: strata of its wavelengths if they matter, and of its width.
+pub fn families<'a>(
+    source: &'a LightSource,
+    weights: &Weights,
+    chromatic: bool,
+    [wavelengths, widths]: [u32; 2],
+) -> Vec<Family<'a>> {
+    let sampler = WavelengthSampler::new(&source.emission);
+    let power = source.power * sampler.mean();
+    let of_wavelengths = sampler.strata(if chromatic { wavelengths } else { wavelengths.max(64) });
+    let color = |samples: &[WavelengthSample]| {
+        samples.iter().fold([0.0; 3], |sum: [f64; 3], sample| {
+            let weights = weights.at(sample.nm);
+            [0, 1, 2].map(|channel| sum[channel] + f64::from(weights[channel]) * sample.weight * power)
+        })
+    };
+    let mut spectral: Vec<([f64; 2], [f64; 3])> =
+        of_wavelengths.iter().map(|one| (one.nm, color(&one.samples))).collect();
+    if !chromatic {
+        // All wavelengths go the same way: they are one family.
+        let sum =
+            spectral.iter().fold([0.0; 3], |sum, (_, color)| [0, 1, 2].map(|channel| sum[channel] + color[channel]));
+        spectral = vec![([550.0; 2], sum)];
+    }
+    let wide = source.form.is_wide();
+    let across = match (wide, chromatic) {
+        (true, _) => Across::Source,
+        (false, true) => Across::Wavelength,
+        (false, false) => Across::Nothing,
+    };
+    let count = if wide { widths.max(1) } else { 1 };
+    let mut all = Vec::new();
+    for (nm, color) in spectral {
+        for stratum in 0..count {
+            let [from, to] = [stratum, stratum + 1].map(|edge| f64::from(edge) / f64::from(count));
+            let across = if nm[0] == nm[1] && across == Across::Wavelength { Across::Nothing } else { across };
+            let color = color.map(|channel| channel / f64::from(count));
+            all.push(Family { source, nm, v: [from, to], across, color });
+        }
+    }
+    all
+}

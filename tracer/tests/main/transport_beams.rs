@@ -1,0 +1,89 @@
+//! Beams against photons.
+
+use geometry::rng::SplitMix64;
+use geometry::{Arc, Circle, DVec2, Segment, Shape};
+use tracer::View;
+use tracer::transport::beams::{BeamOptions, BeamPicture, BeamTracer};
+use tracer::transport::spectrum::{Dispersion, Emission, Weights, glass_named};
+use tracer::transport::{Body, Curve, Falloff, LightSource, Material, PhotonPicture, PhotonTracer, Scene, SourceForm};
+
+/// Where sources are, but beams.
+const SOURCE: DVec2 = DVec2::new(60.0, 20.0);
+
+fn beams(scene: &Scene, view: View, options: BeamOptions) -> Vec<[f64; 3]> {
+    let mut picture = BeamPicture::new(BeamTracer::new(scene, &Weights::equal_energy(), options), view);
+    while picture.expose(8) {}
+    picture.fluence()
+}
+
+fn photons(scene: &Scene, view: View, packets: u64, seed: u64) -> Vec<[f64; 3]> {
+    let mut picture = PhotonPicture::new(PhotonTracer::new(scene, Weights::equal_energy(), seed), view);
+    picture.expose(packets);
+    picture.fluence()
+}
+
+/// Mirrors, splitters and glass, and a lamp of every kind.
+fn scene(seed: u64) -> Scene {
+    let mut random = SplitMix64::new(seed);
+    let mut bodies = vec![Body::of_shape(&Shape::disc(DVec2::new(60.0, 60.0), 110.0), Material::Absorber)];
+    for place in [(25.0, 40.0), (60.0, 85.0), (95.0, 40.0)] {
+        let at = DVec2::new(place.0, place.1) + random.point_within(DVec2::splat(6.0)) - 3.0;
+        let end = at + random.point_within(DVec2::splat(24.0)) - 12.0;
+        let dispersive = Material::glass(glass_named("N-SF11").expect("it is known"));
+        let plain = Material::glass(Dispersion::Constant(1.5));
+        bodies.push(match random.below(6) {
+            0 => Body::of_shape(&Shape::disc(at, 11.0), plain),
+            1 => Body::of_shape(&Shape::capsule(at, end, 5.0), if seed.is_multiple_of(2) { plain } else { dispersive }),
+            2 => Body::of_shape(&Shape::disc(at, 8.0), Material::MIRROR),
+            3 => {
+                let arc = Arc::new(Circle { center: at, radius: 18.0 }, random.uniform(0.0, 6.0), 2.0);
+                Body::open([Curve::Arc(arc)], Material::Mirror { reflectance: [0.9; 3], roughness: 0.0 })
+            }
+            4 => Body::open([Curve::Line(Segment { a: at, b: end })], Material::BeamSplitter { transmittance: 0.4 }),
+            _ => Body::open([Curve::Line(Segment { a: at, b: end })], Material::IdealLens { focal_length: 25.0 }),
+        });
+    }
+    let center = SOURCE;
+    let form = match seed % 5 {
+        0 => SourceForm::Point(center),
+        1 => SourceForm::Disc { center, radius: 4.0 },
+        2 => SourceForm::Tube(Segment { a: center, b: center + DVec2::new(14.0, 5.0) }),
+        3 => SourceForm::Cone { center, axis: DVec2::new(0.0, 1.0), half_angle: 0.9 },
+        _ => {
+            // The scene is on the left of the line's way (y up).
+            let line = Segment { a: DVec2::new(10.0, 6.0), b: DVec2::new(110.0, 6.0) };
+            SourceForm::Beam { line, half_angle: if seed > 9 { 0.1 } else { 0.0 } }
+        }
+    };
+    let falloff =
+        if seed.is_multiple_of(4) { Falloff::Table { height_mm: 30.0, reach_mm: 600.0 } } else { Falloff::Plane };
+    Scene { bodies, sources: vec![LightSource { form, emission: Emission::EqualEnergy, power: 50.0, falloff }] }
+}
+
+/// Over scenes with one source of each kind: away from the source, where a pixel's mean is not that of its middle, beams are
+/// within the photons' noise and the width of what they are divided into.
+#[test]
+fn beams_and_photons_find_the_same_light() {
+    let view = View { width: 24, height: 24, origin_mm: DVec2::ZERO, mm_per_px: 5.0 };
+    for seed in [0, 1, 3, 4, 8] {
+        let scene = scene(seed);
+        let options = BeamOptions { beams: 256, wavelengths: 24, ..BeamOptions::default() };
+        let swept = beams(&scene, view, options);
+        let [one, two] = [1, 2].map(|seed| photons(&scene, view, 100_000, seed));
+        let (mut apart, mut noise, mut sum, mut bias, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for pixel in 0..swept.len() {
+            if view.table_from_pixel(pixel % 24, pixel / 24).distance(SOURCE) < 20.0 {
+                continue;
+            }
+            let mean = 0.5 * (one[pixel][1] + two[pixel][1]);
+            apart += (swept[pixel][1] - mean).powi(2);
+            noise += 0.25 * (one[pixel][1] - two[pixel][1]).powi(2);
+            bias += swept[pixel][1] - mean;
+            sum += mean;
+            count += 1.0;
+        }
+        let relative = |squares: f64| (squares / count).sqrt() / (sum / count);
+        assert!(relative(apart) < 0.012 + 2.0 * relative(noise), "{seed}: {} {}", relative(apart), relative(noise));
+        assert!((bias / sum).abs() < 0.01, "{seed}: {}", bias / sum);
+    }
+}
