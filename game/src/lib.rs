@@ -17,6 +17,7 @@ pub mod game_app;
 pub mod hud;
 pub mod input;
 mod interrupt;
+pub mod optics;
 pub mod scene_builder;
 pub mod screen;
 pub mod session;

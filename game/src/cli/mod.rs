@@ -45,6 +45,8 @@ pub enum Command {
     Simulate(SimulateArgs),
     /// Check a table's files and print every error with its place
     Check(CheckArgs),
+    /// Trace a ray-optics scene and print what its detectors measure
+    Optics(OpticsArgs),
     /// Measure the light, the frame and the simulation
     Bench(BenchArgs),
     /// Measure the physics and draw what it does as PNG files
@@ -286,6 +288,17 @@ pub struct CheckArgs {
     /// Threads that play; by default one for each core
     #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
+}
+
+/// `caustic optics`
+#[derive(Args, Debug, Clone)]
+pub struct OpticsArgs {
+    /// The scene, a JSON file of the ray-optics simulator
+    #[arg(value_name = "SCENE.json")]
+    pub scene: PathBuf,
+    /// Print all that was measured as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 impl Cli {

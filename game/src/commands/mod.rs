@@ -4,6 +4,7 @@ pub mod bench;
 pub mod check;
 pub mod dump;
 pub mod frame;
+pub mod optics;
 pub mod parallel;
 pub mod play;
 pub mod plot;
@@ -29,6 +30,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Command::Bench(args) => bench::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Optics(args) => optics::run(&args),
         Command::Verify(args) => verify::run(&args),
     }
 }

@@ -16,6 +16,7 @@ mod table_search;
 pub mod tables;
 #[cfg(test)]
 mod tests;
+pub mod text_file;
 mod watch;
 
 pub use file_failure::{because, file_failure};

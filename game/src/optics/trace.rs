@@ -1,0 +1,59 @@
+//! The measurement: every ray of a scene, followed along all its branches.
+
+use super::{Measured, OpticsScene};
+use tracer::transport::ray_splitting::{GivenUp, PoweredRay, SplitLimits, follow};
+use tracer::transport::{StartsOn, Surfaces};
+
+/// Hits are one that are nearer to each other than this part of a unit.
+const TOGETHER: f64 = 1e-6;
+
+/// Branches that are weaker than this are given up.
+const LEAST_POWER: f64 = 1e-7;
+
+/// Surfaces that a branch meets at most, if the scene does not say.
+const MOST_SURFACES: u32 = 1_000;
+
+/// Branches of one ray at most.
+const MOST_BRANCHES: u32 = 100_000;
+
+/// What a scene's detectors have measured.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// One for each detector.
+    pub measured: Vec<Measured>,
+    /// The power of what was given up.
+    pub given_up: GivenUp,
+    /// The power of all sources.
+    pub sent: f64,
+}
+
+impl Measurement {
+    /// Measures a scene.
+    pub fn of(scene: &OpticsScene) -> Measurement {
+        let surfaces = Surfaces::new(&scene.bodies, TOGETHER * scene.length_scale);
+        let limits = SplitLimits {
+            least_power: LEAST_POWER,
+            most_surfaces: scene.most_surfaces.unwrap_or(MOST_SURFACES),
+            most_branches: MOST_BRANCHES,
+        };
+        let mut measured: Vec<Measured> = scene.detectors.iter().map(|detector| detector.start()).collect();
+        let mut given_up = GivenUp::default();
+        for source in &scene.rays {
+            let ray = PoweredRay {
+                ray: source.ray,
+                starts_on: StartsOn::NOTHING,
+                wavelength_nm: source.wavelength_nm,
+                power: [0.5 * source.brightness; 2],
+                surfaces: 0,
+            };
+            follow(&surfaces, ray, &limits, &mut given_up, |ray, distance| {
+                let power = ray.power[0] + ray.power[1];
+                for (detector, measured) in scene.detectors.iter().zip(&mut measured) {
+                    detector.count(&ray.ray, distance, power, measured);
+                }
+            });
+        }
+        let sent = scene.rays.iter().map(|ray| ray.brightness).sum();
+        Measurement { measured, given_up, sent }
+    }
+}

@@ -1,0 +1,22 @@
+//! Texts of the user's that are read whole: scenes.
+
+use super::file_failure::file_failure;
+use super::limited_read;
+use crate::Failure;
+use std::path::Path;
+
+/// The largest scene, bytes.
+const LIMIT_BYTES: u64 = 32 << 20;
+
+/// The text of the file `path`.
+///
+/// # Errors
+/// If it cannot be read, is too large, or is no text.
+pub fn read(path: &Path) -> Result<String, Failure> {
+    let bytes = limited_read::read(path, LIMIT_BYTES).map_err(|error| file_failure("read", path, &error))?;
+    String::from_utf8(bytes).map_err(|error| {
+        let line =
+            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+        Failure::new(format!("{}:{line}: this is no text in UTF-8", path.display()))
+    })
+}
