@@ -3,6 +3,7 @@
 use geometry::rng::SplitMix64;
 use geometry::{DVec2, Segment, Shape};
 use tracer::View;
+use tracer::transport::beams::{BeamOptions, BeamPicture, BeamTracer};
 use tracer::transport::spectrum::{Dispersion, Emission, Weights, glass_named, metal_named};
 use tracer::transport::{
     Body, Curve, Dielectric, Falloff, LightSource, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer,
@@ -102,4 +103,28 @@ fn photons_and_paths_find_the_same_light() {
     }
     // Of one scene the whole differs by a hundredth, since a photon's way crosses many pixels.
     assert!(relative.abs() < 0.004, "{relative}");
+}
+
+/// Photons, paths and beams add up to the same bits on one thread and on three.
+#[test]
+fn pictures_are_the_same_on_any_number_of_threads() {
+    let scene = scene(1);
+    let pictures = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let weights = Weights::equal_energy();
+            let mut photons = PhotonPicture::new(PhotonTracer::new(&scene, weights.clone(), 1), view());
+            photons.expose(20_000);
+            let mut paths = PathPicture::new(PathTracer::new(&scene, weights.clone(), 1), view(), 4);
+            paths.expose();
+            let options =
+                BeamOptions { beams: 32, wavelengths: 4, widths: 2, most_surfaces: 4, ..BeamOptions::default() };
+            let mut beams = BeamPicture::new(BeamTracer::new(&scene, &weights, options), view());
+            while beams.expose(3) {}
+            [photons.fluence(), paths.fluence(), beams.fluence()]
+        })
+    };
+    let [one, three] = [pictures(1), pictures(3)];
+    assert_eq!(one, three);
+    assert!(one.iter().all(|picture| picture.iter().any(|pixel| pixel[1] > 0.0)));
 }
