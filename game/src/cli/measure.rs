@@ -1,6 +1,6 @@
 //! The words that measure: `caustic bench` and `caustic plot`.
 
-use super::{threads, whole};
+use super::values::{threads, whole};
 use crate::screen::Size;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};

@@ -2,6 +2,7 @@
 
 mod measure;
 mod usage_error;
+mod values;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 
@@ -10,11 +11,8 @@ use crate::screen::Size;
 use clap::builder::{NonEmptyStringValueParser, OsStringValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use std::ffi::OsString;
-use std::fmt::Display;
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
-use std::str::FromStr;
+use values::{minutes, png_file, seconds, threads, whole, zoom};
 
 /// Caustic: a pinball game whose only light is ray traced.
 #[derive(Debug, Parser)]
@@ -358,53 +356,3 @@ fn check_zoomed(size: Size, zoom: f64) -> Result<(), String> {
 
 /// How long a table that nobody plays may have been on for its picture, s: all that comes is found within 20 s of computing.
 const LONGEST_IDLE_S: f64 = 3600.0;
-
-/// A picture's file: PNG is the one format that is written.
-fn png_file(name: OsString) -> Result<PathBuf, String> {
-    let path = PathBuf::from(name);
-    match path.extension() {
-        None if path.as_os_str().is_empty() || path.as_os_str() == "-" => {
-            Err("a picture is written to a file: name a .png file".to_string())
-        }
-        Some(end) if !end.eq_ignore_ascii_case("png") => {
-            Err("pictures are written as PNG: name a .png file".to_string())
-        }
-        _ => Ok(path),
-    }
-}
-
-/// Reads a whole number in this range.
-fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
-where
-    T: FromStr + PartialOrd + Display + Clone,
-{
-    move |text| match text.parse::<T>() {
-        Ok(number) if range.contains(&number) => Ok(number),
-        _ => Err(format!("it must be a whole number from {} to {}", range.start(), range.end())),
-    }
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    whole(1..=256)(text)
-}
-
-fn zoom(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if (1.0..=4.0).contains(&value) => Ok(value),
-        _ => Err("it must be a number from 1 to 4".to_string()),
-    }
-}
-
-fn minutes(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value > 0.0 && value <= 1e4 => Ok(value),
-        _ => Err("it must be a number above 0, to 10000".to_string()),
-    }
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if (0.0..=1e6).contains(&value) => Ok(value),
-        _ => Err("it must be a number from 0 to 1000000".to_string()),
-    }
-}

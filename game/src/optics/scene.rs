@@ -24,8 +24,6 @@ pub struct OpticsScene {
     pub length_scale: f64,
     /// Surfaces that a ray may meet.
     pub most_surfaces: Option<u32>,
-    /// Brightness is right in every mode.
-    pub correct_brightness: bool,
     /// What the file says and is not read, sentences.
     pub warnings: Vec<String>,
 }
@@ -107,7 +105,6 @@ impl OpticsScene {
         let depth = top.number("maxRayDepth", f64::from(u32::MAX))?;
         self.most_surfaces = (depth < f64::from(u32::MAX)).then_some(depth.max(0.0) as u32);
         self.length_scale = length_scale;
-        self.correct_brightness = correct_brightness;
         Ok(RayDensity { density, length_scale, correct_brightness })
     }
 

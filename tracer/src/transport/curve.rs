@@ -59,15 +59,6 @@ impl Curve {
             Curve::Parabola(parabola) => parabola.bounds(),
         }
     }
-
-    /// Its length.
-    pub fn length(&self) -> f64 {
-        match self {
-            Curve::Line(line) => line.length(),
-            Curve::Arc(arc) => 2.0 * arc.half_angle() * arc.circle().radius,
-            Curve::Parabola(parabola) => parabola.length(),
-        }
-    }
 }
 
 fn cross_line(line: &Segment, ray: &Ray) -> Option<Crossing> {
@@ -156,14 +147,6 @@ impl Parabola {
         let [a, b] = [self.at(-self.half), self.at(self.half)];
         let tip = self.vertex - self.axis.perp() * (self.curvature * self.half * self.half);
         Bounds::of(a, b).union(Bounds::of(tip, tip))
-    }
-
-    fn length(&self) -> f64 {
-        let slope = 2.0 * self.curvature.abs() * self.half;
-        if slope < 1e-9 {
-            return 2.0 * self.half;
-        }
-        self.half * ((1.0 + slope * slope).sqrt() + libm::asinh(slope) / slope)
     }
 }
 

@@ -100,11 +100,6 @@ impl<'a> PhotonTracer<'a> {
         self.power
     }
 
-    /// The scene's surfaces.
-    pub fn surfaces(&self) -> &Surfaces {
-        &self.surfaces
-    }
-
     /// Traces the packets of these numbers; `fly` sees each straight piece of their ways, with its source.
     pub fn trace(&self, numbers: Range<u64>, mut fly: impl FnMut(&Flight, &LightSource)) -> Counts {
         let mut counts = Counts::default();
@@ -244,11 +239,6 @@ impl<'a> PhotonPicture<'a> {
     /// How the packets have ended so far.
     pub fn counts(&self) -> &Counts {
         &self.counts
-    }
-
-    /// The tracer.
-    pub fn tracer(&self) -> &PhotonTracer<'a> {
-        &self.tracer
     }
 
     /// The fluence in each pixel, row by row, signed.

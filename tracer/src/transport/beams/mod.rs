@@ -10,8 +10,9 @@
 //! Matt surfaces end a beam, and rough ones are polished here: photons and paths find that light.
 
 mod beam;
+mod cell;
 mod family;
 mod sweep;
 mod trapezoid;
 
-pub use sweep::{BeamOptions, BeamPicture, BeamTracer, GivenUp};
+pub use sweep::{BeamOptions, BeamPicture, BeamTracer};

@@ -1,6 +1,7 @@
 //! The sweep over a family: beams that are halved until they hold, through all surfaces.
 
 use super::beam::Piece;
+use super::cell::Cell;
 use super::family::{Family, families};
 use crate::View;
 use crate::transport::BEAM_BITS;
@@ -40,9 +41,6 @@ const NARROWEST: f64 = 1.0 / (1 << 16) as f64;
 /// Where beams of this width in u part because of their width in v, that is divided.
 const NARROW_U: f64 = 1.0 / (1 << 12) as f64;
 
-/// v is halved down to this part of a stratum; then its middle stands for it.
-const NARROWEST_V: f64 = 1.0 / 8.0;
-
 /// How far the middle of a beam may be from where its edges have it, pixels.
 const MOST_BEND_PX: f64 = 0.2;
 
@@ -51,13 +49,6 @@ const MOST_SLANT_PX: f64 = 1.0;
 
 /// Halvings of a beam for its form alone.
 const MOST_HALVINGS: u32 = 10;
-
-/// What was given up, in units of power.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct GivenUp {
-    /// Branches with too little power or after too many surfaces.
-    pub branches: f64,
-}
 
 /// A scene, ready for beams.
 pub struct BeamTracer<'a> {
@@ -97,43 +88,6 @@ type Side = [Corner; 2];
 struct Met {
     edge: EdgeId,
     through: bool,
-}
-
-/// A cell of u and v.
-#[derive(Clone, Copy)]
-struct Cell {
-    u: [f64; 2],
-    v: [f64; 2],
-    /// Its part of the family's v: more than v's width where one place stands for it.
-    part: f64,
-    /// How often u was halved for the form of the beam.
-    halved: u32,
-    /// The ray in its middle has all of its light.
-    is_ray: bool,
-}
-
-impl Cell {
-    fn width(&self) -> f64 {
-        self.u[1] - self.u[0]
-    }
-
-    fn middle(&self) -> f64 {
-        0.5 * (self.u[0] + self.u[1])
-    }
-
-    /// One place of v stands for all of the cell's.
-    fn is_line(&self) -> bool {
-        self.v[0] == self.v[1]
-    }
-
-    /// The same in parts of v: its halves, or its middle where it is narrow already.
-    fn across(&self) -> Vec<Cell> {
-        let middle = 0.5 * (self.v[0] + self.v[1]);
-        if self.v[1] - self.v[0] <= NARROWEST_V {
-            return vec![Cell { v: [middle; 2], ..*self }];
-        }
-        [[self.v[0], middle], [middle, self.v[1]]].map(|v| Cell { v, part: 0.5 * self.part, ..*self }).to_vec()
-    }
 }
 
 impl<'a> BeamTracer<'a> {

@@ -41,8 +41,6 @@ pub fn rgb(wavelength_nm: f64) -> [f64; 3] {
 /// The weights of all wavelengths in red, green and blue, such that light of a given spectrum is white.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights {
-    /// One over the white's sums.
-    gain: [f64; 3],
     /// Weights at whole nanometres from [`SHORTEST_NM`], balanced.
     table: Vec<[f32; 3]>,
 }
@@ -67,7 +65,7 @@ impl Weights {
             let weights = rgb(nm(step));
             std::array::from_fn(|channel| (weights[channel] * gain[channel]) as f32)
         });
-        Weights { gain, table: table.collect() }
+        Weights { table: table.collect() }
     }
 
     /// Those with which equal power at every wavelength is white.
@@ -82,11 +80,6 @@ impl Weights {
         let (below, part) = (place as usize, (place - place.floor()) as f32);
         let [a, b] = [self.table[below], self.table[below + 1]];
         std::array::from_fn(|channel| a[channel] + (b[channel] - a[channel]) * part)
-    }
-
-    /// The gains by which channels without balance are multiplied.
-    pub fn gain(&self) -> [f64; 3] {
-        self.gain
     }
 }
 

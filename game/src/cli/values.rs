@@ -1,0 +1,61 @@
+//! Values on the command line: each read in its range, or why not.
+
+use std::ffi::OsString;
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// A picture's file: PNG is the one format that is written.
+pub(super) fn png_file(name: OsString) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    match path.extension() {
+        None if path.as_os_str().is_empty() || path.as_os_str() == "-" => {
+            Err("a picture is written to a file: name a .png file".to_string())
+        }
+        Some(end) if !end.eq_ignore_ascii_case("png") => {
+            Err("pictures are written as PNG: name a .png file".to_string())
+        }
+        _ => Ok(path),
+    }
+}
+
+/// Reads a whole number in this range.
+pub(super) fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| match text.parse::<T>() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!("it must be a whole number from {} to {}", range.start(), range.end())),
+    }
+}
+
+/// Threads: 1 to 256.
+pub(super) fn threads(text: &str) -> Result<usize, String> {
+    whole(1..=256)(text)
+}
+
+/// How much larger than the picture: 1 to 4.
+pub(super) fn zoom(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (1.0..=4.0).contains(&value) => Ok(value),
+        _ => Err("it must be a number from 1 to 4".to_string()),
+    }
+}
+
+/// Minutes, over 0.
+pub(super) fn minutes(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value <= 1e4 => Ok(value),
+        _ => Err("it must be a number above 0, to 10000".to_string()),
+    }
+}
+
+/// Seconds, 0 or more.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1e6).contains(&value) => Ok(value),
+        _ => Err("it must be a number from 0 to 1000000".to_string()),
+    }
+}
