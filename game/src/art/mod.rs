@@ -17,6 +17,7 @@ mod typefaces;
 
 pub use letters::warning as letters_warning;
 pub use mask::masks;
+pub use print::drawing;
 pub use read::{PrintCost, check};
 
 use crate::Failure;

@@ -10,18 +10,26 @@ use tracer::View;
 
 /// The pixels of one layer of art over `background`, premultiplied.
 pub(super) fn print(table: &Table, svg: &str, view: &View, background: Color) -> Result<Vec<[u8; 4]>, Failure> {
-    guarded(|| print_guarded(table, svg, view, background))
+    guarded(|| print_guarded(svg, table.size_mm, view, background))
 }
 
-fn print_guarded(table: &Table, svg: &str, view: &View, background: Color) -> Result<Vec<[u8; 4]>, Failure> {
-    let Art { tree, cost } = Art::read(svg, table.size_mm)?;
+/// The pixels of a drawing of this size, premultiplied; transparent where nothing is drawn.
+///
+/// # Errors
+/// If the drawing cannot be printed, or so many pixels do not fit into the memory.
+pub fn drawing(svg: &str, size_mm: DVec2, view: &View) -> Result<Vec<[u8; 4]>, Failure> {
+    guarded(|| print_guarded(svg, size_mm, view, Color::TRANSPARENT))
+}
+
+fn print_guarded(svg: &str, size_mm: DVec2, view: &View, background: Color) -> Result<Vec<[u8; 4]>, Failure> {
+    let Art { tree, cost } = Art::read(svg, size_mm)?;
     cost.check_picture(view)?;
     let too_large = || Failure::new(format!("a picture of {} x {} pixels is too large", view.width, view.height));
     let mut pixmap = Pixmap::new(view.width as u32, view.height as u32).ok_or_else(too_large)?;
     pixmap.fill(background);
-    resvg::render(&tree, screen_from_own(&tree, table.size_mm, view), &mut pixmap.as_mut());
+    resvg::render(&tree, screen_from_own(&tree, size_mm, view), &mut pixmap.as_mut());
     let mut pixels: Vec<[u8; 4]> = pixmap.data().as_chunks().0.to_vec();
-    clear_beside(&mut pixels, table.size_mm, view, background);
+    clear_beside(&mut pixels, size_mm, view, background);
     Ok(pixels)
 }
 

@@ -1,10 +1,12 @@
 //! The command line's words.
 
 mod measure;
+mod render;
 mod usage_error;
 mod values;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
+pub use render::{LightIntegrator, RenderArgs};
 
 use crate::frame_composer::LightResolution;
 use crate::screen::Size;
@@ -43,6 +45,8 @@ pub enum Command {
     Simulate(SimulateArgs),
     /// Check a table's files and print every error with its place
     Check(CheckArgs),
+    /// Render drawings as scenes of light: glass, mirrors, prisms, spectra
+    Render(RenderArgs),
     /// Trace a ray-optics scene and print what its detectors measure
     Optics(OpticsArgs),
     /// Measure the light, the frame and the simulation
@@ -322,6 +326,7 @@ impl Cli {
             Some(Command::Frame(FrameArgs { integrator: Integrator::Exact, samples: Some(_), .. })) => {
                 Err("--samples is for --integrator monte-carlo; exact light takes no samples".to_string())
             }
+            Some(Command::Render(args)) => args.check(),
             Some(Command::Verify(VerifyArgs { files, salvage: Some(_), .. })) if files.len() != 1 => {
                 Err("--salvage cuts one recording; name just one".to_string())
             }

@@ -1,9 +1,10 @@
 //! Values on the command line: each read in its range, or why not.
 
+use crate::storage::picture_file::ENDS;
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A picture's file: PNG is the one format that is written.
@@ -17,6 +18,26 @@ pub(super) fn png_file(name: OsString) -> Result<PathBuf, String> {
             Err("pictures are written as PNG: name a .png file".to_string())
         }
         _ => Ok(path),
+    }
+}
+
+/// A rendered picture's file: its format is the end of its name.
+pub(super) fn picture_file(path: &Path) -> Result<(), String> {
+    let end = path.extension().map(|end| end.to_ascii_lowercase());
+    match end.as_deref().and_then(|end| end.to_str()) {
+        Some(end) if ENDS.contains(&end) => Ok(()),
+        _ => Err(format!(
+            "--out {} ends with none of .png, .tif, .tiff and .exr, so nobody knows its format; and no such folder is there",
+            path.display()
+        )),
+    }
+}
+
+/// Seconds, over 0.
+pub(super) fn positive_seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value <= 1e6 => Ok(value),
+        _ => Err("it must be a number above 0, to 1000000".to_string()),
     }
 }
 

@@ -9,6 +9,7 @@ pub mod parallel;
 pub mod play;
 pub mod plot;
 mod print;
+pub mod render;
 pub mod replay;
 pub mod simulate;
 pub mod verify;
@@ -30,6 +31,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Command::Bench(args) => bench::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Optics(args) => optics::run(&args),
         Command::Verify(args) => verify::run(&args),
     }

@@ -7,6 +7,7 @@
 mod detector;
 mod fields;
 mod objects;
+pub mod picture;
 mod scene;
 mod sources;
 mod trace;

@@ -22,6 +22,8 @@ pub struct OpticsScene {
     pub detectors: Vec<Detector>,
     /// The length of a unit: hits nearer to each other than a millionth of it are one.
     pub length_scale: f64,
+    /// Wavelengths have their colours and act.
+    pub colors: bool,
     /// Surfaces that a ray may meet.
     pub most_surfaces: Option<u32>,
     /// What the file says and is not read, sentences.
@@ -77,6 +79,7 @@ impl OpticsScene {
         let mut scene = OpticsScene::default();
         let density = scene.read_top(&top).map_err(|what| one(format!("{name}: {what}")))?;
         let colors = top.flag("simulateColors", false).map_err(|what| one(format!("{name}: {what}")))?;
+        scene.colors = colors;
         let objects = top.list("objs").map_err(|what| one(format!("{name}: {what} of the scene's objects")))?;
         if objects.len() > MOST_OBJECTS {
             return Err(one(format!("{name}: there are {} objects; at most {MOST_OBJECTS} are read", objects.len())));

@@ -30,30 +30,36 @@ pub struct Measurement {
 impl Measurement {
     /// Measures a scene.
     pub fn of(scene: &OpticsScene) -> Measurement {
-        let surfaces = Surfaces::new(&scene.bodies, TOGETHER * scene.length_scale);
-        let limits = SplitLimits {
-            least_power: LEAST_POWER,
-            most_surfaces: scene.most_surfaces.unwrap_or(MOST_SURFACES),
-            most_branches: MOST_BRANCHES,
-        };
         let mut measured: Vec<Measured> = scene.detectors.iter().map(|detector| detector.start()).collect();
-        let mut given_up = GivenUp::default();
-        for source in &scene.rays {
-            let ray = PoweredRay {
-                ray: source.ray,
-                starts_on: StartsOn::NOTHING,
-                wavelength_nm: source.wavelength_nm,
-                power: [0.5 * source.brightness; 2],
-                surfaces: 0,
-            };
-            follow(&surfaces, ray, &limits, &mut given_up, |ray, distance| {
-                let power = ray.power[0] + ray.power[1];
-                for (detector, measured) in scene.detectors.iter().zip(&mut measured) {
-                    detector.count(&ray.ray, distance, power, measured);
-                }
-            });
-        }
+        let given_up = follow_all(scene, |ray, distance| {
+            let power = ray.power[0] + ray.power[1];
+            for (detector, measured) in scene.detectors.iter().zip(&mut measured) {
+                detector.count(&ray.ray, distance, power, measured);
+            }
+        });
         let sent = scene.rays.iter().map(|ray| ray.brightness).sum();
         Measurement { measured, given_up, sent }
     }
+}
+
+/// Follows every ray of a scene along all its branches; `fly` sees each with how far it goes. Gives what was given up.
+pub fn follow_all(scene: &OpticsScene, mut fly: impl FnMut(&PoweredRay, f64)) -> GivenUp {
+    let surfaces = Surfaces::new(&scene.bodies, TOGETHER * scene.length_scale);
+    let limits = SplitLimits {
+        least_power: LEAST_POWER,
+        most_surfaces: scene.most_surfaces.unwrap_or(MOST_SURFACES),
+        most_branches: MOST_BRANCHES,
+    };
+    let mut given_up = GivenUp::default();
+    for source in &scene.rays {
+        let ray = PoweredRay {
+            ray: source.ray,
+            starts_on: StartsOn::NOTHING,
+            wavelength_nm: source.wavelength_nm,
+            power: [0.5 * source.brightness; 2],
+            surfaces: 0,
+        };
+        follow(&surfaces, ray, &limits, &mut given_up, &mut fly);
+    }
+    given_up
 }

@@ -9,6 +9,7 @@ mod late_file;
 pub mod library;
 mod limited_read;
 pub mod new_file;
+pub mod picture_file;
 mod png_file;
 pub mod recordings;
 mod retention;

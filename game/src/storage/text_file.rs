@@ -8,12 +8,20 @@ use std::path::Path;
 /// The largest scene, bytes.
 const LIMIT_BYTES: u64 = 32 << 20;
 
+/// The bytes of the file `path`.
+///
+/// # Errors
+/// If it cannot be read or is too large.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    limited_read::read(path, LIMIT_BYTES).map_err(|error| file_failure("read", path, &error))
+}
+
 /// The text of the file `path`.
 ///
 /// # Errors
 /// If it cannot be read, is too large, or is no text.
 pub fn read(path: &Path) -> Result<String, Failure> {
-    let bytes = limited_read::read(path, LIMIT_BYTES).map_err(|error| file_failure("read", path, &error))?;
+    let bytes = read_bytes(path)?;
     String::from_utf8(bytes).map_err(|error| {
         let line =
             1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|byte| **byte == b'\n').count();

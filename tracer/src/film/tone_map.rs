@@ -48,6 +48,23 @@ pub fn map_on(simd: SimdLevel, radiance: &Radiance, exposure: f32, frame: &mut F
     });
 }
 
+/// The same curve, transfer and dithering for light that is no table's: a picture `width` pixels wide, row by row, without bloom.
+pub fn map_pixels(light: &[[f32; 3]], width: usize, exposure: f32) -> Frame {
+    let noise = blue_noise::thresholds();
+    let pixel = |(at, light): (usize, &[f32; 3])| {
+        let (x, y) = (at % width, at / width);
+        let screen = filmic_curve(light.map(|channel| channel * exposure));
+        let byte = |channel: usize| {
+            let line = (y + 21 * channel) % blue_noise::MATRIX_SIDE * blue_noise::MATRIX_SIDE;
+            let noise = noise[line + (x + LANES * channel) % blue_noise::MATRIX_SIDE];
+            round_to_byte(encode_fast(screen[channel]) * 255.0 + noise)
+        };
+        byte(0) << 16 | byte(1) << 8 | byte(2)
+    };
+    let pixels = light.par_iter().enumerate().map(pixel).collect();
+    Frame { width, height: light.len() / width.max(1), pixels }
+}
+
 /// Copies a tone-mapped tile into rows of pixels `width` wide, as far as they reach.
 pub(crate) fn store_tile(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
     for (row, line) in pixels.chunks_exact_mut(width).zip(tile) {

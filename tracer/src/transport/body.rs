@@ -1,7 +1,7 @@
 //! Bodies: outlines with a material.
 
 use super::{Band, Curve, Material};
-use geometry::{Arc, Circle, Core, DVec2, Segment, Shape, trig};
+use geometry::{Arc, Circle, Core, DVec2, Ray, Segment, Shape, trig};
 use std::f64::consts::{PI, TAU};
 
 /// A piece of a body's outline.
@@ -82,10 +82,28 @@ impl Body {
         Some(Body { edges, material, band: None })
     }
 
+    /// The area that these curves enclose by the even-odd rule: whatever their order and way round, holes in it too.
+    ///
+    /// The curves must be closed together. Each is asked at its middle on which of its sides the body is, by the parity of the
+    /// curves on a ray from there: `curves^2` crossings in all.
+    pub fn enclosed(curves: &[Curve], material: Material) -> Body {
+        let edge = |curve: &Curve| Edge { curve: *curve, inward: is_inside(curves, curve) };
+        Body { edges: curves.iter().map(edge).collect(), material, band: None }
+    }
+
     /// The same on these wavelengths only.
     pub fn in_band(self, band: Band) -> Body {
         Body { band: Some(band), ..self }
     }
+}
+
+/// Whether the side to which a curve's normal points is inside of the curves, by the even-odd rule.
+fn is_inside(curves: &[Curve], curve: &Curve) -> bool {
+    let (middle, normal) = curve.middle();
+    // The ray starts on the curve and leaves along its normal, a little turned so that it meets no corner of a grid.
+    let ray = Ray { origin: middle, direction: trig::rotate(normal, 0.137) };
+    let count = |other: &Curve| other.crossings(&ray, std::ptr::eq(other, curve));
+    curves.iter().map(count).sum::<u32>() % 2 == 1
 }
 
 fn outer(curve: Curve) -> Edge {
@@ -175,6 +193,48 @@ fn area(corners: &[Corner]) -> f64 {
         }
     }
     sum
+}
+
+#[cfg(test)]
+mod enclosed_tests {
+    use super::*;
+    use geometry::rng::SplitMix64;
+
+    /// A ring of glass, its inner rim the other way round, or the same: a point between is in it, one in the hole is not.
+    #[test]
+    fn a_hole_is_no_glass_whichever_way_it_is_drawn() {
+        let rim = |radius: f64, turn: f64| {
+            let circle = disc(DVec2::new(3.0, 4.0), radius);
+            [Curve::Arc(Arc::new(circle, 0.3, turn * PI)), Curve::Arc(Arc::new(circle, 0.3 + turn * PI, turn * PI))]
+        };
+        for turn in [1.0, -1.0] {
+            let curves: Vec<Curve> = rim(20.0, 1.0).into_iter().chain(rim(8.0, turn)).collect();
+            let ring = Body::enclosed(&curves, Material::Absorber);
+            assert_eq!(ring.edges.iter().map(|edge| edge.inward).collect::<Vec<_>>(), [false, false, true, true]);
+        }
+    }
+
+    /// The same outline by its corners in order and by its lines in any order.
+    #[test]
+    fn the_order_of_the_curves_does_not_matter() {
+        let mut random = SplitMix64::new(4);
+        for _ in 0..200 {
+            let count = 3 + (random.next_u64() % 8) as usize;
+            // A star-shaped polygon: every angle once.
+            let corner = |index: usize, random: &mut SplitMix64| {
+                trig::direction(TAU * index as f64 / count as f64) * random.uniform(5.0, 50.0)
+            };
+            let corners: Vec<DVec2> = (0..count).map(|index| corner(index, &mut random)).collect();
+            let by_corners =
+                Body::closed(&corners.iter().map(|at| Corner::Point(*at)).collect::<Vec<_>>(), Material::Absorber);
+            let by_corners = by_corners.expect("it has an area");
+            let mut curves: Vec<Curve> = by_corners.edges.iter().map(|edge| edge.curve).collect();
+            curves.rotate_left(count / 2);
+            let mut enclosed = Body::enclosed(&curves, Material::Absorber);
+            enclosed.edges.rotate_right(count / 2);
+            assert_eq!(by_corners, enclosed);
+        }
+    }
 }
 
 #[cfg(test)]

@@ -51,6 +51,27 @@ impl Curve {
         }
     }
 
+    /// How often a ray crosses the curve.
+    pub fn crossings(&self, ray: &Ray, starts_on: bool) -> u32 {
+        let (mut ray, mut on, mut count) = (*ray, starts_on, 0);
+        while let Some(crossing) = self.cross(&ray, on) {
+            count += 1;
+            // A curve may be crossed twice: from the first crossing on the ray starts on it.
+            ray.origin = ray.at(crossing.distance);
+            on = true;
+        }
+        count
+    }
+
+    /// The point in its middle, and its normal there.
+    pub fn middle(&self) -> (DVec2, DVec2) {
+        match self {
+            Curve::Line(line) => ((line.a + line.b) * 0.5, line.left_normal().unwrap_or(DVec2::X)),
+            Curve::Arc(arc) => (arc.circle().center + arc.middle() * arc.circle().radius, arc.middle()),
+            Curve::Parabola(parabola) => (parabola.vertex, parabola.axis.perp()),
+        }
+    }
+
     /// The smallest box around the curve.
     pub fn bounds(&self) -> Bounds {
         match self {

@@ -57,6 +57,11 @@ impl<'a> PathTracer<'a> {
         PathTracer { surfaces, sources, weights, seed, most_surfaces: super::MOST_SURFACES, absorbs }
     }
 
+    /// The same with another limit of surfaces that a path meets.
+    pub fn with_most_surfaces(self, most_surfaces: u32) -> PathTracer<'a> {
+        PathTracer { most_surfaces, ..self }
+    }
+
     /// The fluence at a point by sample number `sample` of `directions` directions.
     fn fluence(&self, point: DVec2, name: u64, sample: u64, directions: u32) -> [f64; 3] {
         let mut sum = [0.0; 3];
@@ -311,6 +316,11 @@ impl<'a> PathPicture<'a> {
             }
         });
         self.passes += 1;
+    }
+
+    /// Directions that a pass follows from a pixel.
+    pub fn directions(&self) -> u32 {
+        self.directions
     }
 
     /// Passes so far.

@@ -236,6 +236,16 @@ impl<'a> PhotonPicture<'a> {
         self.counts.sent = first + packets;
     }
 
+    /// One packet more for each pixel.
+    pub fn expose_pass(&mut self) {
+        self.expose(self.view.width as u64 * self.view.height as u64);
+    }
+
+    /// Whole passes so far.
+    pub fn passes(&self) -> u64 {
+        self.counts.sent / (self.view.width as u64 * self.view.height as u64).max(1)
+    }
+
     /// How the packets have ended so far.
     pub fn counts(&self) -> &Counts {
         &self.counts

@@ -204,16 +204,8 @@ impl Surfaces {
             if !matches!(self.material(surface.body), Material::Dielectric(_)) {
                 continue;
             }
-            let mut start = ray;
-            let mut on = false;
-            // A curve may be crossed twice.
-            while let Some(crossing) = surface.curve.cross(&start, on) {
+            if surface.curve.crossings(&ray, false) % 2 == 1 {
                 toggle(&mut inside, surface.body);
-                start = Ray { origin: start.at(crossing.distance), ..ray };
-                on = true;
-                if matches!(surface.curve, Curve::Line(_)) {
-                    break;
-                }
             }
         }
         inside.sort_unstable();

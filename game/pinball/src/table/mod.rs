@@ -26,6 +26,8 @@ pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};
 pub use solid::{Finish, Profile, Solid};
 pub use svg::css::style_declarations;
+pub use svg::drawn_shapes::{DrawnLine, DrawnOutline, DrawnPiece, DrawnShape, DrawnShapes};
+pub use svg::element_class::LIGHT_BENDING_WORDS;
 
 use crate::Failure;
 use geometry::DVec2;

@@ -2,7 +2,7 @@
 
 use super::config::{self, Config};
 use super::solids::{self, ShadowGroups};
-use super::source::{self, Diagnostic, Source};
+use super::source::{self, Diagnostic, Source, failures};
 use super::svg::drawing::{Drawing, Element};
 use super::svg::element_class::ElementClass;
 use super::svg::layers;
@@ -16,9 +16,6 @@ use physics::{Layout, Part, PartId};
 pub const FILES: [&str; 3] = ["table.svg", "table.toml", "rules.rhai"];
 /// The largest of each, bytes.
 pub const LIMITS_BYTES: [u64; 3] = [8 << 20, 1 << 20, 1 << 20];
-
-/// Mistakes that are worth reading at once.
-const MAX_REPORTED: usize = 100;
 
 /// What a table is read from.
 #[derive(Clone, Debug)]
@@ -115,20 +112,6 @@ fn without_mark(text: String) -> String {
         Some(rest) => rest.to_string(),
         None => text,
     }
-}
-
-/// The diagnostics as sentences, by file and line.
-fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
-    diagnostics.sort();
-    diagnostics.dedup();
-    let mut failures: Vec<Failure> = diagnostics.iter().take(MAX_REPORTED).map(Diagnostic::failure).collect();
-    if diagnostics.len() > MAX_REPORTED {
-        let rest = &diagnostics[MAX_REPORTED..];
-        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.is_warning()).count();
-        let more = format!("and {mistakes} more mistakes and {} more warnings", rest.len() - mistakes);
-        failures.push(if mistakes > 0 { Failure::new(more) } else { Failure::warning(more) });
-    }
-    failures
 }
 
 /// What every table must have.

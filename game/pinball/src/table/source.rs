@@ -5,6 +5,9 @@
 use crate::Failure;
 use std::fmt;
 
+/// Mistakes that are worth reading at once.
+const MAX_REPORTED: usize = 100;
+
 /// What people should see as the path of the file `name` of a table from `origin`.
 pub(super) fn path(origin: &str, name: &str) -> String {
     if origin.is_empty() || origin.ends_with('/') { format!("{origin}{name}") } else { format!("{origin}/{name}") }
@@ -53,6 +56,20 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+/// The diagnostics as sentences, by file and line.
+pub(in crate::table) fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failure> {
+    diagnostics.sort();
+    diagnostics.dedup();
+    let mut failures: Vec<Failure> = diagnostics.iter().take(MAX_REPORTED).map(Diagnostic::failure).collect();
+    if diagnostics.len() > MAX_REPORTED {
+        let rest = &diagnostics[MAX_REPORTED..];
+        let mistakes = rest.iter().filter(|diagnostic| !diagnostic.is_warning()).count();
+        let more = format!("and {mistakes} more mistakes and {} more warnings", rest.len() - mistakes);
+        failures.push(if mistakes > 0 { Failure::new(more) } else { Failure::warning(more) });
+    }
+    failures
+}
+
 /// What bytes are that begin as no text in UTF-8 does, and what to do.
 fn other_than_text(bytes: &[u8]) -> Option<&'static str> {
     let utf_16 = "this is text in UTF-16; save the file as UTF-8";
@@ -67,7 +84,7 @@ fn other_than_text(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// A text file that has been read whole.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Source {
     /// The path as people should see it.
     pub path: String,

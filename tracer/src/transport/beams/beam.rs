@@ -2,7 +2,7 @@
 
 use super::trapezoid::Trapezoid;
 use crate::View;
-use crate::transport::SplatFilm;
+use crate::transport::{PixelSegment, SplatFilm};
 use geometry::DVec2;
 
 /// A straight piece of a beam, in pixels.
@@ -12,6 +12,9 @@ pub struct Piece {
     /// Where they end.
     pub to: [DVec2; 4],
 }
+
+/// A beam whose rays are all this near to their middle is laid as one ray, pixels.
+const THIN_PX: f64 = 0.25;
 
 fn mean(places: &[DVec2; 4]) -> DVec2 {
     (places[0] + places[1] + places[2] + places[3]) * 0.25
@@ -31,6 +34,10 @@ impl Piece {
         let length = way.length();
         if !(length > 0.0 && length.is_finite()) {
             return;
+        }
+        if self.is_thin(from, to) {
+            let color = |gone: f64| color(gone / length).map(|channel| channel as f32);
+            return film.splat_varying(&PixelSegment { from, to }, color);
         }
         // Rows if it crosses them more squarely than columns.
         let major = if way.y.abs() >= way.x.abs() { 1 } else { 0 };
@@ -56,6 +63,14 @@ impl Piece {
             lay(film, &spread, row as usize, major, size[minor], light);
             row += 1.0;
         }
+    }
+
+    /// Whether it is so narrow all the way that its middle says where it is.
+    fn is_thin(&self, from: DVec2, to: DVec2) -> bool {
+        let near = |places: &[DVec2; 4], middle: DVec2| {
+            places.iter().all(|place| place.distance_squared(middle) <= THIN_PX * THIN_PX)
+        };
+        near(&self.from, from) && near(&self.to, to)
     }
 
     /// Where a corner's ray is as it crosses the middle of a row.

@@ -4,7 +4,7 @@
 //! then its place, styles inherited from where it stands.
 
 use super::css::{self, Cascade, Instance};
-use super::drawing::element_class;
+use super::drawing::{element_class, is_thing};
 use super::page::SVG;
 use super::references::{Links, href, is_use, plain_href};
 use super::text_edit::{escaped, prefix};
@@ -50,7 +50,7 @@ fn holds_things(node: Node, links: &Links, known: &mut [Option<bool>]) -> bool {
         return holds;
     }
     let target = links.target(node).filter(|_| is_use(node));
-    let holds = element_class(node).is_some()
+    let holds = is_thing(node)
         || target.is_some_and(|target| holds_things(target, links, known))
         || node.children().any(|child| holds_things(child, links, known));
     known[number] = Some(holds);

@@ -2,10 +2,11 @@
 //!
 //! Refuses to know what `table.toml` says and what an element is good for.
 
-use super::element_class::ElementClass;
+use super::element_class::{ElementClass, LIGHT_BENDING_WORDS};
 use super::ids::Ids;
 use super::outline::Outline;
 use super::page::{Page, SVG};
+use super::path_flattening::Curves;
 use super::style::{self, Paint};
 use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
@@ -145,6 +146,12 @@ pub(in crate::table) fn element_class(node: Node) -> Option<ElementClass> {
     classes(node).next()
 }
 
+/// Whether an XML element is a thing: an element of the table, or what bends light in a rendered scene.
+pub(in crate::table) fn is_thing(node: Node) -> bool {
+    let mut words = node.attribute("class").unwrap_or("").split_ascii_whitespace();
+    words.any(|word| ElementClass::from_word(word).is_some() || LIGHT_BENDING_WORDS.contains(&word))
+}
+
 fn classes<'a>(node: Node<'a, '_>) -> impl Iterator<Item = ElementClass> + 'a {
     node.attribute("class").unwrap_or("").split_ascii_whitespace().filter_map(ElementClass::from_word)
 }
@@ -203,7 +210,10 @@ impl Reader<'_> {
             } else if !is_thing && !self.written.styled.contains(word) && self.words.insert(word.to_string()) {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
                 let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
-                let what = format!("the class `{word}` means nothing{meant}");
+                let what = match LIGHT_BENDING_WORDS.contains(&word) {
+                    true => format!("a table in play does not bend light: what has the class `{word}` is art there"),
+                    false => format!("the class `{word}` means nothing{meant}"),
+                };
                 self.diagnostics.push(self.source.diagnostic(node.range().start, what).into_warning());
             }
         }
@@ -335,14 +345,14 @@ fn words_of_data(class: ElementClass) -> String {
 }
 
 /// Whether an element is drawn as far as a `<switch>` around it says: that draws the first that needs nothing special.
-fn is_chosen(node: Node) -> bool {
+pub(super) fn is_chosen(node: Node) -> bool {
     let plain = |node: &Node| node.is_element() && !node.has_attribute("requiredExtensions");
     let switch = node.parent().filter(|around| around.has_tag_name((SVG, "switch")));
     switch.is_none_or(|switch| switch.children().find(plain) == Some(node))
 }
 
 /// The transform of what is in an inner `<svg>`.
-fn inner_svg(outer: Transform, node: Node) -> Result<Transform, String> {
+pub(super) fn inner_svg(outer: Transform, node: Node) -> Result<Transform, String> {
     outer.transformed(&viewport::transform(node, None)?)
 }
 
@@ -357,7 +367,7 @@ fn is_nothing(opacity: &str) -> bool {
 }
 
 /// What a browser lets a sheet or a `style` say of where and how large something is, and what only it does.
-fn placed_by_style<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+pub(super) fn placed_by_style<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let inside = node.ancestors().filter(|outer| outer.parent_element().is_some());
     let declared = inside.flat_map(|outer| {
         let style = css::style_declarations(outer.attribute("style").unwrap_or("")).map(|(name, _)| name);
@@ -380,7 +390,7 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         class,
         name: name.to_string(),
         at: node.range().start,
-        outline: Outline::of(node, transform, scale)?,
+        outline: Outline::of(node, transform, scale, Curves::Chords)?,
         thickness_mm,
         fill: style::fill(node)?,
         stroke: style::stroke(node)?,

@@ -32,6 +32,9 @@ pub(in crate::table) enum ElementClass {
     Plastic,
 }
 
+/// Words of rendered scenes for what bends or turns light; a table in play takes what has them for art.
+pub const LIGHT_BENDING_WORDS: [&str; 4] = ["glass", "prism", "lens", "mirror"];
+
 /// A parameter: a number that `table.toml` may give.
 #[derive(Debug)]
 pub(in crate::table) struct Parameter {

@@ -1,7 +1,7 @@
 //! Hidden things: what a sheet takes off the table, far from where it is drawn.
 
 use super::clones::Holders;
-use super::drawing::element_class;
+use super::drawing::is_thing;
 use super::{css, style};
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
@@ -27,8 +27,8 @@ pub(super) fn warning<'d>(
     let mut hidden = document.descendants().filter(by_sheet);
     let first = hidden.next()?;
     let name = first.tag_name().name();
-    let what = match first.descendants().filter(|node| element_class(*node).is_some()).count() {
-        _ if element_class(first).is_some() => "it is not on the table".to_string(),
+    let what = match first.descendants().filter(|node| is_thing(*node)).count() {
+        _ if is_thing(first) => "it is not on the table".to_string(),
         0 | 1 => "what is in it is not on the table".to_string(),
         things => format!("the {things} things in it are not on the table"),
     };

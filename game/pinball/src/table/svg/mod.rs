@@ -3,11 +3,13 @@
 //! Refuses to know what a thing on a table does.
 
 mod amount;
+mod biarc;
 mod class_typo;
 mod clones;
 mod color;
 pub(super) mod css;
 pub(super) mod drawing;
+pub(super) mod drawn_shapes;
 pub(super) mod element_class;
 mod hidden;
 pub(super) mod ids;

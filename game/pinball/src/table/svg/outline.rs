@@ -1,7 +1,7 @@
 //! Outlines: what one element draws, on the table, in millimetres.
 
 use super::path_data;
-use super::path_flattening::{self, Ellipse, PathFlattener, Piece, Subpath};
+use super::path_flattening::{self, Curves, Ellipse, PathFlattener, Piece, Subpath};
 use super::style;
 use super::transform::Transform;
 use geometry::{Bounds, Circle, DVec2, Segment};
@@ -17,9 +17,9 @@ pub(in crate::table) enum Outline {
 }
 
 impl Outline {
-    /// What `node` draws at `place`, which enlarges by `scale`.
-    pub fn of(node: Node, transform: Transform, scale: f64) -> Result<Outline, String> {
-        let mut pen = PathFlattener::new(transform, scale);
+    /// What `node` draws at `place`, which enlarges by `scale`; its curves become these.
+    pub fn of(node: Node, transform: Transform, scale: f64, curves: Curves) -> Result<Outline, String> {
+        let mut pen = PathFlattener::new(transform, scale, curves);
         match node.tag_name().name() {
             "circle" => return circle(node, transform, scale).map(Outline::Circle),
             "line" => {
@@ -30,6 +30,7 @@ impl Outline {
                 pen.line(point(node, "x2", "y2")?)?;
             }
             "rect" => rect(node, &mut pen)?,
+            "ellipse" if curves == Curves::Arcs => ellipse(node, &mut pen)?,
             "polyline" => corners(node, &mut pen)?,
             "polygon" => {
                 corners(node, &mut pen)?;
@@ -123,6 +124,19 @@ fn circle(node: Node, transform: Transform, scale: f64) -> Result<Circle, String
     } else {
         Err("its radius `r` must be more than 0".to_string())
     }
+}
+
+fn ellipse(node: Node, pen: &mut PathFlattener) -> Result<(), String> {
+    let (middle, radii) = (point(node, "cx", "cy")?, point(node, "rx", "ry")?);
+    if radii.min_element() <= 0.0 {
+        return Err("its radii `rx` and `ry` must be more than 0".to_string());
+    }
+    let half = Ellipse { rx: radii.x, ry: radii.y, turn_deg: 0.0, large: false, sweep: true };
+    let ends = [middle - DVec2::X * radii.x, middle + DVec2::X * radii.x];
+    pen.start(ends[0])?;
+    pen.arc(ends[0], half, ends[1])?;
+    pen.arc(ends[1], half, ends[0])?;
+    pen.close()
 }
 
 fn corners(node: Node, pen: &mut PathFlattener) -> Result<(), String> {

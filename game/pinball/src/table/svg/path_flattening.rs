@@ -3,6 +3,7 @@
 //! Refuses to know how SVG writes them. Curves that are neither are flattened to [`TOLERANCE_MM`] with nothing but `+ - * / sqrt` and
 //! [`geometry::trig`], so that a drawing gives the same bits on every machine.
 
+use super::biarc;
 use super::transform::Transform;
 use geometry::{Arc, Circle, DVec2, Segment, Shape, trig};
 use std::f64::consts::{PI, TAU};
@@ -46,8 +47,18 @@ pub(in crate::table) struct Subpath {
     pub closed: bool,
 }
 
+/// What curves become that are neither straight nor circular.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::table) enum Curves {
+    /// Chords, for what is hit by balls.
+    Chords,
+    /// Arcs, for what bends light.
+    Arcs,
+}
+
 /// Draws subpaths; coordinates go in as the element has them and come out on the table.
 pub(in crate::table) struct PathFlattener {
+    curves: Curves,
     transform: Transform,
     scale: f64,
     subpaths: Vec<Subpath>,
@@ -57,8 +68,8 @@ pub(in crate::table) struct PathFlattener {
 
 impl PathFlattener {
     /// A pen at `place`, which enlarges by `scale`.
-    pub fn new(transform: Transform, scale: f64) -> PathFlattener {
-        PathFlattener { transform, scale, subpaths: Vec::new(), pieces: 0, pen: DVec2::ZERO }
+    pub fn new(transform: Transform, scale: f64, curves: Curves) -> PathFlattener {
+        PathFlattener { curves, transform, scale, subpaths: Vec::new(), pieces: 0, pen: DVec2::ZERO }
     }
 
     /// What has been drawn, without subpaths that have no length.
@@ -137,14 +148,46 @@ impl PathFlattener {
     pub fn cubic(&mut self, own: [DVec2; 3]) -> Result<(), String> {
         let from = self.pen;
         let [b, c, to] = [self.to_table(own[0])?, self.to_table(own[1])?, self.to_table(own[2])?];
+        let at = |t: f64| {
+            let s = 1.0 - t;
+            from * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + to * (t * t * t)
+        };
+        if self.curves == Curves::Arcs {
+            return self.arcs_along(at);
+        }
         // A chord of a curve is off by at most an eighth of the second derivative, over the count squared.
         let bend = 6.0 * (from - b * 2.0 + c).length().max((b - c * 2.0 + to).length());
         let count = steps((bend / (8.0 * TOLERANCE_MM)).sqrt());
         for step in 1..=count {
-            let t = step as f64 / count as f64;
-            let s = 1.0 - t;
-            let point = from * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + to * (t * t * t);
+            let point = at(step as f64 / count as f64);
             self.line_on_table(if step == count { to } else { point })?;
+        }
+        Ok(())
+    }
+
+    /// A curve on the table, from 0 to 1, as arcs.
+    fn arcs_along(&mut self, curve: impl Fn(f64) -> DVec2) -> Result<(), String> {
+        for (piece, to) in biarc::arcs_along(curve) {
+            if let Piece::Arc(arc) = piece {
+                self.see_arc(&arc, self.pen)?;
+            }
+            self.push(piece, to)?;
+        }
+        Ok(())
+    }
+
+    /// Corners between an arc's ends, as many as can be seen.
+    fn see_arc(&mut self, arc: &Arc, from: DVec2) -> Result<(), String> {
+        let Circle { center, radius } = arc.circle();
+        let steps = arc_steps(radius, 2.0 * arc.half_angle(), VISIBLE_MM);
+        self.count(steps)?;
+        let [a, b] = arc.ends();
+        let backwards = a.distance_squared(from) > b.distance_squared(from);
+        for step in 1..steps {
+            let part = step as f64 / steps as f64;
+            let part = if backwards { 1.0 - part } else { part };
+            let turned = trig::rotate(arc.middle(), (2.0 * part - 1.0) * arc.half_angle());
+            self.subpath().polygon.push(center + turned * radius);
         }
         Ok(())
     }
@@ -196,10 +239,20 @@ impl PathFlattener {
         let (a, b) = (squeeze(from), squeeze(to));
         let (center, start, sweep) = through(a, b, rx, ellipse.large, ellipse.sweep);
         rx = center.distance(a);
+        let at = |part: f64| {
+            let on_circle = center + trig::direction(start + sweep * part) * rx;
+            trig::rotate(DVec2::new(on_circle.x, on_circle.y * stretch_y), turn)
+        };
+        if self.curves == Curves::Arcs {
+            let transform = self.transform;
+            return self.arcs_along(|part| {
+                let own = at(part);
+                transform.point(own.x, own.y)
+            });
+        }
         let count = arc_steps(rx.max(rx * stretch_y) * self.scale, sweep, TOLERANCE_MM);
         for step in 1..count {
-            let on_circle = center + trig::direction(start + sweep * (step as f64 / count as f64)) * rx;
-            self.line(trig::rotate(DVec2::new(on_circle.x, on_circle.y * stretch_y), turn))?;
+            self.line(at(step as f64 / count as f64))?;
         }
         self.line(to)
     }

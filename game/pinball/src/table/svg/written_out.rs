@@ -5,7 +5,7 @@
 
 use super::clones::{Cloner, Holders, XML};
 use super::css::{self, Cascade, Instance};
-use super::drawing::element_class;
+use super::drawing::is_thing;
 use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
@@ -107,7 +107,7 @@ impl Writer<'_, '_, '_> {
         if css::is_sheet(node) {
             return self.put(node.range(), "");
         }
-        if is_use(node) && drawn && element_class(node).is_none() && self.cloner.holders.has(node) {
+        if is_use(node) && drawn && !is_thing(node) && self.cloner.holders.has(node) {
             return self.clone_of_things(node);
         }
         let is_inner_svg = node.has_tag_name((SVG, "svg")) && node.parent_element().is_some();
@@ -204,7 +204,7 @@ impl Writer<'_, '_, '_> {
         let copied = std::mem::take(&mut self.cloner.copied);
         let is_template = |node: &Node| {
             let is_drawn = node.ancestors().skip(1).filter(Node::is_element).all(is_container);
-            copied.contains(&node.id().get_usize()) && element_class(*node).is_some() && !is_drawn
+            copied.contains(&node.id().get_usize()) && is_thing(*node) && !is_drawn
         };
         for node in document.descendants().filter(is_template) {
             let of_thing = |name: &str| name == "class" || name.starts_with("data-");

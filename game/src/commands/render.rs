@@ -1,0 +1,186 @@
+//! `caustic render`: drawings as pictures of their light.
+
+use super::parallel;
+use super::print::print_lines;
+use crate::cli::{LightIntegrator, RenderArgs};
+use crate::drawn_scene::DrawnScene;
+use crate::optics::{OpticsScene, picture};
+use crate::rendering::{
+    Develop, Integrator, Passes, Picture, Settings, Stopped, add_art, develop, finds_all_by_beams, weights,
+};
+use crate::screen::Size;
+use crate::storage::picture_file::{self, LinearPicture};
+use crate::storage::text_file;
+use crate::{Failure, art, interrupt, tell};
+use geometry::DVec2;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use tracer::View;
+use tracer::transport::{Counts, Scene};
+
+/// The longer side of a picture, pixels, where no size is given.
+const USUAL_SIDE: f64 = 1080.0;
+/// Samples where nothing is said.
+const SAMPLES: u32 = 64;
+/// Beams of a family where nothing is said.
+const BEAMS: u32 = 512;
+
+/// Renders the scenes that the arguments name.
+///
+/// # Errors
+/// If a scene cannot be read or rendered, or a picture cannot be written; the others are rendered all the same.
+pub fn run(args: &RenderArgs) -> Result<(), Failure> {
+    let pool = parallel::pool(args.threads)?;
+    interrupt::listen(|| {})?;
+    let mut failures = Vec::new();
+    for scene in &args.scenes {
+        let out = place(args, scene);
+        if let Err(failure) = pool.install(|| render(args, scene, &out)) {
+            failures.push(failure);
+        }
+        if interrupt::is_interrupted() {
+            break;
+        }
+    }
+    if failures.is_empty() { Ok(()) } else { Err(Failure::of_many(failures)) }
+}
+
+/// Where a scene's picture is to be.
+fn place(args: &RenderArgs, scene: &Path) -> PathBuf {
+    let name = PathBuf::from(scene.file_name().unwrap_or(scene.as_os_str())).with_extension("png");
+    match &args.out {
+        None => name,
+        Some(out) if args.scenes.len() > 1 || out.is_dir() => out.join(name),
+        Some(out) => out.clone(),
+    }
+}
+
+/// A picture and what its file says of it.
+struct Rendered {
+    picture: Picture,
+    metadata: Vec<(&'static str, String)>,
+    /// What a person is told, after the name of the file.
+    report: String,
+}
+
+fn render(args: &RenderArgs, scene: &Path, out: &Path) -> Result<(), Failure> {
+    let name = scene.display().to_string();
+    let is_json = scene.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
+    let begin = Instant::now();
+    let rendered = if is_json { optics(args, scene, &name)? } else { drawing(args, scene, &name, begin)? };
+    let Rendered { picture, mut metadata, report } = rendered;
+    metadata.push(("Software", format!("Caustic {}", env!("CARGO_PKG_VERSION"))));
+    metadata.push(("Source", scene.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())));
+    picture_file::save(LinearPicture { width: picture.width, pixels: &picture.pixels }, &metadata, out)?;
+    let size = format!("{}x{}", picture.width, picture.height);
+    print_lines([format!("{}: {size}, {report}, {:.1} s", out.display(), begin.elapsed().as_secs_f64())])
+}
+
+/// The view of a page.
+fn view(args: &RenderArgs, size_mm: DVec2) -> View {
+    let usual = || {
+        let pixels = (size_mm * (USUAL_SIDE / size_mm.max_element())).round();
+        Size { width: pixels.x.max(1.0) as usize, height: pixels.y.max(1.0) as usize }
+    };
+    let Size { width, height } = args.size.unwrap_or_else(usual);
+    View::fit(width, height, size_mm)
+}
+
+fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Result<Rendered, Failure> {
+    let drawn = DrawnScene::read(name, text_file::read_bytes(scene)?).map_err(Failure::of_many)?;
+    drawn.warnings.iter().for_each(tell);
+    let view = view(args, drawn.size_mm);
+    let settings = settings(args, &drawn.scene);
+    let art = art::drawing(&drawn.svg, drawn.size_mm, &view).map_err(|failure| failure.in_file(name))?;
+    let mut passes = Passes::new(&drawn.scene, view, &settings);
+    let stopped = run_passes(args, &mut passes, begin).map_err(|why| Failure::new(format!("{name}: {why}")))?;
+    let (done, all) = passes.steps();
+    if !passes.is_whole() {
+        let what = "it was stopped before its first pass was whole, so there is no picture";
+        return Err(Failure::new(format!("{name}: {what}; give it more time, or fewer --samples")));
+    }
+    let (mut picture, factor) = develop(&passes.fluence(), &view, &Develop { stops: args.exposure });
+    add_art(&mut picture, &art, drawn.ambient);
+    let mut report = format!("{}, {}", integrator_name(settings.integrator), passes.unit(done));
+    if stopped == Stopped::Early {
+        report += &format!(" of {all} (stopped early)");
+    }
+    if let Some(Counts { sent, given_up, .. }) = passes.counts().filter(|counts| counts.given_up > 0) {
+        let part = given_up as f64 / sent as f64;
+        report += &format!(", {:.4} % of the light given up after too many surfaces", 100.0 * part);
+    }
+    let mut metadata = vec![
+        ("Integrator", integrator_name(settings.integrator).to_string()),
+        ("Samples", settings.samples.to_string()),
+        ("Passes", format!("{done} of {all}")),
+        ("Seed", settings.seed.to_string()),
+        ("Exposure", format!("{factor:e}")),
+    ];
+    metadata.extend(settings.white_kelvin.map(|kelvin| ("White", format!("{kelvin} K"))));
+    Ok(Rendered { picture, metadata, report })
+}
+
+fn run_passes(args: &RenderArgs, passes: &mut Passes, begin: Instant) -> Result<Stopped, String> {
+    let limit = args.seconds.map(Duration::from_secs_f64);
+    let (_, all) = passes.steps();
+    let bar = parallel::progress_bar(all, "passes");
+    let stopped = passes.run(|done, _| {
+        bar.set_position(done);
+        // One pass at least is made, however little time there is.
+        let is_over = limit.is_some_and(|limit| begin.elapsed() >= limit) && done > 0;
+        !is_over && !interrupt::is_interrupted()
+    });
+    bar.finish_and_clear();
+    stopped
+}
+
+fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
+    let integrator = match args.integrator {
+        Some(LightIntegrator::Exact) => Integrator::Exact,
+        Some(LightIntegrator::Photons) => Integrator::Photons,
+        Some(LightIntegrator::Beams) => Integrator::Beams,
+        Some(LightIntegrator::Path) => Integrator::Path,
+        Some(LightIntegrator::MonteCarlo) => Integrator::MonteCarlo,
+        None if finds_all_by_beams(scene) => Integrator::Beams,
+        None => Integrator::Photons,
+    };
+    let usual = match integrator {
+        Integrator::Beams => BEAMS,
+        Integrator::Exact => 1,
+        _ => SAMPLES,
+    };
+    let samples = args.samples.unwrap_or(usual);
+    Settings { integrator, samples, seed: args.seed, depth: args.depth, white_kelvin: args.white }
+}
+
+fn integrator_name(integrator: Integrator) -> &'static str {
+    match integrator {
+        Integrator::Exact => "exact",
+        Integrator::MonteCarlo => "monte-carlo",
+        Integrator::Photons => "photons",
+        Integrator::Path => "path",
+        Integrator::Beams => "beams",
+    }
+}
+
+/// A ray-optics scene: its own list of rays, without chance.
+fn optics(args: &RenderArgs, scene: &Path, name: &str) -> Result<Rendered, Failure> {
+    let chosen = args.integrator.is_some() || args.samples.is_some() || args.seconds.is_some();
+    if chosen {
+        return Err(Failure::new(format!(
+            "{name}: a ray-optics scene has a list of rays of its own; leave --integrator, --samples and --seconds away"
+        )));
+    }
+    let scene = OpticsScene::parse(name, &text_file::read(scene)?).map_err(Failure::of_many)?;
+    scene.warnings.iter().for_each(|what| tell(&Failure::warning(what.clone())));
+    let bounds = picture::frame(&scene);
+    let bounds =
+        bounds.ok_or_else(|| Failure::new(format!("{name}: there is nothing in this scene that could be seen")))?;
+    let View { width, height, mm_per_px, origin_mm } = view(args, bounds.size());
+    let view = View { width, height, mm_per_px, origin_mm: origin_mm + bounds.min };
+    let weights = weights(args.white);
+    let fluence = picture::fluence(&scene, &view, &weights);
+    let (picture, factor) = develop(&fluence, &view, &Develop { stops: args.exposure });
+    let metadata = vec![("Integrator", "rays".to_string()), ("Exposure", format!("{factor:e}"))];
+    Ok(Rendered { picture, metadata, report: format!("{} rays", scene.rays.len()) })
+}

@@ -1,0 +1,165 @@
+//! A drawing as a scene of light.
+
+use super::attributes::Attributes;
+use super::{body, lamp, material};
+use crate::Failure;
+use geometry::DVec2;
+use pinball::table::{DrawnShape, DrawnShapes, LIGHT_BENDING_WORDS};
+use tracer::transport::{Body, Dielectric, LightSource, Material, Scene, Surfaces, TOLERANCE_MM};
+
+/// Words of a scene beside the table's.
+const OWN_WORDS: [&str; 5] = ["glass", "prism", "lens", "mirror", "lamp"];
+/// A table's words for what has no place in a scene of light.
+const ART_WORDS: [&str; 2] = ["insert", "plastic"];
+/// Light from everywhere, where nothing is said: what is drawn is just seen.
+const AMBIENT: f64 = 0.1;
+/// What is left of light after a millimetre of glass in which a lamp could not be seen at all.
+const OPAQUE: f64 = 1e-9;
+
+/// What a drawing says of light.
+#[derive(Clone, Debug)]
+pub struct DrawnScene {
+    /// Its bodies and lamps, mm.
+    pub scene: Scene,
+    /// Width and height of the page, mm: the picture shows it whole.
+    pub size_mm: DVec2,
+    /// The drawing itself, as SVG text: what is seen of it without any lamp.
+    pub svg: String,
+    /// Light from everywhere in which the drawing is seen, as a part of full light.
+    pub ambient: f64,
+    /// What is odd in the drawing and yet no mistake.
+    pub warnings: Vec<Failure>,
+}
+
+/// What a shape is in a scene.
+enum Thing {
+    Bodies(Vec<Body>),
+    Lamp(LightSource),
+    Art,
+}
+
+impl DrawnScene {
+    /// Reads the drawing in the file `path`, which holds `bytes`.
+    ///
+    /// # Errors
+    /// One sentence for each mistake: file, line, what was expected.
+    pub fn read(path: &str, bytes: Vec<u8>) -> Result<DrawnScene, Vec<Failure>> {
+        let drawn = DrawnShapes::read(path, bytes, &OWN_WORDS)?;
+        let mut mistakes = Vec::new();
+        let mut warnings = drawn.warnings.clone();
+        let mut scene = Scene::default();
+        let mut lamps = Vec::new();
+        for shape in &drawn.shapes {
+            let attributes = Attributes::new(shape);
+            match thing(shape, &attributes) {
+                Ok(Thing::Bodies(bodies)) => scene.bodies.extend(bodies),
+                Ok(Thing::Lamp(lamp)) => {
+                    scene.sources.push(lamp);
+                    lamps.push(shape);
+                }
+                Ok(Thing::Art) => continue,
+                Err(why) => {
+                    mistakes.push(drawn.mistake(shape, format!("{}: {why}", name(shape))));
+                    continue;
+                }
+            }
+            warnings.extend(unread(shape, &attributes).map(|what| drawn.warning(shape, what)));
+        }
+        if mistakes.is_empty() {
+            let dark = lamps.iter().zip(lamps_in_the_dark(&scene)).filter_map(|(shape, why)| Some((shape, why?)));
+            mistakes.extend(dark.map(|(shape, why)| drawn.mistake(shape, format!("{}: {why}", name(shape)))));
+        }
+        if mistakes.is_empty() && scene.sources.is_empty() {
+            mistakes.push(Failure::new(format!(
+                "{path}: there is no lamp, so the picture would be black; give a circle or a line class=\"lamp\""
+            )));
+        }
+        let ambient = ambient(&drawn).map_err(|why| mistakes.push(drawn.mistake_of_all(why))).unwrap_or(AMBIENT);
+        if mistakes.is_empty() {
+            Ok(DrawnScene { scene, size_mm: drawn.size_mm, svg: drawn.svg, ambient, warnings })
+        } else {
+            Err(mistakes)
+        }
+    }
+}
+
+/// The light from everywhere that the drawing says.
+fn ambient(drawn: &DrawnShapes) -> Result<f64, String> {
+    let Some(text) = drawn.data.get("ambient") else { return Ok(AMBIENT) };
+    match text.parse::<f64>() {
+        Ok(ambient) if (0.0..=1.0).contains(&ambient) => Ok(ambient),
+        _ => Err(format!("its `data-ambient` is `{text}`; write a number from 0 to 1")),
+    }
+}
+
+/// What a shape is called.
+fn name(shape: &DrawnShape) -> String {
+    shape.id.clone().unwrap_or_else(|| word(shape).to_string())
+}
+
+/// The word of its class that counts.
+fn word(shape: &DrawnShape) -> &str {
+    let own = shape.words.iter().find(|word| OWN_WORDS.contains(&word.as_str()));
+    own.or(shape.words.first()).map_or("", String::as_str)
+}
+
+fn unread<'a>(shape: &'a DrawnShape, attributes: &Attributes<'a>) -> impl Iterator<Item = String> {
+    let known: Vec<String> = attributes.known().into_iter().map(|name| format!("data-{name}")).collect();
+    let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
+    let (name, word) = (name(shape), word(shape).to_string());
+    let unread = attributes.unread().into_iter().map(str::to_string).collect::<Vec<_>>();
+    // What a table says of its things is no mistake in a scene.
+    let is_tables = !OWN_WORDS.contains(&word.as_str());
+    unread
+        .into_iter()
+        .filter(move |_| !is_tables)
+        .map(move |unread| format!("{name}: a {word} has no `data-{unread}`, so it says nothing; it may have {known}"))
+}
+
+fn thing(shape: &DrawnShape, attributes: &Attributes) -> Result<Thing, String> {
+    let own: Vec<&str> = shape.words.iter().map(String::as_str).filter(|word| OWN_WORDS.contains(word)).collect();
+    if let [one, other, ..] = own[..] {
+        return Err(format!("it is both {one} and {other}; a thing is one of them"));
+    }
+    match word(shape) {
+        "lamp" => Ok(Thing::Lamp(lamp::source(shape, attributes)?)),
+        "mirror" => {
+            let (of, band) = material::mirror(attributes)?;
+            if matches!(of, Material::IdealMirror { .. }) && body::straight(shape).is_none() {
+                return Err("a mirror with `data-focal-mm` is one straight line".to_string());
+            }
+            Ok(Thing::Bodies(vec![Body { band, ..body::line(shape, of) }]))
+        }
+        "lens" if !body::is_closed(shape) => {
+            if body::straight(shape).is_none() {
+                return Err(
+                    "a lens is one straight line with `data-focal-mm`, or a closed outline of glass".to_string()
+                );
+            }
+            Ok(Thing::Bodies(vec![body::line(shape, material::ideal_lens(attributes)?)]))
+        }
+        word if LIGHT_BENDING_WORDS.contains(&word) => {
+            let of = material::glass(shape, attributes)?;
+            let body = body::area(shape, of);
+            let body = body.ok_or("its outline is open, so nobody knows where the glass ends; end its path with Z")?;
+            Ok(Thing::Bodies(vec![body]))
+        }
+        word if ART_WORDS.contains(&word) => Ok(Thing::Art),
+        _ => Ok(Thing::Bodies(body::solid(shape, material::wall(shape)?))),
+    }
+}
+
+/// For each lamp why none of its light comes out, if that is so.
+fn lamps_in_the_dark(scene: &Scene) -> Vec<Option<String>> {
+    let surfaces = Surfaces::new(&scene.bodies, TOLERANCE_MM);
+    let why = |lamp: &LightSource| {
+        let media = surfaces.media_at(lamp.form.middle());
+        let is_opaque = |glass: &Dielectric| glass.transmittance_per_mm.iter().all(|left| *left <= OPAQUE);
+        let inside = media.iter().any(|body| match surfaces.material(*body) {
+            Material::Dielectric(glass) => is_opaque(glass),
+            _ => false,
+        });
+        inside.then(|| "it lies in glass that absorbs all of its light; give that glass a lighter tint".to_string())
+    };
+    scene.sources.iter().map(why).collect()
+}

@@ -1,0 +1,29 @@
+//! From fluence, signed, to a picture: exposure, then the gamut, once.
+
+use super::Picture;
+use super::exposure;
+use tracer::transport::into_gamut;
+use tracer::{View, srgb};
+
+/// How light becomes a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Develop {
+    /// Stops brighter than the automatic exposure: each doubles the light.
+    pub stops: f64,
+}
+
+/// The picture, and the factor by which the light was multiplied.
+pub fn develop(fluence: &[[f64; 3]], view: &View, develop: &Develop) -> (Picture, f64) {
+    let factor = exposure::automatic(fluence) * libm::exp2(develop.stops);
+    let pixels =
+        fluence.iter().map(|color| into_gamut(color.map(|channel| channel * factor)).map(|channel| channel as f32));
+    (Picture { width: view.width, height: view.height, pixels: pixels.collect() }, factor)
+}
+
+/// Adds what is drawn, in an even light that is `ambient` of full light: pixels premultiplied, in sRGB.
+pub fn add_art(picture: &mut Picture, art: &[[u8; 4]], ambient: f64) {
+    for (light, [red, green, blue, _]) in picture.pixels.iter_mut().zip(art) {
+        let drawn = srgb::decode_rgb8([*red, *green, *blue]);
+        (0..3).for_each(|channel| light[channel] += drawn[channel] * ambient as f32);
+    }
+}

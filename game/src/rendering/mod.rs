@@ -1,0 +1,13 @@
+//! Rendering of scenes of light: an integrator, pass by pass, to a picture that can be shown or saved.
+
+mod develop;
+mod direct;
+mod exposure;
+mod passes;
+mod picture;
+#[cfg(test)]
+mod tests;
+
+pub use develop::{Develop, add_art, develop};
+pub use passes::{Integrator, Passes, Settings, Stopped, finds_all_by_beams, weights};
+pub use picture::Picture;

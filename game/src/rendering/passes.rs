@@ -1,0 +1,198 @@
+//! Passes: an integrator at work, which can be stopped after any whole pass.
+
+use super::direct;
+use tracer::View;
+use tracer::monte_carlo::Sampling;
+use tracer::transport::beams::{BeamOptions, BeamPicture, BeamTracer};
+use tracer::transport::spectrum::{Emission, Weights};
+use tracer::transport::{Counts, MOST_SURFACES, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer, Scene};
+
+/// Directions that a path tracer's pass follows from a pixel.
+const DIRECTIONS: u32 = 16;
+
+/// How the light of a scene is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// Direct light, exactly.
+    Exact,
+    /// Direct light by shadow rays: a reference.
+    MonteCarlo,
+    /// Packets of light from the lamps.
+    Photons,
+    /// Paths from the pixels.
+    Path,
+    /// Beams between neighbouring rays: caustics without noise.
+    Beams,
+}
+
+/// What an integrator is told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Which.
+    pub integrator: Integrator,
+    /// Photons: packets for each pixel. Path: directions from each pixel. Beams: beams that each family of rays begins
+    /// with. Monte Carlo: shadow rays for each lamp and pixel. Exact takes none.
+    pub samples: u32,
+    /// Of chance.
+    pub seed: u64,
+    /// Surfaces that light meets at most.
+    pub depth: Option<u32>,
+    /// The temperature of the black body whose light is white, K; without it equal power at every wavelength is.
+    pub white_kelvin: Option<f64>,
+}
+
+/// Why passes ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stopped {
+    /// All were made.
+    Done,
+    /// They were told to.
+    Early,
+}
+
+/// A picture in the making.
+pub struct Passes<'a> {
+    work: Work<'a>,
+}
+
+enum Work<'a> {
+    /// Direct light: one pass.
+    Direct { scene: &'a Scene, view: View, weights: Box<Weights>, sampling: Option<Sampling>, fluence: Vec<[f64; 3]> },
+    /// A pass is one packet for each pixel.
+    Photons { picture: Box<PhotonPicture<'a>>, passes: u64 },
+    /// A pass is some directions from each pixel.
+    Path { picture: Box<PathPicture<'a>>, passes: u64 },
+    /// All families are one pass: a part of them lacks light. The steps are families.
+    Beams { picture: Box<BeamPicture<'a>>, families: u64, done: u64 },
+}
+
+/// The weights of wavelengths with which the light of a black body of this temperature is white, or that of equal energy.
+pub fn weights(white_kelvin: Option<f64>) -> Weights {
+    match white_kelvin {
+        None => Weights::equal_energy(),
+        Some(kelvin) => {
+            let white = Emission::Blackbody { kelvin };
+            Weights::balanced(|nm| white.power(nm))
+        }
+    }
+}
+
+/// Whether beams find all of a scene's light: nothing is matt or rough.
+pub fn finds_all_by_beams(scene: &Scene) -> bool {
+    let scatters = |material: &Material| matches!(material, Material::Diffuse { .. }) || material.roughness() > 0.0;
+    !scene.bodies.iter().any(|body| scatters(&body.material))
+}
+
+impl<'a> Passes<'a> {
+    /// Begins a picture of a scene.
+    pub fn new(scene: &'a Scene, view: View, settings: &Settings) -> Passes<'a> {
+        let weights = weights(settings.white_kelvin);
+        let Settings { samples, seed, depth, .. } = *settings;
+        let work = match settings.integrator {
+            Integrator::Exact | Integrator::MonteCarlo => {
+                let sampling = Sampling { samples, seed, stratified: true };
+                let sampling = (settings.integrator == Integrator::MonteCarlo).then_some(sampling);
+                Work::Direct { scene, view, weights: Box::new(weights), sampling, fluence: Vec::new() }
+            }
+            Integrator::Photons => {
+                let tracer = PhotonTracer::new(scene, weights, seed).with_most_surfaces(depth.unwrap_or(MOST_SURFACES));
+                Work::Photons { picture: Box::new(PhotonPicture::new(tracer, view)), passes: u64::from(samples) }
+            }
+            Integrator::Path => {
+                let directions = samples.min(DIRECTIONS);
+                let tracer = PathTracer::new(scene, weights, seed).with_most_surfaces(depth.unwrap_or(MOST_SURFACES));
+                let picture = Box::new(PathPicture::new(tracer, view, directions));
+                Work::Path { picture, passes: u64::from(samples.div_ceil(directions.max(1))) }
+            }
+            Integrator::Beams => {
+                let usual = BeamOptions::default();
+                let options =
+                    BeamOptions { beams: samples, most_surfaces: depth.unwrap_or(usual.most_surfaces), ..usual };
+                let tracer = BeamTracer::new(scene, &weights, options);
+                let families = tracer.tasks() as u64;
+                Work::Beams { picture: Box::new(BeamPicture::new(tracer, view)), families, done: 0 }
+            }
+        };
+        Passes { work }
+    }
+
+    /// Makes passes until all are made or `goes_on`, which is told how many steps of how many are done, says no.
+    ///
+    /// # Errors
+    /// If the integrator cannot find this scene's light.
+    pub fn run(&mut self, mut goes_on: impl FnMut(u64, u64) -> bool) -> Result<Stopped, String> {
+        let (mut done, all) = self.steps();
+        while done < all {
+            if !goes_on(done, all) {
+                return Ok(Stopped::Early);
+            }
+            self.step()?;
+            done = self.steps().0;
+        }
+        goes_on(done, all);
+        Ok(Stopped::Done)
+    }
+
+    /// Steps that are done, and all of them.
+    pub fn steps(&self) -> (u64, u64) {
+        match &self.work {
+            Work::Direct { fluence, .. } => (u64::from(!fluence.is_empty()), 1),
+            Work::Photons { picture, passes } => (picture.passes(), *passes),
+            Work::Path { picture, passes } => (picture.passes(), *passes),
+            Work::Beams { families, done, .. } => (*done, *families),
+        }
+    }
+
+    /// How so many steps are told.
+    pub fn unit(&self, steps: u64) -> String {
+        match &self.work {
+            Work::Direct { .. } => "one pass".to_string(),
+            Work::Photons { picture, .. } => {
+                format!("{steps} packets a pixel, {:.1} million in all", picture.counts().sent as f64 * 1e-6)
+            }
+            Work::Path { picture, .. } => format!("{} directions a pixel", steps * u64::from(picture.directions())),
+            Work::Beams { .. } => format!("{steps} families of rays"),
+        }
+    }
+
+    /// Whether what there is is a whole picture, if a noisier one.
+    pub fn is_whole(&self) -> bool {
+        match (&self.work, self.steps()) {
+            (Work::Beams { .. }, (done, all)) => done == all,
+            (_, (done, _)) => done > 0,
+        }
+    }
+
+    fn step(&mut self) -> Result<(), String> {
+        match &mut self.work {
+            Work::Direct { scene, view, weights, sampling, fluence } => {
+                *fluence = direct::fluence(scene, view, weights, *sampling)?;
+            }
+            Work::Photons { picture, .. } => picture.expose_pass(),
+            Work::Path { picture, .. } => picture.expose(),
+            Work::Beams { picture, done, .. } => {
+                picture.expose(1);
+                *done += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// The fluence in each pixel, row by row, signed.
+    pub fn fluence(&self) -> Vec<[f64; 3]> {
+        match &self.work {
+            Work::Direct { fluence, .. } => fluence.clone(),
+            Work::Photons { picture, .. } => picture.fluence(),
+            Work::Path { picture, .. } => picture.fluence(),
+            Work::Beams { picture, .. } => picture.fluence(),
+        }
+    }
+
+    /// How the packets of light have ended, where there were some.
+    pub fn counts(&self) -> Option<Counts> {
+        match &self.work {
+            Work::Photons { picture, .. } => Some(*picture.counts()),
+            _ => None,
+        }
+    }
+}
