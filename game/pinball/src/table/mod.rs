@@ -5,6 +5,7 @@
 mod captives;
 mod config;
 mod embedded;
+mod file_kind;
 mod hash;
 mod lamp;
 mod lamps;
@@ -30,6 +31,7 @@ pub use svg::css::style_declarations;
 use crate::Failure;
 use geometry::DVec2;
 use physics::{Layout, Material, PartId};
+use std::collections::BTreeMap;
 
 /// A table as its folder says it.
 #[derive(Clone, Debug)]
@@ -46,6 +48,9 @@ pub struct Table {
     pub layout: Layout,
     /// The line of each part in the drawing, from 1; none where the table comes from a recording.
     pub part_lines: Vec<usize>,
+    /// Why what has this id in the drawing is no thing: it is hidden, or has no class. None where the table comes from a
+    /// recording.
+    pub art_ids: BTreeMap<String, String>,
     /// What its elements can be made of, by name.
     pub materials: Vec<(String, Material)>,
     /// Width and height of the playfield, mm.
