@@ -3,7 +3,7 @@
 use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::DVec2;
+use geometry::{DVec2, trig};
 use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
 use std::cmp::Reverse;
 
@@ -182,7 +182,8 @@ impl Finding {
         let Kind::Plunger(plunger) = &part.kind else { return None };
         let risen_m = plunger.feed.y - self.place_mm.y * 0.001;
         let rolling_m_s = plunger.full_speed_m_s * ROLLING_SPEED;
-        let carried_m = rolling_m_s * rolling_m_s / (2.0 * ROLLING_SPEED * GRAVITY_M_S2 * table.layout.slope_rad.sin());
+        let carried_m = rolling_m_s * rolling_m_s
+            / (2.0 * ROLLING_SPEED * GRAVITY_M_S2 * trig::direction(table.layout.slope_rad).y);
         (risen_m > CARRIED * carried_m).then(|| {
             format!(
                 "the ball comes back to it however far it is pulled: its full_speed_m_s, {}, carries a ball up to {:.0}, \

@@ -22,13 +22,12 @@ const COMMENT: &str = "a comment begins with #";
 /// What to do about a line; `message` is what the library says of it.
 pub(super) fn hint(written: &str, message: &str) -> String {
     let code = without_comment(written);
-    let known = match code.split_once('=') {
+    match code.split_once('=') {
         _ if COMMENTS.iter().any(|sign| written.starts_with(sign)) => COMMENT.to_string(),
         _ if written.starts_with('[') => "a table is written in brackets, as [class.wall]".to_string(),
         None => "a line is NAME = VALUE, or [TABLE]".to_string(),
         Some((name, value)) => of_value(name.trim(), value.trim(), written, message),
-    };
-    known
+    }
 }
 
 fn of_value(name: &str, value: &str, written: &str, message: &str) -> String {

@@ -156,6 +156,10 @@ fn a_value_of_a_sheet_is_told_once_in_the_sheet() {
         told(".wall { stroke-width: 8mm }"),
         format!("table.svg:6: this stroke-width `8mm` is not a plain number; one unit is one millimetre {given}")
     );
+    assert!(
+        told(".wall { stroke-width: 8mmm }")
+            .starts_with("table.svg:6: this stroke-width `8mmm` is not a plain number; ")
+    );
     assert_eq!(
         told(".wall { stroke: rubbr }"),
         format!("table.svg:6: this stroke `rubbr` is not a colour; write it as \"#rrggbb\" {given}")
@@ -171,7 +175,7 @@ fn a_value_of_a_sheet_is_told_once_in_the_sheet() {
             .collect::<Vec<_>>()
     };
     assert_eq!(warned(".wall { fill: #12 }"), ["this fill `#12` is not a colour; write it as \"#rrggbb\""]);
-    assert_eq!(warned(".wall { opacity: o.5 }"), ["this opacity `o.5` is no number"]);
+    assert_eq!(warned(".wall { opacity: o.5 }"), ["this opacity `o.5` is not a plain number"]);
     assert_eq!(warned(".wall { display: nonne }"), ["this display `nonne` means nothing; did you mean `none`?"]);
     for word in ["material", "kick_m_s"] {
         let what = "is no property of a drawing: write it into table.toml, below the thing's [class.NAME]";

@@ -21,7 +21,7 @@ pub(super) fn warning(source: &Source, line: usize, declaration: &Declaration) -
             format!("`{name}` is no property of a drawing: write it into table.toml, below the thing's [class.NAME]")
         }
         _ if !is_valid && value::is_colored(name) => format!("this {name} {}", no_color(value)),
-        _ if NUMBERS.contains(&&**name) && !is_number(value) => format!("this {name} `{value}` is no number"),
+        _ if NUMBERS.contains(&&**name) && !is_number(value) => format!("this {name} `{value}` is not a plain number"),
         "display" => nearly(name, value, &["none"])?,
         "visibility" => nearly(name, value, &["hidden", "collapse", "visible"])?,
         _ => return None,
