@@ -86,7 +86,7 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["frame", "--out", "x.png", "--zoom", "0.5"], "a number from 1 to 4"),
         (&["play", "--zoom", "NaN"], "a number from 1 to 4"),
         (&["play", "--zoom", "-inf"], "invalid value '-inf' for '--zoom <FACTOR>': it must be a number from 1 to 4"),
-        (&["check"], "were not provided: <NAME|DIR>; caustic check --help says more"),
+        (&["check"], "it needs more words: <NAME|DIR>; caustic check --help says more"),
         (
             &["dump", "a", "--out", "b", "--size", "4000x8000", "--zoom", "4"],
             "--zoom 4 of 4000x8000 pixels is more than",
@@ -95,15 +95,16 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["verify", "a", "--threads", "257"], "a whole number from 1 to 256"),
         (&["simulate", "--minutes", "0"], "a number above 0"),
         (&["simulate", "--seed", "-1"], "invalid value '-1' for '--seed"),
-        (&["pla"], "unrecognized subcommand 'pla'"),
+        (&["pla"], "there is no command 'pla'"),
         (&["frame", "--out", "x.png", "--size", "-5x10"], "write it as WIDTHxHEIGHT, for example 540x1080"),
         (&["frame", "--out", "x.png", "--samples", "9"], "--samples is for --integrator monte-carlo"),
         (&["frame", "--at", "1e5", "--out", "x.png"], "a table that nobody plays is shown up to 3600 s"),
         (&["frame", "--out", ""], "a picture is written to a file: name a .png file"),
         (&["frame", "--out", "x.jpg"], "pictures are written as PNG: name a .png file"),
-        (&["frame"], "required arguments were not provided: --out <FILE.png>"),
+        (&["frame"], "it needs more words: --out <FILE.png>"),
+        (&["verify", "a", "--salvage", "-"], "--salvage writes a recording, and none to standard output"),
         (&["bench", "nothing"], "invalid value 'nothing'"),
-        (&["--fullscren"], "unexpected argument '--fullscren'"),
+        (&["--fullscren"], "nothing is known of the argument '--fullscren'"),
     ] {
         let output = caustic(words);
         let said = complaint(&output);

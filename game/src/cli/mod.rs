@@ -330,6 +330,9 @@ impl Cli {
             Some(Command::Verify(VerifyArgs { files, salvage: Some(_), .. })) if files.len() != 1 => {
                 Err("--salvage cuts one recording; name just one".to_string())
             }
+            Some(Command::Verify(VerifyArgs { salvage: Some(out), .. })) if out.as_os_str() == "-" => {
+                Err("--salvage writes a recording, and none to standard output: name a file for it".to_string())
+            }
             Some(Command::Dump(DumpArgs { size, zoom, .. }) | Command::Frame(FrameArgs { size, zoom, .. })) => {
                 check_zoomed(*size, *zoom)
             }

@@ -10,6 +10,24 @@ use std::io::{self, Write};
 /// The exit code of a wrong command line.
 const USAGE: i32 = 2;
 
+/// The parser's words, and plain ones.
+const WORDS: [(&str, &str); 11] = [
+    (" tip:", ";"),
+    ("; a similar argument exists:", "; did you mean"),
+    ("; a similar subcommand exists:", "; did you mean"),
+    ("; some similar subcommands exist:", "; did you mean one of"),
+    (" [possible values:", "; [possible values:"),
+    ("unrecognized subcommand", "there is no command"),
+    ("unexpected argument", "nothing is known of the argument"),
+    ("' found", "'"),
+    ("the following required arguments were not provided:", "it needs more words:"),
+    (" was supplied", " is there"),
+    (
+        "invalid UTF-8 was detected in one or more arguments",
+        "an argument is no text in UTF-8: give the file or folder another name",
+    ),
+];
+
 /// Ends the process: with the answer to a question for help or for the version, else with the error's sentence on standard
 /// error and exit code 2.
 pub fn exit(error: &Error) -> ! {
@@ -37,7 +55,7 @@ fn answer(error: &Error) -> i32 {
 fn sentence(explanation: &str, asked: &str) -> String {
     let told = explanation.lines().take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     let words: Vec<&str> = told.flat_map(str::split_whitespace).collect();
-    let told = words.join(" ").replace(" tip:", ";").replace(" [possible values:", "; [possible values:");
+    let told = WORDS.iter().fold(words.join(" "), |told, (parser, plain)| told.replace(parser, plain));
     let is_command = Cli::command().get_subcommands().any(|command| command.get_name() == asked);
     let command = if is_command { format!("caustic {asked}") } else { "caustic".to_string() };
     format!("{}; {command} --help says more", told.strip_prefix("error: ").unwrap_or(&told))
@@ -74,10 +92,10 @@ mod tests {
             "invalid value 'many' for '--games <N>': it must be a whole number from 1 to 1000000; caustic simulate --help says \
              more"
         );
-        assert!(told(&["pla"]).starts_with("unrecognized subcommand 'pla'; some similar subcommands exist: '"));
-        assert_eq!(
-            told(&["frame"]),
-            "the following required arguments were not provided: --out <FILE.png>; caustic frame --help says more"
+        assert!(told(&["pla"]).starts_with("there is no command 'pla'; did you mean one of '"));
+        assert!(
+            told(&["--fullscren"]).starts_with("nothing is known of the argument '--fullscren'; did you mean '--full")
         );
+        assert_eq!(told(&["frame"]), "it needs more words: --out <FILE.png>; caustic frame --help says more");
     }
 }

@@ -119,7 +119,7 @@ fn games_lines(table: &Table, all: &[Game]) -> Vec<String> {
     let core_time: Duration = all.iter().map(|game| game.core_time).sum();
     let seconds = |ticks: u64| ticks as f64 / f64::from(TICKS_PER_SECOND);
     let played: Vec<&GameResult> = runs.iter().flat_map(|run| &run.games).collect();
-    let scores = Sorted::new(played.iter().map(|game| game.score as f64));
+    let (median, mean, best) = scores(played.iter().map(|game| game.score).collect());
     let balls = Sorted::new(runs.iter().flat_map(|run| &run.balls).map(|ticks| seconds(*ticks)));
     let games = Sorted::new(played.iter().map(|game| seconds(game.ticks)));
     let table_bytes = recording::table_bytes(table);
@@ -131,7 +131,7 @@ fn games_lines(table: &Table, all: &[Game]) -> Vec<String> {
     let machines = if played.len() > runs.len() { format!(", machines {}", runs.len()) } else { String::new() };
     vec![
         format!("games      {} ({over} came to their end){machines}", played.len()),
-        format!("score      median {:.0}, mean {:.0}, best {:.0}", scores.at(0.5), scores.mean(), scores.at(1.0)),
+        format!("score      median {median}, mean {mean}, best {best}"),
         format!(
             "ball time  median {:.1} s, quartiles {:.1} s and {:.1} s",
             balls.at(0.5),
@@ -198,12 +198,29 @@ impl Sorted {
         let last = self.0.len().saturating_sub(1) as f64;
         self.0.get((share * last).round() as usize).copied().unwrap_or(0.0)
     }
+}
 
-    fn sum(&self) -> f64 {
-        self.0.iter().sum()
-    }
+/// Median, mean and best of scores, each as whole as a score is; 0 if there is none.
+fn scores(mut all: Vec<i64>) -> (i64, i128, i64) {
+    all.sort_unstable();
+    let at = |place: usize| all.get(place).copied().unwrap_or(0);
+    let last = all.len().saturating_sub(1);
+    let sum: i128 = all.iter().map(|score| i128::from(*score)).sum();
+    let count = all.len().max(1) as i128;
+    // Rounded to the nearest.
+    let mean = (2 * sum + count).div_euclid(2 * count);
+    (at(last.div_ceil(2)), mean, at(last))
+}
 
-    fn mean(&self) -> f64 {
-        self.sum() / self.0.len().max(1) as f64
+#[cfg(test)]
+mod tests {
+    use super::scores;
+
+    /// The best of scores near the largest was told one more than a score can be.
+    #[test]
+    fn scores_are_told_to_the_last_point() {
+        assert_eq!(scores(vec![i64::MAX, i64::MAX - 2]), (i64::MAX, i128::from(i64::MAX) - 1, i64::MAX));
+        assert_eq!(scores(vec![1, 5, 2]), (2, 3, 5));
+        assert_eq!((scores(Vec::new()), scores(vec![7])), ((0, 0, 0), (7, 7, 7)));
     }
 }

@@ -74,7 +74,11 @@ impl Display {
 fn reason(error: &str) -> &str {
     let line = error.lines().next().unwrap_or_default();
     let told = if line.contains(".rs:") { line.rsplit(": ").next().unwrap_or(line) } else { line };
-    told.trim_end_matches('.')
+    match told.trim_end_matches('.') {
+        none if none.starts_with("neither ") => "DISPLAY and WAYLAND_DISPLAY name none",
+        "Failed to open connection to X server" => "what DISPLAY names does not answer",
+        other => other,
+    }
 }
 
 #[cfg(test)]
@@ -84,7 +88,7 @@ mod tests {
     #[test]
     fn the_reason_is_told_without_the_place_in_a_source_file() {
         let error = "os error at /home/a/winit/mod.rs:765: neither WAYLAND_DISPLAY nor DISPLAY is set.";
-        assert_eq!(reason(error), "neither WAYLAND_DISPLAY nor DISPLAY is set");
+        assert_eq!(reason(error), "DISPLAY and WAYLAND_DISPLAY name none");
         assert_eq!(reason("the display hung up\nand more"), "the display hung up");
     }
 }

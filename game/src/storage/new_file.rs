@@ -40,7 +40,9 @@ pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result
 /// # Errors
 /// If they cannot be made.
 pub fn make_parents(path: &Path) -> io::Result<()> {
-    path.parent().map_or(Ok(()), fs::create_dir_all)
+    let made = path.parent().map_or(Ok(()), fs::create_dir_all);
+    // What is there already and is no folder is a file.
+    made.map_err(|error| if error.kind() == ErrorKind::AlreadyExists { ErrorKind::NotADirectory.into() } else { error })
 }
 
 fn fill(file: File, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {

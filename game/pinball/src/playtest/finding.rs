@@ -3,7 +3,7 @@
 use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
-use geometry::DVec2;
+use geometry::{DVec2, trig};
 use physics::{BALL_RADIUS_M, Kind, Layout, PartId};
 use std::cmp::Reverse;
 
@@ -64,6 +64,8 @@ pub enum FindingKind {
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
+    /// The machine is tilted as long as a ball is in play, though nobody has pushed it.
+    AlwaysTilted,
     /// The rules never throw a saucer's ball out.
     NeverEjected,
 }
@@ -163,13 +165,32 @@ impl Finding {
                     self.beside(table)
                 )
             }
-            FindingKind::Unlaunched => format!(
-                "the ball comes back to it however far it is pulled, and no farther than to {at}, beside {}: see that \
-                 nothing bars the lane, and that it leads round a bend",
-                self.beside(table)
-            ),
+            FindingKind::Unlaunched => self.slow_plunger(table).unwrap_or_else(|| {
+                format!(
+                    "the ball comes back to it however far it is pulled, and no farther than to {at}, beside {}: see that \
+                     nothing bars the lane, and that it leads round a bend",
+                    self.beside(table)
+                )
+            }),
             _ => self.sentence_of_part(table),
         }
+    }
+
+    /// Of a plunger whose ball comes about as far up as its speed carries it.
+    fn slow_plunger(&self, table: &Table) -> Option<String> {
+        let part = self.part.and_then(|part| table.layout.parts.get(usize::from(part.0)))?;
+        let Kind::Plunger(plunger) = &part.kind else { return None };
+        let risen_m = plunger.feed.y - self.place_mm.y * 0.001;
+        let rolling_m_s = plunger.full_speed_m_s * ROLLING_SPEED;
+        let carried_m = rolling_m_s * rolling_m_s
+            / (2.0 * ROLLING_SPEED * GRAVITY_M_S2 * trig::direction(table.layout.slope_rad).y);
+        (risen_m > CARRIED * carried_m).then(|| {
+            format!(
+                "the ball comes back to it however far it is pulled: its full_speed_m_s, {}, carries a ball up to {:.0}, \
+                 {:.0} mm and no farther; give it more in table.toml",
+                plunger.full_speed_m_s, self.place_mm.x, self.place_mm.y
+            )
+        })
     }
 
     /// The same of what is said of a part itself, not of a ball beside it.
@@ -179,7 +200,9 @@ impl Finding {
                 "the ball that it throws out falls back into it: throw it faster, or to where the way is free".to_string()
             }
             FindingKind::DoesNotKick => {
-                "its rod does not throw the ball that lies on it: see that the way before it is free".to_string()
+                "its rod does not throw the ball that lies on it: see that the way before it is free, and that it is drawn from \
+                 the tip at rest, x1 y1, to the tip when fully out, x2 y2"
+                    .to_string()
             }
             FindingKind::DoesNotFlip => {
                 "its stroke does not throw the ball that lies on it; see its data-side and its angle, and that the way is \
@@ -262,6 +285,12 @@ impl Finding {
 fn named(table: &Table, part: usize) -> String {
     format!("{} (line {})", table.layout.parts[part].name, table.part_lines[part])
 }
+
+/// Of the speed of a ball that is shot, and of its acceleration down the slope, what rolling leaves: a ball is 2/5 m r2.
+const ROLLING_SPEED: f64 = 5.0 / 7.0;
+const GRAVITY_M_S2: f64 = 9.81;
+/// A ball that comes so far of where its speed would carry it has run out of it, and nothing bars its way.
+const CARRIED: f64 = 0.8;
 
 /// Balls that lie no farther from each other lie in the same pocket, mm.
 const POCKET_MM: f64 = 2000.0 * BALL_RADIUS_M;

@@ -34,6 +34,13 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
                  ball begins"
             ),
         ),
+        FindingKind::AlwaysTilted => (
+            "on_button",
+            format!(
+                "the machine is tilted as long as ball {count} of a game is in play, and nobody has pushed it; call \
+                 `tilt(false)` where a ball begins, and `tilt(true)` only where `on_bob` or `on_slam` is told of a push"
+            ),
+        ),
         FindingKind::NoNextGame => (
             "on_button",
             "the first game is over and no press of start begins another for 25 s; see what `on_button(name)` asks before \

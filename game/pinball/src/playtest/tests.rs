@@ -8,6 +8,7 @@ use super::{FindingKind, Playtest};
 use crate::Table;
 use crate::table::tests::{spectrum, with_rules};
 use geometry::DVec2;
+use physics::Kind;
 use std::sync::Arc;
 
 /// Walls round the small table: a lane for the plunger, a bend at its top, and ways down to the drain.
@@ -219,4 +220,20 @@ fn a_ball_that_lies_on_a_diverter_is_told_of_it() {
     let place = DVec2::new(0.22, 0.38);
     let near = super::Finding::near(FindingKind::Stuck, playtest.machine.layout(), place, false);
     assert!(sentences(&playtest, vec![near])[0].contains(": arm: a ball lies still beside it"));
+}
+
+/// A plunger that was too slow was told by where its ball turns back, as if something barred the lane.
+#[test]
+fn a_plunger_that_is_too_slow_is_told_so() {
+    let mut table = spectrum();
+    for part in &mut table.layout.parts {
+        if let Kind::Plunger(plunger) = &mut part.kind {
+            plunger.full_speed_m_s = 1.2;
+        }
+    }
+    let playtest = playtest_of(table);
+    let [told] = &sentences(&playtest, playtest.launch().to_vec())[..] else { panic!() };
+    let slow =
+        "plunger: the ball comes back to it however far it is pulled: its full_speed_m_s, 1.2, carries a ball up to ";
+    assert!(told.contains(slow) && told.ends_with(" mm and no farther; give it more in table.toml"), "{told}");
 }

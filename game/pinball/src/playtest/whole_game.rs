@@ -74,6 +74,8 @@ struct Seen {
     flippers_live: bool,
     /// The machine was tilted.
     tilted: bool,
+    /// It was not.
+    untilted: bool,
 }
 
 /// What has become of a ball that was waited for.
@@ -254,8 +256,13 @@ impl WholeGame<'_> {
     fn dead_flippers(&self) -> Option<FindingKind> {
         let has_flippers = self.simulation.table().layout.parts.iter().any(|part| is_flipper(&part.kind));
         let seen = &self.seen;
-        let are_dead = seen.in_play_ticks >= IN_PLAY_TICKS && !seen.flippers_live && !seen.tilted;
-        (has_flippers && are_dead).then_some(FindingKind::DeadFlippers)
+        let is_dead = has_flippers && seen.in_play_ticks >= IN_PLAY_TICKS && !seen.flippers_live;
+        match (seen.tilted, seen.untilted) {
+            _ if !is_dead => None,
+            (true, false) => Some(FindingKind::AlwaysTilted),
+            (true, true) => None,
+            (false, _) => Some(FindingKind::DeadFlippers),
+        }
     }
 
     fn balls(&self) -> Vec<BallPose> {
@@ -289,6 +296,7 @@ impl Seen {
         self.in_play_ticks += 1;
         self.flippers_live |= rules.flippers_live;
         self.tilted |= rules.tilted;
+        self.untilted |= !rules.tilted;
     }
 }
 

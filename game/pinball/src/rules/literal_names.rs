@@ -29,14 +29,15 @@ pub fn unknown_names(script: &Script, names: &Names) -> Vec<Mistake> {
 /// # Errors
 /// A sentence if not.
 pub fn check(function: &str, name: &str, names: &Names) -> Result<(), String> {
-    match function {
+    let checked = match function {
         "lamp" | "lamp_color" | "flash" | "show" => names.lamps(name).map(|_| ()),
         "closed" => names.part(name).map(|_| ()),
         word => match PART_COMMANDS.iter().find(|command| command.word == word) {
             Some(command) => names.part_for(command, name).map(|_| ()),
             None => Ok(()),
         },
-    }
+    };
+    checked.map_err(|what| names.told(name, what))
 }
 
 fn collect<'a>(node: &'a Node, calls: &mut Vec<Call<'a>>) {

@@ -11,6 +11,8 @@ pub struct Names {
     parts: BTreeMap<String, PartId>,
     kinds: Vec<(String, Kind)>,
     lamps: BTreeMap<String, usize>,
+    /// See [`Table::art_ids`].
+    art: BTreeMap<String, String>,
 }
 
 impl Names {
@@ -28,6 +30,7 @@ impl Names {
                 .filter(|(_, lamp)| !lamp.name.is_empty())
                 .map(|(index, lamp)| (lamp.name.clone(), index))
                 .collect(),
+            art: table.art_ids.clone(),
         }
     }
 
@@ -54,6 +57,15 @@ impl Names {
     /// The name of a lamp, if there is one.
     pub fn any_lamp(&self) -> Option<&str> {
         self.lamps.keys().next().map(String::as_str)
+    }
+
+    /// What is told of a name that no thing has before anybody plays, with why none has it: what a script catches has
+    /// always been the sentence alone.
+    pub fn told(&self, name: &str, sentence: String) -> String {
+        match (self.art.get(name), sentence.split_once(" in the drawing")) {
+            (Some(why), Some((begin, _))) => format!("{begin}: {why}"),
+            _ => sentence,
+        }
     }
 
     /// Whether a part or a lamp has this name.

@@ -143,7 +143,10 @@ impl Program {
 }
 
 fn spent() -> String {
-    format!("this does not come to an end (the rules may take {} steps in a second)", Work::most(1000))
+    format!(
+        "this does not come to an end, or does too much at once (the rules may take {} steps in a second)",
+        Work::most(1000)
+    )
 }
 
 fn is_call(name: &str) -> bool {

@@ -1,9 +1,11 @@
 //! The configuration in `table.toml`: materials, finishes, and numbers by class and by id; and what holds when the file
 //! says nothing.
 
+mod hint;
 mod parse;
 mod syntax;
 mod torques;
+mod words;
 
 pub(super) use parse::parse;
 pub(super) use torques::mistakes as torque_mistakes;
@@ -29,6 +31,8 @@ pub(super) struct Config {
     pub finishes: BTreeMap<String, FinishOverrides>,
     classes: BTreeMap<ElementClass, Settings>,
     parts: BTreeMap<String, Settings>,
+    /// Names are missing, for what names them cannot be read, which has been told.
+    pub is_cut: bool,
 }
 
 /// A `[finish.NAME]`; what it does not say comes from the class and the drawing.
@@ -96,7 +100,9 @@ impl Config {
     pub fn finish_named(&self, name: &str) -> Result<&FinishOverrides, String> {
         self.finishes.get(name).ok_or_else(|| {
             let known: Vec<&str> = self.finishes.keys().map(String::as_str).collect();
-            format!("data-finish: there is no [finish.{name}] in table.toml; there are {}", known.join(", "))
+            let known =
+                if known.is_empty() { "none yet".to_string() } else { format!("there are {}", known.join(", ")) };
+            format!("data-finish: there is no [finish.{name}] in table.toml; {known}")
         })
     }
 
@@ -136,6 +142,7 @@ impl Config {
             finishes: BTreeMap::new(),
             classes: BTreeMap::new(),
             parts: BTreeMap::new(),
+            is_cut: false,
         }
     }
 }

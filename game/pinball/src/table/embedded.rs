@@ -98,6 +98,7 @@ impl EmbeddedTable {
             folder: String::new(),
             layout: game.layout.into_owned(),
             part_lines: Vec::new(),
+            art_ids: Default::default(),
             materials: Vec::new(),
             size_mm: look.size_mm,
             lamps: look.lamps.into_owned(),

@@ -5,6 +5,7 @@
 mod captives;
 mod config;
 mod embedded;
+mod file_kind;
 mod hash;
 mod lamp;
 mod lamps;
@@ -32,6 +33,7 @@ pub use svg::element_class::LIGHT_BENDING_WORDS;
 use crate::Failure;
 use geometry::DVec2;
 use physics::{Layout, Material, PartId};
+use std::collections::BTreeMap;
 
 /// A table as its folder says it.
 #[derive(Clone, Debug)]
@@ -48,6 +50,9 @@ pub struct Table {
     pub layout: Layout,
     /// The line of each part in the drawing, from 1; none where the table comes from a recording.
     pub part_lines: Vec<usize>,
+    /// Why what has this id in the drawing is no thing: it is hidden, or has no class. None where the table comes from a
+    /// recording.
+    pub art_ids: BTreeMap<String, String>,
     /// What its elements can be made of, by name.
     pub materials: Vec<(String, Material)>,
     /// Width and height of the playfield, mm.

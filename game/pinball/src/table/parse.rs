@@ -8,7 +8,7 @@ use super::svg::element_class::ElementClass;
 use super::svg::layers;
 use super::svg::written_out::{self, WrittenOut};
 use super::svg::xml;
-use super::{Lamp, NormalMapInputs, Solid, Table, captives, lamps, parts, unseen};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, file_kind, lamps, parts, unseen};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -39,6 +39,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let [svg, toml, rules] = files.map(|bytes| {
         let path = source::path(&origin, FILES[file]);
         let source = Source::read(path, bytes, LIMITS_BYTES[file]);
+        let source = source.and_then(|source| file_kind::mistaken(&source, file).map_or(Ok(source), Err));
         file += 1;
         source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
     });
@@ -57,7 +58,9 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     let (Some(WrittenOut { source: svg, .. }), Some(document), Some(drawing)) = (&written, &document, &drawing) else {
         return Err(failures(diagnostics));
     };
-    let converted = Converted::new(svg, drawing, config, &mut diagnostics);
+    // What cannot be built without names that could not be read is no further mistake.
+    let mut of_names = Vec::new();
+    let converted = Converted::new(svg, drawing, config, if config.is_cut { &mut of_names } else { &mut diagnostics });
     check_required(svg, drawing, &mut diagnostics);
     diagnostics.extend(config::torque_mistakes(&toml, config, &drawing.elements));
     let has_mistakes = diagnostics.iter().any(|diagnostic| !diagnostic.is_warning());
@@ -79,6 +82,7 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
             parts: converted.parts,
         },
         part_lines: converted.part_lines,
+        art_ids: drawing.ids.art().clone(),
         materials: config.materials.iter().map(|(name, material)| (name.clone(), *material)).collect(),
         size_mm: drawing.page.size_mm,
         lamps: converted.lamps,

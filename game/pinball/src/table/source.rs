@@ -35,6 +35,11 @@ impl Diagnostic {
         self.is_warning
     }
 
+    /// Whether another is of the same place, and says no more than the beginning of this one.
+    pub fn says_more_than(&self, other: &Diagnostic) -> bool {
+        (&self.path, self.line) == (&other.path, other.line) && self.what.starts_with(&other.what)
+    }
+
     /// The same as a warning.
     pub fn into_warning(self) -> Diagnostic {
         Diagnostic { is_warning: true, ..self }
@@ -70,15 +75,23 @@ pub(in crate::table) fn failures(mut diagnostics: Vec<Diagnostic>) -> Vec<Failur
     failures
 }
 
-/// What bytes are that begin as no text in UTF-8 does, and what to do.
-fn other_than_text(bytes: &[u8]) -> Option<&'static str> {
+/// What bytes are that begin as no text in UTF-8 does, and what to do, for a drawing or for another text.
+fn other_than_text(path: &str, bytes: &[u8]) -> Option<&'static str> {
     let utf_16 = "this is text in UTF-16; save the file as UTF-8";
+    let either = |drawing, other| Some(if path.ends_with(".svg") { drawing } else { other });
     match bytes {
-        [0x1f, 0x8b, ..] => Some("it is compressed, as an .svgz is; unpack it, or save it as plain SVG"),
+        [0x1f, 0x8b, ..] => either(
+            "it is compressed, as an .svgz is; unpack it, or save it as plain SVG",
+            "it is compressed with gzip; unpack it: here plain text belongs",
+        ),
         [b'P', b'K', 3, 4, ..] => Some("it is a zip archive; unpack it"),
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, b'<', ..] | [b'<', 0, ..] => Some(utf_16),
-        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, 0xff, ..] => Some("it is a picture of pixels; draw it as SVG"),
-        [b'%', b'P', b'D', b'F', ..] => Some("it is a PDF; save the drawing as plain SVG"),
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, 0xff, ..] => {
+            either("it is a picture of pixels; draw it as SVG", "it is a picture, and here plain text belongs")
+        }
+        [b'%', b'P', b'D', b'F', ..] => {
+            either("it is a PDF; save the drawing as plain SVG", "it is a PDF, and here plain text belongs")
+        }
         _ => None,
     }
 }
@@ -102,7 +115,7 @@ impl Source {
             let why = format!("it is larger than {} kB, the most that a table may have", limit / 1024);
             return Err(Diagnostic::of_file(path, why));
         }
-        if let Some(why) = other_than_text(&bytes) {
+        if let Some(why) = other_than_text(&path, &bytes) {
             return Err(Diagnostic::of_file(path, why));
         }
         Source::from_bytes(path, bytes)

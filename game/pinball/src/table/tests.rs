@@ -9,6 +9,7 @@ mod oddities;
 mod overlaps;
 mod sheets;
 mod slips;
+mod told;
 mod words;
 
 use super::{Table, TableSources};

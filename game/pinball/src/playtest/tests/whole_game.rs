@@ -173,3 +173,13 @@ fn the_small_table_can_lose_its_balls() {
     assert_eq!(playtest(DRAIN).loss_places().drains.len(), 1, "the other is out of reach below it");
     assert!(playtest("").loss_places().refuge.is_some());
 }
+
+/// Rules that tilt every ball as it comes were not told of it, or of flippers that are dead.
+#[test]
+fn a_machine_that_is_always_tilted_is_told_so() {
+    assert_eq!(first_game(&changed("flippers(true);", "flippers(true); tilt(true);")), [FindingKind::AlwaysTilted]);
+    let once = "flippers(true); tilt(true); after(100, \"right\");";
+    let rules =
+        changed("flippers(true);", once).replace("eject(\"hole\");", "eject(\"hole\"); tilt(false); flippers(true);");
+    assert_eq!(first_game(&rules), []);
+}

@@ -50,7 +50,7 @@ fn impossible(told: Told, text: &str, names: &Names, started: &Words, optional: 
             Err(_) if names.lamps(text).is_ok() => {
                 Some(format!("\"{text}\" is a lamp, and no event is ever about a lamp; name a part"))
             }
-            Err(what) => Some(what),
+            Err(what) => Some(names.told(text, what)),
         },
         Told::Button => {
             let buttons = BUTTONS.iter().map(|(_, name)| *name);

@@ -6,6 +6,7 @@
 mod brackets;
 mod chain;
 mod data;
+mod foreign;
 mod interpreter;
 mod library;
 mod meter;
@@ -78,10 +79,12 @@ impl Script {
         let numbers: BTreeMap<(String, usize), u16> = names.zip(0..u16::MAX).collect();
         let mut top = Reader::new(&numbers, &[], &[]);
         let statements = read_top(&mut top, &tree);
+        let outside = top.known();
         let Reader { constants, locals, mut mistakes, .. } = top;
         let mut script = Script::default();
         for (name, parameters) in &found {
             let mut reader = Reader::new(&numbers, &constants, parameters);
+            reader.outside = outside.clone();
             let body = reader.body(&tree.function(name, parameters.len()));
             mistakes.append(&mut reader.mistakes);
             let (name, parameters) = (name.clone(), parameters.len());

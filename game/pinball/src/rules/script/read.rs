@@ -2,6 +2,7 @@
 //! up. What does not exist is a mistake with its line, before anybody plays.
 
 use super::data::{Data, Range};
+use super::foreign;
 use super::library;
 use super::node::{Assign, Branch, Case, For, Kind, Node, Pattern, Switch, Try};
 use super::operators;
@@ -24,6 +25,8 @@ pub struct Reader<'a> {
     pub functions: &'a BTreeMap<(String, usize), u16>,
     /// The constants of the script by number.
     pub constants: Vec<String>,
+    /// Variables that are made outside of functions, and that no function sees.
+    pub outside: Vec<String>,
     /// The variables that are known here.
     scope: Vec<Variable>,
     /// Most variables that are known at once.
@@ -45,6 +48,7 @@ impl<'a> Reader<'a> {
         Reader {
             functions,
             constants: constants.to_vec(),
+            outside: Vec::new(),
             scope: parameters.iter().map(variable).collect(),
             locals: parameters.len(),
             mistakes: Vec::new(),
@@ -211,8 +215,20 @@ impl<'a> Reader<'a> {
         }
         match self.constants.iter().rposition(|constant| constant == name) {
             Some(number) => Ok(Kind::Constant(number as u16)),
-            None => Err(mistake(position, format!("there is no variable or constant called {name} here"))),
+            None if self.outside.iter().any(|outside| outside == name) => {
+                let what = format!(
+                    "{name} is made with `let` outside of functions, and no function sees it: write `const`, or keep it in \
+                     `this.{name}` if it changes"
+                );
+                Err(mistake(position, what))
+            }
+            None => Err(mistake(position, foreign::unknown_name(name))),
         }
+    }
+
+    /// The variables that are known here.
+    pub fn known(&self) -> Vec<String> {
+        self.scope.iter().map(|variable| variable.name.clone()).collect()
     }
 
     /// Whether the variable may only be read.

@@ -1,5 +1,6 @@
 //! Reads expressions: literals, operators, calls and chains.
 
+use super::foreign;
 use super::node::{Chain, Kind, Node, Operator, Root, Step, StepKind};
 use super::operators;
 use super::read::{Reader, Reading, line, mistake, node, unknown_operator};
@@ -128,6 +129,9 @@ impl Reader<'_> {
 
     /// `; did you mean ...?` if a function's name is like this one.
     fn meant(&self, name: &str) -> String {
+        if let Some(own) = foreign::function(name) {
+            return format!("; write {own}");
+        }
         let own = self.functions.keys().map(|(name, _)| name.as_str());
         let known =
             host::all().map(|function| function.name).chain(super::library::all().map(|function| function.name));

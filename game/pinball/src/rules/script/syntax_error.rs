@@ -1,35 +1,10 @@
 //! What is told of a script that cannot be read: one sentence that says what is wrong there and what to do.
 
 use super::brackets::unbalanced;
+use super::foreign::{hint, unknown_name};
 use super::read::Mistake;
 use super::tokens;
 use rhai::{LexError, ParseError, ParseErrorType};
-
-/// Words and signs of other languages, and what rules write for them.
-const OTHERS: [(&str, &str); 22] = [
-    ("===", "write `==`"),
-    ("!==", "write `!=`"),
-    ("<>", "write `!=`"),
-    (":=", "write `=`"),
-    ("->", "a case of a `switch` is written with `=>`"),
-    ("<-", "write `=`, or `<` and `-` apart"),
-    ("++", "write `+= 1`"),
-    ("--", "write `-= 1`"),
-    ("...", "write `..`"),
-    ("and", "write `&&`"),
-    ("or", "write `||`"),
-    ("not", "write `!`"),
-    ("var", "write `let`"),
-    ("null", "nothing is written `()`"),
-    ("nil", "nothing is written `()`"),
-    ("function", "write `fn`"),
-    ("default", "the case for everything else is `_`"),
-    ("case", "a case of a `switch` is written `\"name\" => ...`"),
-    ("match", "write `switch`"),
-    ("elseif", "write `else if`"),
-    ("elif", "write `else if`"),
-    ("goto", "write a function"),
-];
 
 /// What is told of a comment without an end.
 pub const UNCLOSED_COMMENT: &str = "a comment begins on this line and is never closed: a `*/` is missing";
@@ -163,7 +138,7 @@ fn misplaced(error: &ParseErrorType) -> Option<String> {
         Type::DuplicatedVariable(name) | Type::VariableExists(name) => {
             format!("there are two variables `{name}`: give one another name")
         }
-        Type::VariableUndefined(name) => format!("there is no variable or constant called {name} here"),
+        Type::VariableUndefined(name) => unknown_name(name),
         Type::ModuleUndefined(name) => format!("rules have no modules: `{name}::` is nothing"),
         Type::MismatchedType(needed, is) if needed.contains("boolean") => {
             format!("a condition must be true or false, not {}", plain_type(is))
@@ -235,10 +210,6 @@ fn foreign(sign: &str) -> String {
 
 fn kept(word: &str) -> String {
     format!("`{word}` is a word that the language keeps for itself: take another name")
-}
-
-fn hint(sign: &str) -> Option<&'static str> {
-    OTHERS.iter().find(|(other, _)| *other == sign).map(|(_, hint)| *hint)
 }
 
 fn is_word(sign: &str) -> bool {

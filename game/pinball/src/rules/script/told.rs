@@ -111,6 +111,12 @@ impl Failed {
 /// A sentence with a person's words for what values are.
 fn in_plain_words(sentence: &str) -> String {
     let mut plain = sentence.to_string();
+    if ["size", "length", "count"].iter().any(|name| sentence.ends_with(&format!(" has no property \"{name}\""))) {
+        plain.push_str("; `len()` counts what is in it");
+    }
+    if sentence == "append takes a list" {
+        return "append takes an array; `push` adds one value".to_string();
+    }
     if let Some((before, types)) = sentence.split_once(" cannot be called with (")
         && let Some(types) = types.strip_suffix(')')
     {
@@ -118,7 +124,11 @@ fn in_plain_words(sentence: &str) -> String {
             TYPES.iter().find(|(word, _)| *word == own).map_or_else(|| own.to_string(), |found| found.1.to_string())
         };
         let types: Vec<String> = types.split(", ").map(plain).collect();
-        return format!("{before} cannot be called with {}", types.join(", "));
+        let why = match (before, &*types.join(", ")) {
+            ("split", "a text, a text") => ": its mark has no letter; `chars` gives each letter by itself",
+            _ => "",
+        };
+        return format!("{before} cannot be called with {}{why}", types.join(", "));
     }
     for (word, own) in TYPES {
         for beginning in [" a ", " not "] {

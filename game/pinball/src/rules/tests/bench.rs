@@ -28,6 +28,7 @@ pub fn table(rules: &str, parts: &[&str], lamps: &[&str]) -> Table {
             parts: parts.map(|(row, name)| Part { name: name.to_string(), kind: kind(name, row as f64) }).collect(),
         },
         part_lines: Vec::new(),
+        art_ids: Default::default(),
         materials: Vec::new(),
         size_mm: DVec2::new(500.0, 1000.0),
         lamps: lamps.iter().map(|name| lamp(name)).collect(),

@@ -168,3 +168,37 @@ fn what_a_script_catches_is_told_as_ever() {
     let told = complaint("try { score(this.jakpot); } catch (e) { throw e; }");
     assert_eq!(told, "bench/rules.rhai:3: score cannot be called with (())");
 }
+
+/// Words of other languages were told as a `;` that is missing, or as names that are taken.
+#[test]
+fn words_of_other_languages_are_told_with_ours() {
+    for (rules, what) in [
+        ("import \"math\" as m;", "1: rules have no `import`: they are one file; write its functions into this one"),
+        ("def on_start() { }", "1: rules have no `def`: write `fn`"),
+        ("fn on_start() { let x = True; }", "1: rules have no `True`: write `true`"),
+        ("# Spectrum\nfn on_start() { }", "1: rules have no sign `#`: a comment begins with `//`"),
+        ("fn on_start() { let n = [1].size(); }", "1: there is no function called size; write len"),
+        ("fn on_start() { print(1); }", "1: there is no function called print; write message"),
+        (
+            "let lives = 3;\nfn on_start() { score(lives); }",
+            "2: lives is made with `let` outside of functions, and no function sees it: write `const`, or keep it in `this.lives` \
+             if it changes",
+        ),
+    ] {
+        assert_eq!(mistake(rules), format!("bench/rules.rhai:{what}"), "{rules}");
+    }
+}
+
+/// `"a,b".split("")` was told that a text cannot be split at a text.
+#[test]
+fn what_a_function_does_not_take_is_told_with_why() {
+    let split =
+        "split cannot be called with a text, a text: its mark has no letter; `chars` gives each letter by itself";
+    for (body, what) in [
+        ("let x = \"a,b\".split(\"\");", split),
+        ("let x = [1]; x.append(2);", "append takes an array; `push` adds one value"),
+        ("let x = [1].length;", "an array has no property \"length\"; `len()` counts what is in it"),
+    ] {
+        assert_eq!(complaint(body), format!("bench/rules.rhai:3: {what}"), "{body}");
+    }
+}

@@ -8,7 +8,8 @@ use crate::{Buttons, Table};
 use physics::Fingerprint;
 use std::sync::Arc;
 
-const SPENT: &str = "this does not come to an end (the rules may take 1000000 steps in a second)";
+const SPENT: &str =
+    "this does not come to an end, or does too much at once (the rules may take 1000000 steps in a second)";
 
 /// What a script with this `on_launch` complains about, and the steps that its first call takes.
 fn launched(body: &str) -> (Vec<String>, u64) {

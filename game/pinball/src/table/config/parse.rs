@@ -3,11 +3,12 @@
 //! Refuses to know what is drawn, except which ids there are and what they are.
 
 use super::syntax;
+use super::words::{TABLES, TOP, meant, setting_words, unknown};
 use super::{Config, FinishOverrides, Settings};
 use crate::spelling;
 use crate::table::Profile;
 use crate::table::source::{Diagnostic, Source};
-use crate::table::svg::element_class::{ElementClass, Parameter};
+use crate::table::svg::element_class::ElementClass;
 use crate::table::svg::ids::Ids;
 use crate::table::svg::style;
 use physics::Material;
@@ -19,27 +20,27 @@ use toml::de::{DeTable, DeValue};
 /// Reads the file; `drawn` says what each id in the drawing is, or nothing when the drawing could not be read.
 pub(in crate::table) fn parse(source: &Source, drawn: Option<&Ids>, diagnostics: &mut Vec<Diagnostic>) -> Config {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
-    let mut broken = BTreeSet::new();
+    let (mut broken, mut config) = (BTreeSet::new(), Config::new());
+    if let Some((line, quote)) = syntax::unclosed(&source.text).filter(|_| !errors.is_empty()) {
+        let what = format!(
+            "the text in {quote} that begins here is never closed, and swallows the rest; close it with {quote}"
+        );
+        diagnostics.push(source.diagnostic_in_line(line, what));
+        broken.extend(line..=source.line(source.text.len()));
+        config.is_cut = true;
+    }
     for error in &errors {
         let line = source.line(error.span().map_or(0, |span| span.start));
         if broken.insert(line) {
             diagnostics.push(source.diagnostic_in_line(line, syntax::sentence(&source.text, line, error.message())));
-            broken.extend(syntax::lost(&source.text, line));
+            let lost = syntax::lost(&source.text, line);
+            config.is_cut |= !lost.is_empty();
+            broken.extend(lost);
         }
     }
-    let mut reader = Reader { source, diagnostics, config: Config::new(), drawn, broken, materials: Vec::new() };
+    let mut reader = Reader { source, diagnostics, config, drawn, broken, materials: Vec::new() };
     reader.root(root.get_ref());
     reader.config
-}
-
-/// The words at the head of the file.
-const TOP: [&str; 6] = ["name", "slope_deg", "playfield_friction", "ambient", "ambient_power", "relief_mm"];
-/// The words in brackets.
-const TABLES: [&str; 5] = ["relief", "material", "finish", "class", "part"];
-
-/// ` (did you mean ...?)` if a known word is like this one.
-fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    spelling::near(word, known).map_or_else(String::new, |meant| format!(" (did you mean `{meant}`?)"))
 }
 
 type Value<'i> = Spanned<DeValue<'i>>;
@@ -66,7 +67,9 @@ struct NewMaterial {
 
 impl Reader<'_> {
     fn diagnostic(&mut self, at: usize, what: impl std::fmt::Display) {
-        if !self.broken.contains(&self.source.line(at)) {
+        // What the library makes of a value that it could not read stands nowhere.
+        let is_nowhere = at == 0 && !self.broken.is_empty();
+        if !is_nowhere && !self.broken.contains(&self.source.line(at)) {
             self.diagnostics.push(self.source.diagnostic(at, what));
         }
     }
@@ -180,7 +183,8 @@ impl Reader<'_> {
             }
             None if drawn.is_refused(&name) => {}
             None => {
-                let meant = meant(&name, drawn.all());
+                let art = drawn.art().get(&name).map(|why| format!(": {why}"));
+                let meant = art.unwrap_or_else(|| meant(&name, drawn.all()));
                 self.diagnostic(at, format!("no thing in the drawing has the id `{name}`{meant}"));
             }
         }
@@ -305,6 +309,9 @@ impl Reader<'_> {
         let known: Vec<&str> = self.config.materials.keys().map(String::as_str).collect();
         let known = known.join(", ");
         let meant = meant(&word, known.split(", "));
+        if self.config.is_cut {
+            return None;
+        }
         self.diagnostic(value.span().start, format!("there is no material `{word}`{meant}; there are {known}"));
         None
     }
@@ -317,14 +324,16 @@ impl Reader<'_> {
         let known: Vec<&str> = self.config.finishes.keys().map(String::as_str).collect();
         let meant = meant(&word, known.iter().copied());
         let known = if known.is_empty() { "none yet; write [finish.NAME]".to_string() } else { known.join(", ") };
+        if self.config.is_cut {
+            return None;
+        }
         self.diagnostic(value.span().start, format!("there is no finish `{word}`{meant}; there are {known}"));
         None
     }
 
     fn unknown(&mut self, at: usize, word: &str, known: &str) {
-        let meant = meant(word, known.split(", "));
-        let known = if known.is_empty() { "nothing" } else { known };
-        self.diagnostic(at, format!("`{word}` is not known here{meant}; there are {known}"));
+        let is_dotted = self.source.text.get(at + word.len()..).is_some_and(|rest| rest.starts_with('.'));
+        self.diagnostic(at, unknown(word, is_dotted, known));
     }
 
     fn table<'t, 'i>(&mut self, name: &str, value: &'t Value<'i>) -> Option<&'t DeTable<'i>> {
@@ -376,16 +385,4 @@ impl Reader<'_> {
         }
         number
     }
-}
-
-fn setting_words(class: ElementClass) -> String {
-    let mut words: Vec<&str> = Vec::new();
-    if class.has_material() {
-        words.push("material");
-    }
-    if class.has_finish() {
-        words.extend(["finish", "shadow"]);
-    }
-    words.extend(class.parameters().iter().map(|Parameter { name, .. }| *name));
-    words.join(", ")
 }

@@ -5,6 +5,7 @@
 //! knows less; it gets the result instead of the sheets, so that things and art cannot disagree.
 
 mod brackets;
+mod check;
 mod declarations;
 mod selector;
 mod sheet;
@@ -14,6 +15,7 @@ mod value;
 
 pub(in crate::table) use selector::Instance;
 
+use super::sheet_values::{READ, SheetLines};
 use crate::table::source::{Diagnostic, Source};
 use declarations::Declaration;
 use roxmltree::{Document, Node};
@@ -34,6 +36,8 @@ pub(in crate::table) struct Cascade {
     caches: SelectorCaches,
     /// Bytes of styles so far.
     written: usize,
+    /// See [`SheetLines`]; by the byte at which an element begins.
+    pub lines: SheetLines,
     /// Every class that a sheet names, and perhaps other words.
     pub classes: BTreeSet<String>,
 }
@@ -57,7 +61,8 @@ impl Cascade {
             sheet::read(source, node, &mut rules, diagnostics);
             classes.extend(class_words(&sheet::text(node)));
         }
-        let cascade = Cascade { rules, caches: SelectorCaches::default(), written: 0, classes };
+        let lines = SheetLines::new();
+        let cascade = Cascade { rules, caches: SelectorCaches::default(), written: 0, lines, classes };
         let comparisons = cascade.comparisons(document);
         if comparisons > MAX_COMPARISONS {
             let why = format!(
@@ -103,6 +108,10 @@ impl Cascade {
             return None;
         }
         let declared = strongest(self.declared(element), element.node);
+        for Declaration { name, value, sheet_line, .. } in declared.iter().filter(|one| READ.contains(&&*one.name)) {
+            let at = element.node.range().start;
+            self.lines.extend(sheet_line.map(|line| ((at, name.clone(), value.clone()), line)));
+        }
         let written: Vec<(&str, &str)> = declared.iter().map(|d| (d.name.as_str(), d.value.as_str())).collect();
         let is_plain = written == style_declarations(own.unwrap_or("")).collect::<Vec<_>>();
         let style: Vec<String> = written.iter().map(|(name, value)| format!("{name}:{value}")).collect();

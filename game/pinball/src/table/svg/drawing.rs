@@ -7,6 +7,7 @@ use super::ids::Ids;
 use super::outline::Outline;
 use super::page::{Page, SVG};
 use super::path_flattening::Curves;
+use super::sheet_values::SheetMistakes;
 use super::style::{self, Paint};
 use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
@@ -106,9 +107,12 @@ impl Drawing {
             words: BTreeSet::new(),
             pieces: 0,
             too_many: false,
+            of_sheets: SheetMistakes::default(),
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
-        let Reader { elements, ids, drawn, .. } = reader;
+        let Reader { elements, mut ids, drawn, of_sheets, .. } = reader;
+        ids.note_art(source, document);
+        of_sheets.tell(source, diagnostics);
         match outside::turned(page.size_mm, &elements) {
             Some(what) => diagnostics.push(source.diagnostic(at, what)),
             None => {
@@ -139,6 +143,7 @@ struct Reader<'a> {
     words: BTreeSet<String>,
     pieces: usize,
     too_many: bool,
+    of_sheets: SheetMistakes,
 }
 
 /// The class of an XML element, if it is an element of the table: the first word that is a class.
@@ -209,7 +214,8 @@ impl Reader<'_> {
                 typo = true;
             } else if !is_thing && !self.written.styled.contains(word) && self.words.insert(word.to_string()) {
                 let meant = class_typo::meant_for_art(word).map(|meant| format!("; did you mean `{meant}`?"));
-                let meant = meant.unwrap_or_else(|| ", so what has it is art".to_string());
+                let art = if is_shape { ", so what has it is art" } else { " here: give each shape in it a class" };
+                let meant = meant.unwrap_or_else(|| art.to_string());
                 let what = match LIGHT_BENDING_WORDS.contains(&word) {
                     true => format!("a table in play does not bend light: what has the class `{word}` is art there"),
                     false => format!("the class `{word}` means nothing{meant}"),
@@ -272,7 +278,8 @@ impl Reader<'_> {
             Ok(element) => self.keep(node, Element { data, ..element }),
             Err(why) => {
                 self.refuse(node);
-                if !why.is_empty() {
+                let lines = &self.written.lines;
+                if !why.is_empty() && !self.of_sheets.take(lines, self.source, (node, &name), &why) {
                     self.diagnostic(node, format!("{name}: {why}"));
                 }
             }

@@ -23,6 +23,7 @@ mod path_data;
 pub(super) mod path_flattening;
 mod references;
 mod shape_typo;
+mod sheet_values;
 pub(super) mod style;
 mod text_edit;
 mod transform;

@@ -37,6 +37,7 @@ impl Outline {
                 pen.close()?;
             }
             "path" => path_data::draw(&mut pen, required(node, "d")?)?,
+            "g" => return Err("a group is no thing: give the class to each shape in it instead".to_string()),
             other => {
                 return Err(format!(
                     "a thing cannot be a `{other}`: draw it as line, polyline, polygon, path, circle or rect"

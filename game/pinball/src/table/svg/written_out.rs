@@ -8,6 +8,7 @@ use super::css::{self, Cascade, Instance};
 use super::drawing::is_thing;
 use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
+use super::sheet_values::SheetLines;
 use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
 use super::xml;
 use super::{amount, hidden, oddities, shape_typo};
@@ -23,6 +24,7 @@ pub(in crate::table) struct WrittenOut {
     pub source: Source,
     /// Words that its sheets have as classes.
     pub styled: BTreeSet<String>,
+    pub lines: SheetLines,
     /// Lines of clones whose things have no ids, which has been told.
     pub nameless: BTreeSet<usize>,
 }
@@ -30,10 +32,10 @@ pub(in crate::table) struct WrittenOut {
 /// Writes a drawing out; nothing if it has a mistake that must be mended first.
 pub(in crate::table) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Option<WrittenOut> {
     match edits(&source, diagnostics) {
-        Ok(Changes { edits, styled, nameless }) if edits.is_empty() => Some(WrittenOut { source, styled, nameless }),
-        Ok(Changes { edits, styled, nameless }) => {
-            let text = edited(&source.text, edits);
-            Some(WrittenOut { source: Source::new(source.path, text), styled, nameless })
+        Ok(Changes { edits, lines, styled, nameless }) => {
+            let is_plain = edits.is_empty();
+            let written = |source| Some(WrittenOut { source, styled, lines, nameless });
+            if is_plain { written(source) } else { written(Source::new(source.path, edited(&source.text, edits))) }
         }
         Err(mistakes) => {
             diagnostics.extend(mistakes);
@@ -45,6 +47,7 @@ pub(in crate::table) fn write_out(source: Source, diagnostics: &mut Vec<Diagnost
 /// What makes a drawing a written out one; see [`WrittenOut`].
 struct Changes {
     edits: Vec<Edit>,
+    lines: SheetLines,
     styled: BTreeSet<String>,
     nameless: BTreeSet<usize>,
 }
@@ -79,7 +82,9 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, 
     let Writer { edits, nameless, .. } = writer;
     cascade.check(source).map_err(|one| vec![one])?;
     diagnostics.extend(cascade.unused(source, document));
-    Ok(Changes { edits, styled: cascade.classes, nameless })
+    let lines =
+        cascade.lines.into_iter().map(|((at, name, value), line)| ((source.line(at), name, value), line)).collect();
+    Ok(Changes { edits, lines, styled: cascade.classes, nameless })
 }
 
 fn style(cascade: &mut Cascade, node: Node) -> Option<String> {

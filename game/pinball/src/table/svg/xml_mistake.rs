@@ -20,9 +20,13 @@ pub(super) fn told(source: &Source, error: &Error) -> Diagnostic {
         let what = "the drawing ends here, in the middle of an element; it was not saved whole";
         return source.diagnostic(text.trim_end().len(), what);
     }
-    let (at, what) = match unfinished(text).filter(|_| !text[at..].contains('<')) {
+    let swallows = |begin: usize| begin <= at && SKIPPED.iter().any(|(open, _)| text[begin..].starts_with(open));
+    let (at, what) = match unfinished(text).filter(|begin| swallows(*begin) || !text[at..].contains('<')) {
         Some(begin) if text[begin..].starts_with("<!--") => {
             (begin, "this comment is never closed with `-->`".to_string())
+        }
+        Some(begin) if text[begin..].starts_with("<![CDATA[") => {
+            (begin, "this `<![CDATA[` is never closed with `]]>`".to_string())
         }
         // The file is whole, so what never ends is a value.
         Some(begin) => swallowing(text, begin),
@@ -31,8 +35,12 @@ pub(super) fn told(source: &Source, error: &Error) -> Diagnostic {
     source.diagnostic(at, format!("this is not well-formed XML: {what}"))
 }
 
-/// Of a tag with a quote that is not closed.
+/// Of a tag with a quote that is not closed, or without its end.
 fn swallowing(text: &str, begin: usize) -> (usize, String) {
+    let tag = text[begin + 1..].split('<').next().unwrap_or("");
+    if ['"', '\''].iter().all(|quote| tag.matches(*quote).count() % 2 == 0) {
+        return (begin, format!("the tag `{}` does not end: a `>` is missing behind it", shown(text, begin)));
+    }
     (begin, format!("a quote is missing in `{}`: its value swallows what follows it", shown(text, begin)))
 }
 

@@ -187,7 +187,7 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("[part.pop]\nmaterial = \"gum\""), &["2: there is no material `gum`; there are drop-target, "]);
     says(numbers("[part.pop]\nfinish = \"gold\""), &["2: there is no finish `gold`"]);
     says(numbers("[part.pop]\nshadow = 1"), &["2: `shadow` must be true or false"]);
-    says(numbers("[class.drain]\nshadow = true"), &["2: `shadow` is not known here; there are nothing"]);
+    says(numbers("[class.drain]\nshadow = true"), &["2: `shadow` is not known here, and nothing is: take it out"]);
     says(numbers("[material.gum]\nfriction = 1"), &["1: the material `gum` has no `restitution`"]);
     says(numbers("[material.gum]\nrestitution = 2\nfriction = 1"), &["2: `restitution` must be a number from 0 to 1"]);
     says(numbers("[finish.gold]\nprofile = \"round\""), &["2: the profile is `round`", "bevel 0.8"]);
@@ -199,7 +199,10 @@ fn mistakes_in_numbers_have_their_line() {
     says(numbers("[relief]\n\nplanks_mm = 4"), &["3: `planks_mm` must be 0, for no planks, or a width from 5"]);
     says(numbers("[relief]\nknots = 1"), &["2: `knots` is not known here; there are planks_mm, grain, scratches"]);
     says(numbers("part = 3"), &["1: `part` must be a table"]);
-    says(numbers("name = \"a\"\nname = \"b\""), &["2: `name = \"b\"` is there already; take one of them out"]);
+    says(
+        numbers("name = \"a\"\nname = \"b\""),
+        &["2: `name = \"b\"` is there already, from line 1; take one of them out"],
+    );
     says(numbers("slope_deg = = 6"), &["1: this is not TOML"]);
 }
 

@@ -252,7 +252,10 @@ fn what_is_not_toml_is_told_in_plain_words() {
     // The numbers of a table whose name could not be read were told to be unknown.
     let table = numbers("[material.rubber\nrestitution = 0.9\n[class.wall]\nmaterial = \"wood\"");
     assert_eq!(table, "1: this is not TOML: `[material.rubber`; a table is written in brackets, as [class.wall]");
-    assert_eq!(numbers("[class.wall]\n[class.wall]"), "2: `[class.wall]` is there already; take one of them out");
+    assert_eq!(
+        numbers("[class.wall]\n[class.wall]"),
+        "2: `[class.wall]` is there already, from line 1; take one of them out"
+    );
 }
 
 /// What a crafted recording carries was refused in the words of the JSON library.

@@ -29,7 +29,7 @@ fn another_word_is_told_once_and_words_for_art_are_legal() {
         [
             "warning: table.svg:5: the class `cloud` means nothing, so what has it is art",
             "warning: table.svg:6: the class `Relief` means nothing; did you mean `relief`?",
-            "warning: table.svg:6: the class `posts` means nothing, so what has it is art",
+            "warning: table.svg:6: the class `posts` means nothing here: give each shape in it a class",
         ]
     );
 }

@@ -22,6 +22,8 @@ pub(super) struct Declaration {
     pub is_important: bool,
     /// The line that it begins in, from 0.
     pub line: usize,
+    /// The line of the file, if it stands in a sheet.
+    pub sheet_line: Option<usize>,
 }
 
 /// What stands where a declaration should, and is none.
@@ -77,7 +79,8 @@ impl<'i> DeclarationParser<'i> for Block {
         let written = written.trim().to_string();
         let plain = value::plain(&name, &written);
         let line = start.source_location().line as usize;
-        Ok(Declaration { name, is_valid: plain.is_some(), value: plain.unwrap_or(written), is_important, line })
+        let (is_valid, value) = (plain.is_some(), plain.unwrap_or(written));
+        Ok(Declaration { name, is_valid, value, is_important, line, sheet_line: None })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::declarations::{self, Declaration, Unread};
 use super::selector::{self, Selectors};
-use super::{brackets, spelling};
+use super::{brackets, check, spelling};
 use crate::table::source::{Diagnostic, Source};
 use crate::table::svg::page::SVG;
 use cssparser::{AtRuleParser, CowRcStr, ParseError, Parser, ParserState, QualifiedRuleParser, StyleSheetParser};
@@ -51,7 +51,12 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
     let first = first_line(source, node);
     for rule in StyleSheetParser::new(&mut input, &mut SheetParser) {
         match rule {
-            Ok(read) => {
+            Ok(mut read) => {
+                for declaration in read.iter_mut().flat_map(|rule| &mut rule.declarations) {
+                    let line = first + declaration.line;
+                    declaration.sheet_line = Some(line);
+                    diagnostics.extend(check::warning(source, line, declaration));
+                }
                 let declared = read.iter().flat_map(|rule| &rule.declarations);
                 diagnostics.extend(declared.filter_map(|one| misspelt(source, first + one.line, &one.name)));
                 let unread = read.iter().flat_map(|rule| &rule.unread);
