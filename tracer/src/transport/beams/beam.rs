@@ -2,7 +2,7 @@
 
 use super::trapezoid::Trapezoid;
 use crate::View;
-use crate::transport::{PixelSegment, SplatFilm};
+use crate::transport::SplatFilm;
 use geometry::DVec2;
 
 /// A straight piece of a beam, in pixels.
@@ -12,9 +12,6 @@ pub struct Piece {
     /// Where they end.
     pub to: [DVec2; 4],
 }
-
-/// A beam whose rays are all this near to their middle is laid as one ray, pixels.
-const THIN_PX: f64 = 0.25;
 
 fn mean(places: &[DVec2; 4]) -> DVec2 {
     (places[0] + places[1] + places[2] + places[3]) * 0.25
@@ -34,10 +31,6 @@ impl Piece {
         let length = way.length();
         if !(length > 0.0 && length.is_finite()) {
             return;
-        }
-        if self.is_thin(from, to) {
-            let color = |gone: f64| color(gone / length).map(|channel| channel as f32);
-            return film.splat_varying(&PixelSegment { from, to }, color);
         }
         // Rows if it crosses them more squarely than columns.
         let major = if way.y.abs() >= way.x.abs() { 1 } else { 0 };
@@ -65,14 +58,6 @@ impl Piece {
         }
     }
 
-    /// Whether it is so narrow all the way that its middle says where it is.
-    fn is_thin(&self, from: DVec2, to: DVec2) -> bool {
-        let near = |places: &[DVec2; 4], middle: DVec2| {
-            places.iter().all(|place| place.distance_squared(middle) <= THIN_PX * THIN_PX)
-        };
-        near(&self.from, from) && near(&self.to, to)
-    }
-
     /// Where a corner's ray is as it crosses the middle of a row.
     fn place(&self, corner: usize, middle: f64, part: f64, major: usize) -> f64 {
         let minor = 1 - major;
@@ -91,10 +76,12 @@ fn lay(film: &mut SplatFilm, spread: &Trapezoid, row: usize, major: usize, width
     if !(end > 0.0 && begin < width) {
         return;
     }
+    let last = end.min(width).ceil() - 1.0;
     let mut at = begin.max(0.0).floor();
-    let mut before = spread.left_of(at);
-    while at < end.min(width) {
-        let left = spread.left_of(at + 1.0);
+    // What lies beside the picture is left out; nothing lies left of the first pixel where the spread begins in it.
+    let mut before = if begin >= 0.0 { 0.0 } else { spread.left_of(at) };
+    while at <= last {
+        let left = if at == last && end <= width { 1.0 } else { spread.left_of(at + 1.0) };
         let part = left - before;
         before = left;
         let (x, y) = if major == 1 { (at as usize, row) } else { (row, at as usize) };
