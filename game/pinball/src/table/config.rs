@@ -1,10 +1,12 @@
 //! The configuration in `table.toml`: materials, finishes, and numbers by class and by id; and what holds when the file
 //! says nothing.
 
+mod idle;
 mod parse;
 mod syntax;
 mod torques;
 
+pub(super) use idle::warnings as idle_warnings;
 pub(super) use parse::parse;
 pub(super) use torques::mistakes as torque_mistakes;
 
@@ -27,6 +29,8 @@ pub(super) struct Config {
     pub normal_map: NormalMapInputs,
     pub materials: BTreeMap<String, Material>,
     pub finishes: BTreeMap<String, FinishOverrides>,
+    /// The byte at which the file says each of them.
+    finish_places: BTreeMap<String, usize>,
     classes: BTreeMap<ElementClass, Settings>,
     parts: BTreeMap<String, Settings>,
 }
@@ -72,6 +76,12 @@ impl Config {
     fn is_made_of(&self, material: &str) -> bool {
         let all = self.classes.values().chain(self.parts.values());
         all.filter_map(|settings| settings.material.as_deref()).any(|word| word == material)
+    }
+
+    /// Whether a class or a thing is said to look so.
+    fn is_finished_by(&self, finish: &str) -> bool {
+        let all = self.classes.values().chain(self.parts.values());
+        all.filter_map(|settings| settings.finish.as_deref()).any(|word| word == finish)
     }
 
     /// Whether the element was said to cast a shadow.
@@ -134,6 +144,7 @@ impl Config {
             normal_map: NormalMapInputs::default(),
             materials: known.into_iter().map(|(name, material)| (name.to_string(), material)).collect(),
             finishes: BTreeMap::new(),
+            finish_places: BTreeMap::new(),
             classes: BTreeMap::new(),
             parts: BTreeMap::new(),
         }

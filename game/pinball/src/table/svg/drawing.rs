@@ -88,8 +88,8 @@ pub(in crate::table) struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the elements; every diagnostic goes to `diagnostics`. Nothing of a drawing whose size is not known: whatever
-    /// were said of its elements would come of that.
+    /// Finds the elements; every diagnostic goes to `diagnostics`. Nothing of a drawing whose size is not known, or that is
+    /// not read to its end: whatever were said of its elements would come of that.
     pub fn read(written: &WrittenOut, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Option<Drawing> {
         let source = &written.source;
         let root = document.root_element();
@@ -107,7 +107,10 @@ impl Drawing {
             too_many: false,
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
-        let Reader { elements, ids, drawn, .. } = reader;
+        let Reader { elements, ids, drawn, too_many, .. } = reader;
+        if too_many {
+            return None;
+        }
         match outside::turned(page.size_mm, &elements) {
             Some(what) => diagnostics.push(source.diagnostic(at, what)),
             None => {

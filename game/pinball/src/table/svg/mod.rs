@@ -9,6 +9,7 @@ mod color;
 pub(super) mod css;
 pub(super) mod drawing;
 pub(super) mod element_class;
+pub(super) mod half_place;
 mod hidden;
 pub(super) mod ids;
 pub(super) mod layers;
