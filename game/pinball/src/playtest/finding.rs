@@ -223,6 +223,11 @@ impl Finding {
             Some(Kind::Gate(_)) => format!(
                 "{balls} that are shot through it none passes it the way that is free; see its data-way, and leave that way free"
             ),
+            Some(Kind::Ramp(_)) => {
+                format!(
+                    "{balls} that are shot into it none comes onto it; leave its entry free, wider than a ball's 27 mm"
+                )
+            }
             Some(Kind::Rollover(_)) => {
                 format!("{balls} that are shot over it none closes its switch: a ball's centre must come over it")
             }

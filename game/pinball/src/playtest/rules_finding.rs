@@ -2,6 +2,7 @@
 
 use super::finding::{Finding, FindingKind};
 use crate::Table;
+use crate::rules::NO_START;
 use crate::table::FILES;
 use physics::PartId;
 
@@ -17,9 +18,7 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
         ),
         FindingKind::NoStart => (
             "on_button",
-            "no game can begin: no rule speaks of `start_game` or of \"start\"; if the table is there to be played, call \
-             `start_game(3)` and `add_ball()` in `on_button(name)`"
-                .to_string(),
+            NO_START.to_string(),
         ),
         FindingKind::NoBall => (
             "on_button",

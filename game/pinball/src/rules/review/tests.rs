@@ -236,6 +236,19 @@ fn coils_that_no_rule_works_are_told() {
     assert_eq!(told("kickers(true); raise(\"drop\"); for kb in [\"kb\"] { kick(kb); }"), Vec::<String>::new());
 }
 
+/// Without play nothing was said of an empty file.
+#[test]
+fn rules_without_a_rule_are_told() {
+    for empty in ["", "// later\n", "const BALLS = 3;"] {
+        let told = told(empty);
+        assert!(
+            told.len() == 1 && told[0].starts_with("warning:") && told[0].contains("no game can begin: no rule"),
+            "{told:?}"
+        );
+    }
+    assert_eq!(told("fn on_feed() { score(1); }"), Vec::<String>::new());
+}
+
 #[test]
 fn spectrum_is_left_alone() {
     let review = Review::of(&spectrum());
