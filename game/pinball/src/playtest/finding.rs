@@ -60,6 +60,8 @@ pub enum FindingKind {
     EndsEarly,
     /// The game is over, and the player has not had all balls.
     OverEarly,
+    /// A game begins while a ball of another is in play.
+    BeginsAnew,
     /// The game is over, and no other begins.
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
@@ -106,6 +108,7 @@ impl Finding {
                 | FindingKind::EndsEarly
                 | FindingKind::NoNextGame
                 | FindingKind::OverEarly
+                | FindingKind::BeginsAnew
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
         )

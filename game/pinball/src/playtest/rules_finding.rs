@@ -20,6 +20,12 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
             "on_button",
             NO_START.to_string(),
         ),
+        FindingKind::BeginsAnew => (
+            "start_game",
+            "a game begins while a ball of another is in play, and the players' points are gone; ask `!playing()` before \
+             `start_game`"
+                .to_string(),
+        ),
         FindingKind::NoBall => (
             "on_button",
             "a game begins and no ball comes for 14 s, until the ball search gives one; call `add_ball()` behind \
@@ -41,7 +47,11 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
         ),
         _ => ("on_switch", of_lost_ball(finding, table)?),
     };
-    let line = line_of(function, &table.rules).map_or_else(String::new, |line| format!(":{line}"));
+    let line = match finding.kind {
+        FindingKind::BeginsAnew => line_with(function, &table.rules),
+        _ => line_of(function, &table.rules),
+    };
+    let line = line.map_or_else(String::new, |line| format!(":{line}"));
     Some((format!("{}{line}", table.file(FILES[2])), sentence))
 }
 
@@ -88,6 +98,12 @@ fn name(part: PartId, table: &Table) -> String {
     let name = table.layout.parts.get(part).map_or("", |part| &part.name);
     let line = table.part_lines.get(part).map_or_else(String::new, |line| format!(" ({} line {line})", FILES[0]));
     format!("{name}{line}")
+}
+
+/// The first line of the rules on which this word is no comment's.
+fn line_with(word: &str, rules: &str) -> Option<usize> {
+    let has_it = |line: &str| line.split("//").next().is_some_and(|code| code.contains(word));
+    rules.lines().position(has_it).map(|index| index + 1)
 }
 
 /// The line on which a function of the rules begins, if there is one.
