@@ -71,7 +71,8 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     }
     if report.errors() == 0 && !args.quick {
         let trial = pool(args.threads)?.install(|| trial::play(&table))?;
-        report.found.extend(trial.findings);
+        let more = trial.findings.into_iter().filter(|finding| !report.found.contains(finding)).collect::<Vec<_>>();
+        report.found.extend(more);
         report.play = Some((trial.places, trial.bot_score));
     }
     Ok(report)

@@ -72,6 +72,8 @@ pub struct SelfPlayRun {
     pub anomalies: Vec<Anomaly>,
     /// What the rules complained about.
     pub complaints: Vec<String>,
+    /// How often a game was begun while a ball of another was in play.
+    pub restarts: u32,
     /// Of every tick, if the options ask for it.
     pub digest: Option<Digest>,
     /// The recording, finished.
@@ -119,6 +121,7 @@ pub fn play(
         hits: seen.hits,
         anomalies: seen.anomalies,
         complaints: simulation.complaints(),
+        restarts: simulation.rules_state().restarts,
         digest,
         recording: recorder.finish(&simulation).map_err(unrecorded)?.into_inner(),
     })

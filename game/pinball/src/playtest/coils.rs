@@ -95,6 +95,10 @@ fn try_flipper(mut machine: Machine, part: PartId, flipper: &Flipper) -> Option<
         FlipperControl::Rules => return None,
     };
     let along = trig::direction(flipper.rest_rad);
+    // A stroke that ends lower than it begins is told without play.
+    if trig::direction(flipper.up_rad).y > along.y {
+        return None;
+    }
     // The side to which the stroke goes.
     let side = along.perp() * (flipper.up_rad - flipper.rest_rad).signum();
     let radius = 0.5 * (flipper.base.radius + flipper.tip_radius_m);

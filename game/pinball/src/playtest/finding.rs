@@ -60,6 +60,8 @@ pub enum FindingKind {
     EndsEarly,
     /// The game is over, and the player has not had all balls.
     OverEarly,
+    /// A game begins while a ball of another is in play.
+    BeginsAnew,
     /// The game is over, and no other begins.
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
@@ -108,6 +110,7 @@ impl Finding {
                 | FindingKind::EndsEarly
                 | FindingKind::NoNextGame
                 | FindingKind::OverEarly
+                | FindingKind::BeginsAnew
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
         )
@@ -246,6 +249,11 @@ impl Finding {
             Some(Kind::Gate(_)) => format!(
                 "{balls} that are shot through it none passes it the way that is free; see its data-way, and leave that way free"
             ),
+            Some(Kind::Ramp(_)) => {
+                format!(
+                    "{balls} that are shot into it none comes onto it; leave its entry free, wider than a ball's 27 mm"
+                )
+            }
             Some(Kind::Rollover(_)) => {
                 format!("{balls} that are shot over it none closes its switch: a ball's centre must come over it")
             }

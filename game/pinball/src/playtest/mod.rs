@@ -196,6 +196,8 @@ impl Playtest {
             };
             Finding::near(kind, layout, anomaly.center_mm * 0.001, anomaly.above)
         });
+        let anew = Finding { kind: FindingKind::BeginsAnew, part: None, place_mm: DVec2::ZERO, count: 1 };
+        let findings = findings.chain((run.restarts > 0).then_some(anew));
         Ok(BotRun { findings: findings.collect(), score: run.score(), complaints: run.complaints })
     }
 

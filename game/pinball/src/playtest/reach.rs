@@ -239,6 +239,15 @@ pub fn has_entrance<'a>(ramp: &Ramp, mut others: impl Iterator<Item = &'a Ramp>)
     lies_low || others.any(is_joined)
 }
 
+/// The ramp's ends that lie on the playfield: the middle of each, and the way into the ramp.
+pub fn low_ends(ramp: &Ramp) -> Vec<(DVec2, DVec2)> {
+    let first = ramp.path.first().map(|leg| (leg.at(0.0), leg.direction_at(0.0)));
+    let last = ramp.path.last().map(|leg| (leg.at(leg.length()), -leg.direction_at(leg.length())));
+    let low = |height: Option<&f64>| height.is_some_and(|height| *height <= LOW_M);
+    let first = first.filter(|_| low(ramp.heights_m.first()));
+    first.into_iter().chain(last.filter(|_| low(ramp.heights_m.last()))).collect()
+}
+
 /// The ramp's two ends.
 fn tips(ramp: &Ramp) -> Vec<DVec2> {
     let first = ramp.path.first().map(|leg| leg.at(0.0));

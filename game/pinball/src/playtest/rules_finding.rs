@@ -2,6 +2,7 @@
 
 use super::finding::{Finding, FindingKind};
 use crate::Table;
+use crate::rules::NO_START;
 use crate::table::FILES;
 use physics::PartId;
 
@@ -17,8 +18,12 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
         ),
         FindingKind::NoStart => (
             "on_button",
-            "no game can begin: no rule speaks of `start_game` or of \"start\"; if the table is there to be played, call \
-             `start_game(3)` and `add_ball()` in `on_button(name)`"
+            NO_START.to_string(),
+        ),
+        FindingKind::BeginsAnew => (
+            "start_game",
+            "a game begins while a ball of another is in play, and the players' points are gone; ask `!playing()` before \
+             `start_game`"
                 .to_string(),
         ),
         FindingKind::NoBall => (
@@ -49,7 +54,11 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
         ),
         _ => ("on_switch", of_lost_ball(finding, table)?),
     };
-    let line = line_of(function, &table.rules).map_or_else(String::new, |line| format!(":{line}"));
+    let line = match finding.kind {
+        FindingKind::BeginsAnew => line_with(function, &table.rules),
+        _ => line_of(function, &table.rules),
+    };
+    let line = line.map_or_else(String::new, |line| format!(":{line}"));
     Some((format!("{}{line}", table.file(FILES[2])), sentence))
 }
 
@@ -96,6 +105,12 @@ fn name(part: PartId, table: &Table) -> String {
     let name = table.layout.parts.get(part).map_or("", |part| &part.name);
     let line = table.part_lines.get(part).map_or_else(String::new, |line| format!(" ({} line {line})", FILES[0]));
     format!("{name}{line}")
+}
+
+/// The first line of the rules on which this word is no comment's.
+fn line_with(word: &str, rules: &str) -> Option<usize> {
+    let has_it = |line: &str| line.split("//").next().is_some_and(|code| code.contains(word));
+    rules.lines().position(has_it).map(|index| index + 1)
 }
 
 /// The line on which a function of the rules begins, if there is one.

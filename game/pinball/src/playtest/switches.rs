@@ -3,10 +3,10 @@
 
 use super::finding::{Finding, FindingKind};
 use super::nearest::touchable;
-use super::reach::Reach;
+use super::reach::{self, Reach};
 use super::{USUAL_BURDEN, burden};
 use geometry::{DVec2, Segment, Shape};
-use physics::{BALL_RADIUS_M, Controls, Event, EventKind, Gate, Kind, Machine, PartId, Saucer, Spinner};
+use physics::{BALL_RADIUS_M, Controls, Event, EventKind, Gate, Kind, Machine, PartId, Ramp, Saucer, Spinner};
 
 /// A ball is shot from no farther, m...
 const RANGE_M: f64 = 0.06;
@@ -18,6 +18,8 @@ const SPEEDS_M_S: [f64; 2] = [1.5, 4.0];
 const ROLLING_M_S: [f64; 4] = [0.2, 0.4, 0.8, 0.1];
 /// No ball comes exactly over the middle of a saucer, m.
 const ASIDE_M: f64 = 0.003;
+/// Half of what is aimed at in a ramp that is as wide as a ball, m.
+const LEAST_MOUTH_M: f64 = 0.002;
 /// Places from which balls are shot.
 const MOST_PLACES: usize = 40;
 /// A ball has met the part by then, ticks.
@@ -44,7 +46,9 @@ impl Shot {
 
 /// Whether there is a trial for the switch of such a part.
 pub fn has_trial(kind: &Kind) -> bool {
-    is_hit(kind).is_some() || matches!(kind, Kind::Rollover(_) | Kind::Spinner(_) | Kind::Gate(_) | Kind::Saucer(_))
+    let is_other =
+        matches!(kind, Kind::Rollover(_) | Kind::Spinner(_) | Kind::Gate(_) | Kind::Saucer(_) | Kind::Ramp(_));
+    is_hit(kind).is_some() || is_other
 }
 
 /// What is wrong with the switch of this part.
@@ -63,6 +67,7 @@ pub fn closing_shot(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind)
         Kind::Spinner(Spinner { segment, .. }) => (shots_through(reach, segment, None), SLOW_TICKS),
         Kind::Gate(Gate { segment, direction, .. }) => (shots_through(reach, segment, Some(*direction)), SLOW_TICKS),
         Kind::Saucer(saucer) => (shots_into(reach, saucer), SLOW_TICKS),
+        Kind::Ramp(ramp) => (shots_onto(reach, ramp), FLIGHT_TICKS),
         _ => {
             let Some(threshold_m_s) = is_hit(kind) else { return Ok(None) };
             let shapes = touchable(kind);
@@ -74,7 +79,7 @@ pub fn closing_shot(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind)
     // On a table with much that moves fewer are shot.
     let stride = burden(machine).div_ceil(USUAL_BURDEN).max(1);
     for shot in shots.into_iter().step_by(stride) {
-        match closes(machine, part, shot, ticks, &mut contact_solves) {
+        match meets(machine, part, shot, ticks, &mut contact_solves) {
             Some(true) => return Ok(Some(shot)),
             Some(false) => tried.push(shot),
             None => {} // something that moves lies there
@@ -99,18 +104,20 @@ fn is_hit(kind: &Kind) -> Option<f64> {
     }
 }
 
-/// Whether this shot closes the part's switch; unknown where there is no room for its ball.
-fn closes(machine: &Machine, part: PartId, shot: Shot, ticks: usize, contact_solves: &mut u64) -> Option<bool> {
+/// Whether this shot closes the part's switch, of a ramp whether it comes onto it; unknown where there is no room for its
+/// ball.
+fn meets(machine: &Machine, part: PartId, shot: Shot, ticks: usize, contact_solves: &mut u64) -> Option<bool> {
     let mut machine = machine.clone();
     machine.put_ball(shot.place, shot.velocity, [0.0; 3]);
     if machine.penetration_m() > 0.0 {
         return None;
     }
+    let is_ramp = matches!(machine.layout().parts[usize::from(part.0)].kind, Kind::Ramp(_));
     let is_ours = |event: &Event| event.part == Some(part) && event.kind == EventKind::Closed;
     Some((0..ticks).any(|_| {
         machine.tick(Controls::NONE, &[]);
         *contact_solves += machine.contact_solves();
-        machine.events().iter().any(is_ours)
+        machine.events().iter().any(is_ours) || is_ramp && machine.balls().iter().any(|ball| ball.above)
     }))
 }
 
@@ -153,6 +160,15 @@ fn shots_through(reach: &Reach, segment: &Segment, way: Option<DVec2>) -> Vec<Sh
     let before: Vec<(DVec2, DVec2)> = before.collect();
     let at = |speed: f64| before.iter().filter_map(move |(place, target)| Shot::towards(*place, *target, speed));
     SPEEDS_M_S.into_iter().flat_map(at).collect()
+}
+
+/// Through the ends of a ramp that lie on the playfield, into it.
+fn shots_onto(reach: &Reach, ramp: &Ramp) -> Vec<Shot> {
+    let entries = reach::low_ends(ramp).into_iter().flat_map(|(middle, inward)| {
+        let aside = inward.perp() * (ramp.half_width_m - BALL_RADIUS_M).max(LEAST_MOUTH_M);
+        shots_through(reach, &Segment { a: middle - aside, b: middle + aside }, Some(inward))
+    });
+    entries.collect()
 }
 
 /// Over the saucer, a little beside its middle.

@@ -42,6 +42,9 @@ pub const BEGINNINGS: [Buttons; 5] = [Buttons::START, Buttons::START, Buttons::P
 const PRESS_PERIOD_TICKS: u64 = 5000;
 /// How long a button is pressed for that, ticks.
 pub const PRESS_TICKS: u64 = 100;
+/// What is pressed while a ball is in play, and must not begin the game anew, and how long each is watched, ticks.
+const IN_PLAY: [Buttons; 3] = [Buttons::START, Buttons::LEFT, Buttons::RIGHT];
+const PRESSED_TICKS: u64 = 400;
 /// Between two presses of the flippers' buttons while the table is empty, ticks: rules may ask the player something.
 const ASKED_TICKS: u64 = 500;
 
@@ -76,6 +79,8 @@ struct Seen {
     tilted: bool,
     /// It was not.
     untilted: bool,
+    /// A press of a button has begun the game anew.
+    begins_anew: bool,
 }
 
 /// What has become of a ball that was waited for.
@@ -104,7 +109,7 @@ pub fn play(
     let seen = Seen::default();
     let mut game = WholeGame { simulation: begun.clone(), places, drain, before_loss: None, seen };
     let mut found = Vec::new();
-    let (mut last_turn, mut same_turn, mut ends_early) = (None, 0, None);
+    let (mut last_turn, mut same_turn, mut ends_early, mut restarts) = (None, 0, None, false);
     for lost in 0..=balls {
         let arrival = game.wait_for_ball(lost == 0);
         let turn = game.simulation.rules_state().turn;
@@ -135,12 +140,15 @@ pub fn play(
         if found.is_empty() {
             found.extend(game.dead_flippers().map(|kind| (kind, lost + 1)));
         }
+        restarts |= game.seen.begins_anew;
         if matches!(loss, Loss::Unseen) {
             break;
         }
         last_turn = Some(turn);
     }
     found.extend(ends_early.unwrap_or(false).then_some((FindingKind::EndsEarly, 1)));
+    restarts |= game.simulation.rules_state().restarts > 0;
+    found.extend(restarts.then_some((FindingKind::BeginsAnew, 1)));
     let part = drain.map(|(part, _)| part);
     let told = |(kind, count)| Finding { kind, part, place_mm: DVec2::ZERO, count };
     (found.into_iter().map(told).collect(), game.simulation.complaints())
@@ -182,6 +190,9 @@ impl WholeGame<'_> {
             self.seen.look(rules);
             let is_shot = balls.iter().any(|ball| self.is_away(ball));
             lost_at = lost_at.or(is_shot.then_some(tick + kept_ticks));
+            if lost_at.is_some_and(|at| tick == at.max(IN_PLAY_TICKS)) && rules.turn == (0, 1) {
+                self.seen.begins_anew = IN_PLAY.into_iter().any(|button| self.begins_anew_by(button));
+            }
             if lost_at.is_some_and(|at| tick >= at.max(IN_PLAY_TICKS)) {
                 self.lose_one(tick, &balls);
             } else {
@@ -225,6 +236,18 @@ impl WholeGame<'_> {
             rescue(&mut simulation, self.places, &balls);
         }
         Some(false)
+    }
+
+    /// Whether a press of this button begins the game anew while its first ball is in play: with a later one that may be
+    /// meant.
+    fn begins_anew_by(&self, button: Buttons) -> bool {
+        let mut simulation = self.simulation.clone();
+        for tick in 0..PRESSED_TICKS {
+            simulation.tick(if tick < PRESS_TICKS { button } else { Buttons::NONE });
+            let balls = simulation.machine().balls();
+            rescue(&mut simulation, self.places, &balls);
+        }
+        simulation.rules_state().restarts > 0
     }
 
     /// Whether a press of a button begins the next game.

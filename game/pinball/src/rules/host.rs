@@ -60,6 +60,7 @@ static FLOW: [HostFunction; 6] = [
         if !(1..=i64::from(MAX_BALLS)).contains(&balls) {
             return Err(format!("a game has 1 to {MAX_BALLS} balls, not {balls}"));
         }
+        context.script.restarts += u32::from(context.script.score.playing && context.script.balls > 0);
         context.script.score.start(balls as u32);
         Ok(Data::Unit)
     }),

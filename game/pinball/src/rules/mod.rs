@@ -29,7 +29,7 @@ pub(crate) mod tests;
 
 pub use display::Display;
 pub use program::Program;
-pub use review::{KnownMessage, Review};
+pub use review::{KnownMessage, NO_START, Review};
 pub use score::Score;
 pub use script_state::ScriptState;
 pub use value::Value;

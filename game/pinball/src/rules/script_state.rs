@@ -42,6 +42,10 @@ pub struct ScriptState {
     bob_until: u64,
     /// Orders for the next tick.
     pub commands: Vec<Command>,
+    /// How often a game was begun while a ball of another was in play, since this was made or read: trials look at it, and no
+    /// game comes to depend on it.
+    #[serde(skip)]
+    pub restarts: u32,
 }
 
 /// A message on the display.

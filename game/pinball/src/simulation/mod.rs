@@ -76,6 +76,8 @@ pub(crate) struct SimulationRules {
     pub balls: u32,
     /// The last player plays the last ball.
     pub is_last_turn: bool,
+    /// How often a game was begun while a ball of another was in play.
+    pub restarts: u32,
 }
 
 impl Simulation {
@@ -184,6 +186,7 @@ impl Simulation {
             turn: (score.player, score.ball),
             balls: score.balls,
             is_last_turn: score.is_last_turn(),
+            restarts: state.restarts,
         }
     }
 

@@ -2,11 +2,13 @@
 //! says nothing.
 
 mod hint;
+mod idle;
 mod parse;
 mod syntax;
 mod torques;
 mod words;
 
+pub(super) use idle::warnings as idle_warnings;
 pub(super) use parse::parse;
 pub(super) use torques::mistakes as torque_mistakes;
 
@@ -29,6 +31,8 @@ pub(super) struct Config {
     pub normal_map: NormalMapInputs,
     pub materials: BTreeMap<String, Material>,
     pub finishes: BTreeMap<String, FinishOverrides>,
+    /// The byte at which the file says each of them.
+    finish_places: BTreeMap<String, usize>,
     classes: BTreeMap<ElementClass, Settings>,
     parts: BTreeMap<String, Settings>,
     /// Names are missing, for what names them cannot be read, which has been told.
@@ -76,6 +80,12 @@ impl Config {
     fn is_made_of(&self, material: &str) -> bool {
         let all = self.classes.values().chain(self.parts.values());
         all.filter_map(|settings| settings.material.as_deref()).any(|word| word == material)
+    }
+
+    /// Whether a class or a thing is said to look so.
+    fn is_finished_by(&self, finish: &str) -> bool {
+        let all = self.classes.values().chain(self.parts.values());
+        all.filter_map(|settings| settings.finish.as_deref()).any(|word| word == finish)
     }
 
     /// Whether the element was said to cast a shadow.
@@ -140,6 +150,7 @@ impl Config {
             normal_map: NormalMapInputs::default(),
             materials: known.into_iter().map(|(name, material)| (name.to_string(), material)).collect(),
             finishes: BTreeMap::new(),
+            finish_places: BTreeMap::new(),
             classes: BTreeMap::new(),
             parts: BTreeMap::new(),
             is_cut: false,

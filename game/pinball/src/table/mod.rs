@@ -13,6 +13,7 @@ mod normal_map;
 mod overlaps;
 mod parse;
 mod parts;
+mod shaded;
 mod solid;
 mod solids;
 mod source;

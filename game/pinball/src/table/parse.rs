@@ -5,10 +5,11 @@ use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source, failures};
 use super::svg::drawing::{Drawing, Element};
 use super::svg::element_class::ElementClass;
+use super::svg::half_place;
 use super::svg::layers;
 use super::svg::written_out::{self, WrittenOut};
 use super::svg::xml;
-use super::{Lamp, NormalMapInputs, Solid, Table, captives, file_kind, lamps, parts, unseen};
+use super::{Lamp, NormalMapInputs, Solid, Table, captives, file_kind, lamps, parts, shaded, unseen};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -65,6 +66,11 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     diagnostics.extend(config::torque_mistakes(&toml, config, &drawing.elements));
     let has_mistakes = diagnostics.iter().any(|diagnostic| !diagnostic.is_warning());
     diagnostics.extend(unseen::warnings(svg, &drawing.elements, has_mistakes));
+    if !has_mistakes {
+        diagnostics.extend(half_place::warnings(svg, document, &drawing.elements));
+        diagnostics.extend(config::idle_warnings(&toml, config, &drawing.elements));
+        diagnostics.extend(shaded::warnings(svg, drawing, &converted.parts, &converted.lamps, &converted.solids));
+    }
     let warnings = failures(diagnostics);
     if warnings.iter().any(|failure| !failure.is_warning()) {
         return Err(warnings);

@@ -5,6 +5,7 @@ mod elements;
 mod errors;
 mod fuzz;
 mod hash;
+mod idle;
 mod oddities;
 mod overlaps;
 mod sheets;

@@ -116,3 +116,28 @@ fn flippers_whose_strokes_cross_are_told() {
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(told[0].contains(": left: its stroke crosses that of right (line 9) at "), "{told:?}");
 }
+
+/// A guide across a ramp's entry: a ball came as far as the guide, and the ramp was called good.
+#[test]
+fn a_ramp_whose_entry_is_barred_is_told() {
+    let ramp = |more: &str| {
+        format!(
+            r#"<path class="ramp" id="way" d="M200 600V400" data-heights-mm="0 48" stroke-width="40" fill="none"/>{more}"#
+        )
+    };
+    let guide = |y: f64, from: f64| ramp(&format!(r#"<path class="guide" d="M{from} {y}H225" stroke-width="4"/>"#));
+    assert_eq!(coils(&ramp("")), Vec::<String>::new());
+    let told = coils(&guide(604.0, 175.0));
+    assert!(told.len() == 1 && told[0].starts_with("warning: table.svg:9: way: of "), "{told:?}");
+    assert!(
+        told[0].ends_with("that are shot into it none comes onto it; leave its entry free, wider than a ball's 27 mm"),
+        "{told:?}"
+    );
+    assert_eq!(kinds(&guide(590.0, 175.0)), [FindingKind::SwitchNeverCloses], "in the ramp, and no ball is on it yet");
+    assert_eq!(coils(&guide(520.0, 175.0)), Vec::<String>::new(), "below the ramp");
+    assert_eq!(coils(&guide(604.0, 215.0)), Vec::<String>::new(), "it leaves room");
+    // The upper end lies on the playfield.
+    let turned = ramp("").replace("M200 600V400", "M200 400V600").replace("0 48", "48 0");
+    assert_eq!(coils(&turned), Vec::<String>::new());
+    assert_eq!(coils(&format!("{turned}{}", guide(604.0, 175.0).split_once("/>").unwrap().1)).len(), 1);
+}

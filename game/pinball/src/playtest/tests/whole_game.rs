@@ -76,6 +76,35 @@ fn a_game_that_is_over_too_early_is_told() {
     assert!(told[0].contains("the game is over when 1 ball is lost in drain"), "{told:?}");
 }
 
+/// A press of start in play gave the first ball anew, and all points were gone: check said ok.
+#[test]
+fn a_game_that_begins_anew_in_play_is_told() {
+    let anew = changed(" && !playing()", "");
+    let told = told(DRAIN, &anew);
+    let expected = "warning: rules.rhai:1: a game begins while a ball of another is in play, and the players' points are gone; \
+                    ask `!playing()` before `start_game`";
+    assert_eq!(told, [expected]);
+    assert!(first_game(&changed("name == \"start\" && !playing()", "true")).contains(&FindingKind::BeginsAnew));
+    assert_eq!(
+        first_game(&changed("!playing()", "(!playing() || ball() > 1)")),
+        [],
+        "as machines did, later in a game"
+    );
+    assert_eq!(
+        first_game(&changed(
+            "if name == \"start\"",
+            "if name == \"start\" && playing() { add_player(); } else if name == \"start\""
+        )),
+        []
+    );
+    // A switch that begins one, in the plunger's lane.
+    let switch = GAME.replace("\"hole\" { after", "\"pop\" { start_game(3); }\n if name == \"hole\" { after");
+    let pop = r#"<line class="rollover" id="pop" x1="480" y1="500" x2="480" y2="540" stroke-width="20"/>"#;
+    let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{DRAIN}{pop}"), &switch));
+    let run = playtest.bot_run().unwrap();
+    assert!(run.findings.iter().any(|finding| finding.kind == FindingKind::BeginsAnew), "{:?}", run.findings);
+}
+
 /// Games without flippers, without a ball, without an end were called good: all that is needed was in the rules, and none
 /// of it came.
 #[test]

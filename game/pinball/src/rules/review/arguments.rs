@@ -186,6 +186,12 @@ fn idle(call: &Call, given: &[Option<Given>]) -> Option<String> {
         ("score", 1) if call.arguments.first().is_some_and(|node| matches!(node.kind, Kind::Int(0))) => {
             Some("`score(0)` gives no points".to_string())
         }
+        ("score", 1) => number(0).filter(|points| *points < 0).map(|points| {
+            format!(
+                "`score({points})` takes points from the player; write {} if it is to give them",
+                points.unsigned_abs()
+            )
+        }),
         ("lamp", 3 | 4) | ("show", _) if number(2) == Some(0) => {
             let mode = call.words.get(1)?.only().filter(|mode| !matches!(&***mode, "on" | "off" | "dim"))?;
             Some(format!("a lamp cannot \"{mode}\" in 0 ms: name the time from one to the next, as 400"))

@@ -4,8 +4,17 @@
 use super::facts::{Call, Facts};
 use super::remark::Remark;
 use crate::rules::names::Names;
-use crate::rules::script::Kind as NodeKind;
+use crate::rules::script::{Kind as NodeKind, Script};
 use physics::{FlipperControl, Kind};
+
+/// What is said of rules that begin no game.
+pub const NO_START: &str = "no game can begin: no rule speaks of `start_game` or of \"start\"; if the table is there to be \
+                            played, call `start_game(3)` and `add_ball()` in `on_button(name)`";
+
+/// What is said of rules without any rule: in other rules play shows it.
+pub fn none(script: &Script) -> Option<Remark> {
+    script.functions().next().is_none().then(|| Remark::warning(0, NO_START))
+}
 
 /// What is never called, in rules that begin a game.
 pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {

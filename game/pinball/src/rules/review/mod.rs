@@ -20,6 +20,7 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use calls::NO_START;
 pub use messages::KnownMessage;
 
 use super::host_function::ScriptContext;
@@ -63,6 +64,7 @@ impl Review {
             lost_ball::remarks(&facts, names, script, &table.rules),
             arguments::remarks(&facts, script, context),
             unreached::remarks(script, &table.rules),
+            calls::none(script).into_iter().collect(),
             open_comment(&table.rules).map(|line| Remark::error(line, UNCLOSED_COMMENT)).into_iter().collect(),
         ]
         .concat();

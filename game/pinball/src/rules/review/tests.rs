@@ -110,6 +110,28 @@ fn timers_that_nobody_starts_or_hears_are_told_once() {
     assert_eq!(told(unheard), ["warning: 1: the timer \"eject\" is started for nothing: there is no `on_timer(name)`"]);
 }
 
+/// `cancel("egect")` stopped nothing, and the saucer's timer ran on.
+#[test]
+fn a_timer_that_is_stopped_or_asked_about_and_never_started_is_told() {
+    let rules = |call: &str| {
+        format!("fn on_feed() {{ after(100, \"eject\"); }} fn on_timer(name) {{ score(1); }}\nfn on_bob() {{ {call} }}")
+    };
+    let told = |call: &str| told(&rules(call));
+    let meant = "nothing starts that timer with `after`; did you mean \"eject\"?";
+    assert_eq!(told("cancel(\"egect\");"), [format!("warning: 2: `cancel(\"egect\")` stops nothing: {meant}")]);
+    assert_eq!(
+        told("if running(\"egect\") { score(1); }"),
+        [format!("warning: 2: `running(\"egect\")` is always false: {meant}")]
+    );
+    let left = "warning: 2: `time_left(\"bonus\")` is always 0: nothing starts that timer with `after`";
+    assert_eq!(told("score(time_left(\"bonus\"));"), [left]);
+    assert_eq!(told("for timer in [\"eject\", \"late\"] { cancel(timer); }").len(), 1);
+    for good in ["cancel(\"eject\");", "let timer = \"x\"; after(5, `${now()}`); cancel(timer);", "cancel(`${now()}`);"]
+    {
+        assert_eq!(told(good), Vec::<String>::new(), "{good}");
+    }
+}
+
 #[test]
 fn a_timer_that_somebody_may_hear_or_ask_about_is_left_alone() {
     for rules in [
@@ -212,6 +234,19 @@ fn coils_that_no_rule_works_are_told() {
         assert!(sentence.contains(what), "{dead:?}");
     }
     assert_eq!(told("kickers(true); raise(\"drop\"); for kb in [\"kb\"] { kick(kb); }"), Vec::<String>::new());
+}
+
+/// Without play nothing was said of an empty file.
+#[test]
+fn rules_without_a_rule_are_told() {
+    for empty in ["", "// later\n", "const BALLS = 3;"] {
+        let told = told(empty);
+        assert!(
+            told.len() == 1 && told[0].starts_with("warning:") && told[0].contains("no game can begin: no rule"),
+            "{told:?}"
+        );
+    }
+    assert_eq!(told("fn on_feed() { score(1); }"), Vec::<String>::new());
 }
 
 #[test]

@@ -1,8 +1,8 @@
-//! Timers that a script starts and nothing hears.
+//! Timers that a script starts and nothing hears, and those that it stops or asks about and nothing starts.
 
-use super::facts::Facts;
+use super::facts::{Call, Facts};
 use super::remark::{Remark, line_of};
-use super::words::Told;
+use super::words::{Told, Words};
 use crate::rules::script::{Function, Kind, Node, Operator, Pattern, Root, Script, Switch};
 use crate::spelling;
 use std::sync::Arc;
@@ -15,8 +15,10 @@ pub fn remarks(facts: &Facts, script: &Script, text: &str) -> Vec<Remark> {
     let started = facts.given("after", 1);
     // A timer that `on_timer` looks for and nothing starts is told as such, with this one beside it.
     let sought = facts.comparisons.iter().filter(|one| one.words.told.contains(&Told::Timer));
-    let sought: Vec<&str> = sought.map(|one| &*one.text).filter(|text| !started.literals.contains(*text)).collect();
-    let mut found = Vec::new();
+    let mut sought: Vec<&str> = sought.map(|one| &*one.text).filter(|text| !started.literals.contains(*text)).collect();
+    let unstarted = unstarted(facts, &started);
+    sought.extend(unstarted.iter().map(|(_, timer)| &***timer));
+    let mut found: Vec<Remark> = unstarted.iter().map(|(call, timer)| vain(call, timer, &started, text)).collect();
     for call in facts.calls_of("after") {
         let Some(words) = call.words.get(1) else { continue };
         let silent =
@@ -34,6 +36,33 @@ pub fn remarks(facts: &Facts, script: &Script, text: &str) -> Vec<Remark> {
         }));
     }
     found
+}
+
+/// The calls that stop a timer or ask about one which nothing starts, each with that timer.
+fn unstarted<'a>(facts: &'a Facts, started: &Words) -> Vec<(&'a Call<'a>, &'a Arc<str>)> {
+    // Of a timer whose name cannot be followed any may be started.
+    if started.others || !started.told.is_empty() {
+        return Vec::new();
+    }
+    let calls = ["cancel", "running", "time_left"].into_iter().flat_map(|function| facts.calls_of(function));
+    let named = calls.flat_map(|call| {
+        call.words.first().into_iter().flat_map(move |words| words.literals.iter().map(move |timer| (call, timer)))
+    });
+    named.filter(|(_, timer)| !started.literals.contains(*timer)).collect()
+}
+
+/// What to say of such a call.
+fn vain(call: &Call, timer: &str, started: &Words, text: &str) -> Remark {
+    let so = match call.function.name {
+        "cancel" => "stops nothing",
+        "running" => "is always false",
+        _ => "is always 0",
+    };
+    let meant = spelling::near(timer, started.literals.iter().map(|word| &**word));
+    let meant = meant.map_or_else(String::new, |meant| format!("; did you mean \"{meant}\"?"));
+    let function = call.function.name;
+    let what = format!("`{function}(\"{timer}\")` {so}: nothing starts that timer with `after`{meant}");
+    Remark::warning(line_of(timer, text, call.line), what)
 }
 
 /// What comes of a statement for one timer.

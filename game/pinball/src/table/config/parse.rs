@@ -157,6 +157,7 @@ impl Reader<'_> {
             "material" => self.material(at, &name, table),
             "finish" => {
                 let finish = self.finish(table);
+                self.config.finish_places.insert(name.clone(), at);
                 self.config.finishes.insert(name, finish);
             }
             "class" => match ElementClass::from_word(&name) {

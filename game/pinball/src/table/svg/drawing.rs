@@ -90,8 +90,8 @@ pub(in crate::table) struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the elements; every diagnostic goes to `diagnostics`. Nothing of a drawing whose size is not known: whatever
-    /// were said of its elements would come of that.
+    /// Finds the elements; every diagnostic goes to `diagnostics`. Nothing of a drawing whose size is not known, or that is
+    /// not read to its end: whatever were said of its elements would come of that.
     pub fn read(written: &WrittenOut, document: &Document, diagnostics: &mut Vec<Diagnostic>) -> Option<Drawing> {
         let source = &written.source;
         let root = document.root_element();
@@ -110,9 +110,12 @@ impl Drawing {
             of_sheets: SheetMistakes::default(),
         };
         reader.children(root, &Inherited { transform: Ok(Transform::scaling(page.mm_per_unit)), drawn: Ok(()) });
-        let Reader { elements, mut ids, drawn, of_sheets, .. } = reader;
-        ids.note_art(source, document);
+        let Reader { elements, mut ids, drawn, of_sheets, too_many, .. } = reader;
         of_sheets.tell(source, diagnostics);
+        if too_many {
+            return None;
+        }
+        ids.note_art(source, document);
         match outside::turned(page.size_mm, &elements) {
             Some(what) => diagnostics.push(source.diagnostic(at, what)),
             None => {

@@ -206,7 +206,7 @@ impl ElementClass {
 }
 
 /// What no ball of a table is faster than when it hits something: a threshold over it were never met.
-const FASTEST_M_S: f64 = 3.0;
+pub(in crate::table) const FASTEST_M_S: f64 = 3.0;
 
 // The ranges leave out what would be dead: a spinner that stops before its half turn, a saucer that catches no rolling ball,
 // a magnet that does not hold one on the slope.

@@ -11,6 +11,7 @@ pub(super) mod css;
 pub(super) mod drawing;
 pub(super) mod drawn_shapes;
 pub(super) mod element_class;
+pub(super) mod half_place;
 mod hidden;
 pub(super) mod ids;
 pub(super) mod layers;

@@ -23,6 +23,9 @@ const UNEQUAL: f64 = 1e-3;
 /// Lengths that say how large something is in print, mm. `px` are units, whatever a screen makes of them.
 const UNITS_MM: [(&str, f64); 6] =
     [("mm", 1.0), ("cm", 10.0), ("in", 25.4), ("pt", 25.4 / 72.0), ("pc", 25.4 / 6.0), ("q", 0.25)];
+/// Other units of CSS, which say nothing of millimetres.
+const OTHER_UNITS: [&str; 14] =
+    ["px", "%", "em", "ex", "rem", "ch", "vw", "vh", "vmin", "vmax", "vi", "vb", "lh", "rlh"];
 
 /// The page of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,10 +173,17 @@ fn both(root: Node, x: f64, y: f64) -> Result<f64, String> {
 fn length_mm(name: &str, text: &str) -> Result<Option<f64>, String> {
     let text = text.trim();
     let lower = text.to_ascii_lowercase();
-    let known = UNITS_MM.iter().find_map(|(unit, mm)| lower.strip_suffix(unit).map(|number| (number, *mm)));
-    let Some((number, mm)) = known else { return Ok(None) };
-    match number.trim_end().parse::<f64>() {
-        Ok(number) if number.is_finite() && number > 0.0 => Ok(Some(number * mm)),
+    let number = lower.trim_end_matches(|letter: char| letter.is_alphabetic() || letter == '%');
+    let unit = &lower[number.len()..];
+    let known = UNITS_MM.iter().find(|(known, _)| *known == unit);
+    match (number.trim_end().parse::<f64>(), known) {
+        (Ok(number), Some((_, mm))) if number.is_finite() && number > 0.0 => Ok(Some(number * mm)),
+        (Ok(_), None) if unit.is_empty() || OTHER_UNITS.contains(&unit) => Ok(None),
+        (Ok(_), None) => Err(format!(
+            "the drawing's {name} is `{text}`, and there is no unit `{unit}`; there are mm, cm, in, pt, pc and Q; with px, or \
+             without a unit, one unit of the viewBox is one millimetre"
+        )),
+        (Err(_), None) if !UNITS_MM.iter().any(|(known, _)| unit.ends_with(known)) => Ok(None),
         _ => Err(format!("the drawing's {name} is `{text}`; write a length like \"514mm\"")),
     }
 }
@@ -241,11 +251,26 @@ mod tests {
             let why = page(&format!("viewBox=\"0 0 500 1000\" width=\"{wrong}\"")).unwrap_err();
             assert!(why.contains(&format!("width is `{wrong}`")), "{why}");
         }
-        let why = page("viewBox=\"0 0 500 1000\" width=\"10m\" height=\"9m\"").unwrap();
-        assert_eq!(why.mm_per_unit, 1.0, "no unit of print");
         let why = page("viewBox=\"0 0 500 1000\" width=\"5mm\"").unwrap_err();
         assert!(why.contains("the playfield 5 x 10 mm"), "{why}");
         assert!(page("viewBox=\"0 0 500 1000\" transform=\"scale(2)\"").unwrap_err().contains("a transform"));
+    }
+
+    /// `473.5mn` was one unit of the drawing for a millimetre, in silence.
+    #[test]
+    fn a_unit_that_css_does_not_have_is_a_mistake() {
+        for (width, unit) in [("473.5mn", "mn"), ("10m", "m"), ("5 0", ""), ("20 inch", "inch")] {
+            let page = page(&format!("viewBox=\"0 0 500 1000\" width=\"{width}\" height=\"{width}\""));
+            let expected =
+                format!("the drawing's width is `{width}`, and there is no unit `{unit}`; there are mm, cm, in,");
+            match unit {
+                "" => assert_eq!(page.unwrap().mm_per_unit, 1.0),
+                _ => assert!(page.as_ref().unwrap_err().starts_with(&expected), "{page:?}"),
+            }
+        }
+        for width in OTHER_UNITS.map(|unit| format!("9{unit}")).iter().chain(&["auto".to_string(), "1e3".to_string()]) {
+            is(&format!("viewBox=\"0 0 500 1000\" width=\"{width}\""), (500.0, 1000.0), 1.0);
+        }
     }
 
     #[test]

@@ -88,6 +88,70 @@ fn what_stands_in_a_flippers_stroke_is_told() {
     assert_eq!(told(&format!("{flipper}\n{guide}\n{post}")), [""; 0]);
 }
 
+/// A bumper whose skirt was in a flipper's sweep was called good: only what the flipper's middle goes through was looked for.
+#[test]
+fn a_bumper_that_a_flippers_rubber_meets_is_told() {
+    let flipper =
+        r#"<line class="flipper" id="f" data-side="left" data-up-deg="50" x1="100" y1="300" x2="160" y2="335"/>"#;
+    let bumper = |x: f64| format!(r#"{flipper}<circle class="bumper" id="pop" cx="{x}" cy="310" r="20"/>"#);
+    let told = one(&bumper(192.0));
+    assert!(told.starts_with("warning: 5: f: its stroke goes through pop of line 5 at "), "{told}");
+    assert_eq!(told_of_pivot(flipper), [""; 0]);
+    assert_eq!(self::told(&bumper(198.0)), [""; 0]);
+    let sling = line("slingshot", "s", [174.0, 290.0, 174.0, 320.0], 4.0);
+    assert!(one(&format!("{flipper}{sling}")).contains("its stroke goes through s of line 5"));
+}
+
+/// A guide and a wall that end at the pivot.
+fn told_of_pivot(flipper: &str) -> Vec<String> {
+    let walls =
+        [line("wall", "a", [60.0, 270.0, 102.0, 296.0], 6.0), line("guide", "b", [100.0, 300.0, 70.0, 290.0], 6.0)];
+    told(&format!("{flipper}{}", walls.concat()))
+}
+
+/// A flipper that was drawn as it is when it is held, one with the other's `data-side`: both were called good.
+#[test]
+fn a_flipper_that_does_not_go_up_is_told() {
+    let flipper = |side: &str, [x2, y2]: [f64; 2]| {
+        let data = format!(r#"data-side="{side}" data-up-deg="50""#);
+        told(&format!(r#"<line class="flipper" id="f" {data} x1="250" y1="500" x2="{x2}" y2="{y2}"/>"#))
+    };
+    let up = "warning: 5: f: its tip points up before its button is held; draw it at rest, from its pivot, x1 y1, down to \
+              its tip";
+    assert_eq!(flipper("left", [310.0, 475.0]), [up]);
+    assert_eq!(flipper("right", [190.0, 475.0]), [up]);
+    let down = |side: &str, other: &str| {
+        format!(
+            "warning: 5: f: its tip goes down when its button is held; with data-side=\"{side}\" draw it from its pivot, x1 y1, \
+             to the {other}"
+        )
+    };
+    assert_eq!(flipper("left", [190.0, 520.0]), [down("left", "right")]);
+    assert_eq!(flipper("right", [310.0, 500.0]), [down("right", "left")]);
+    for good in [[310.0, 530.0], [310.0, 500.0], [310.0, 492.0], [280.0, 560.0]] {
+        assert_eq!(flipper("left", good), [""; 0], "{good:?}");
+    }
+}
+
+/// A plunger as wide as two lanes was called good.
+#[test]
+fn a_plunger_that_is_wider_than_its_lane_is_told() {
+    let lane = |left: f64| {
+        format!(
+            "{}{}",
+            line("wall", "in", [left, 700.0, left, 990.0], 6.0),
+            line("wall", "out", [496.0, 700.0, 496.0, 990.0], 6.0)
+        )
+    };
+    // The small table's plunger is 24 mm wide, at 480.
+    assert_eq!(told(&lane(464.0)), [""; 0]);
+    assert_eq!(told(&lane(466.0)), [""; 0], "a drawing's roundings");
+    assert_eq!(
+        one(&lane(470.0)),
+        "warning: 4: plunger: its face is 24.0 mm wide and reaches into in of line 5; a stroke-width of 14 fits its lane"
+    );
+}
+
 /// A target on the axis of a lane's wall was hit by no ball.
 #[test]
 fn what_no_ball_can_touch_is_told_with_what_is_in_the_way() {

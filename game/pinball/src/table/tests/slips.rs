@@ -46,6 +46,36 @@ fn a_misspelt_place_is_told_once_where_it_is_written() {
     assert_eq!(warned("<line x2='4'/><circle r='4'/><circle style='r:4px'/>"), [""; 0]);
 }
 
+/// A post whose `cy` was forgotten lay at the upper edge of the drawing, and nobody said so.
+#[test]
+fn a_place_that_is_said_by_half_is_told() {
+    let half = |name: &str, said: &str, missing: &str, so: &str, edge: &str| {
+        format!(
+            "5: this {name} has `{said}` and no `{missing}`, so {so} at the drawing's {edge} edge; write {missing}=\"0\" if that is meant"
+        )
+    };
+    let post = "<circle class='post' cx='40' r='4' fill='red'/>";
+    assert_eq!(warned(post), [half("circle", "cx", "cy", "its middle is", "upper")]);
+    assert_eq!(warned(&post.replace("cx", "cy")), [half("circle", "cy", "cx", "its middle is", "left")]);
+    let rect = warned("<rect class='wall' y='9' width='9' height='9'/>");
+    assert_eq!(rect, [half("rect", "y", "x", "its corner is", "left")]);
+    let begins = warned("<line class='wall' x1='9' x2='40' y2='9'/>");
+    assert_eq!(begins, [half("line", "x1", "y1", "it begins", "upper")]);
+    let ends = warned("<line class='wall' x1='9' y1='9' x2='40'/>");
+    assert_eq!(ends, [half("line", "x2", "y2", "it ends", "upper")]);
+    // Art may be anywhere; in a frame of its own 0 is a place like others; and who writes it means it.
+    for good in [
+        "<circle cx='40' r='4'/>".to_string(),
+        post.replace("cx=", "cy='0' cx="),
+        post.replace("cx=", "transform='translate(40 40)' cx="),
+        format!("<g transform='translate(40 40)'>{post}</g>"),
+        format!("<svg x='40' y='40'>{post}</svg>"),
+        format!("<defs><g id='a'>{post}</g></defs><use href='#a' y='40'/>"),
+    ] {
+        assert_eq!(warned(&good), [""; 0], "{good}");
+    }
+}
+
 /// A flipper of `data-sied` was also told to need `data-side`.
 #[test]
 fn a_misspelt_data_word_is_one_mistake() {
@@ -206,7 +236,8 @@ fn numbers_with_which_a_part_is_dead_are_refused() {
 /// `.fliper { ... }` meant nothing in silence.
 #[test]
 fn a_selector_that_means_nothing_is_told() {
-    let sheet = |rules: &str| warned(&format!("<style>\n{rules}</style><g class='sky' id='dome'/>"));
+    let sheet =
+        |rules: &str| warned(&format!("<style>.sky {{ fill: red }}\n{rules}</style><g class='sky' id='dome'/>"));
     let told = sheet(".fliper { fill: red }\n.skyy, .sky { fill: red }\n#domes { fill: red }\ncirlce { fill: red }");
     let meant = |line: usize, wrong: &str, meant: &str| {
         format!("{line}: `{wrong}` of this sheet means nothing in the drawing; did you mean `{meant}`?")
@@ -221,6 +252,15 @@ fn a_selector_that_means_nothing_is_told() {
     let others = sheet(".a { fill: red }\n.b, .sky { fill: red }\n.c { fill: red }");
     assert_eq!(others, ["6: `.a` of this sheet means nothing in the drawing (so it is with 2 more)"]);
     assert_eq!(sheet(".bumper, .wood, text, .sky:hover, g > .sky, * { fill: red }"), [""; 0]);
+    // `g[id="row"] > .rollover` was passed over for its bracket.
+    let nothing =
+        |written: &str| format!("5: `{written}` of this sheet means nothing in the drawing").replacen('5', "6", 1);
+    for wrong in ["g[id=row] > .rollover", ".far:hover", "g:not(.sky) .far", "[class~=far] line", ":is(.far .sky) g"] {
+        assert_eq!(sheet(&format!("{wrong} {{ fill: red }}")), [nothing(wrong)]);
+    }
+    assert_eq!(sheet("g[id=dom] > .sky { fill: red }"), [meant(6, "g[id=dom] > .sky", "#dome")]);
+    let good = "g[id='dome'], [class='sky'] .wall, [id='DOME' i], [id^='ro'], :not(.far) text, :is(.far, .farther) g, g:empty > g";
+    assert_eq!(sheet(&format!("{good} {{ fill: red }}")), [""; 0]);
 }
 
 /// A sheet that hid a layer took its walls off the table, and a wall that nobody sees was there.

@@ -68,6 +68,7 @@ fn numbers_that_a_function_refuses_are_told_before_play() {
         ("message(\"A\", -1)", "2: a time must be from 0 to 86400000 ms, not -1"),
         ("random(0)", "2: random needs a number above 0, not 0"),
         ("score(0)", "warning: 2: `score(0)` gives no points"),
+        ("score(-2000)", "warning: 2: `score(-2000)` takes points from the player; write 2000 if it is to give them"),
         (
             "lamp(\"red\", \"blink\", 0)",
             "warning: 2: a lamp cannot \"blink\" in 0 ms: name the time from one to the next, as 400",
@@ -83,7 +84,7 @@ fn numbers_that_a_function_refuses_are_told_before_play() {
 #[test]
 fn values_that_are_right_or_not_known_are_left_alone() {
     for call in [
-        "score(-500)",
+        "score(-now())",
         "let x = 5; score(x)",
         "let ms = \"x\"; ms = 5; score(ms)",
         "score(if playing() { 1 } else { 2 })",

@@ -3,7 +3,9 @@
 use cssparser::{ParseError, Parser, ToCss};
 use precomputed_hash::PrecomputedHash;
 use roxmltree::{Node, NodeId};
-use selectors::attr::{AttrSelectorOperation, CaseSensitivity, NamespaceConstraint};
+use selectors::attr::{
+    AttrSelectorOperation, AttrSelectorOperator, CaseSensitivity, NamespaceConstraint, ParsedCaseSensitivity,
+};
 use selectors::bloom::BloomFilter;
 use selectors::matching::{
     self, ElementSelectorFlags, MatchingContext, MatchingForInvalidation, MatchingMode, NeedsSelectorFlags, QuirksMode,
@@ -52,23 +54,43 @@ pub(super) struct Words {
     pub classes: Vec<String>,
     pub ids: Vec<String>,
     pub elements: Vec<String>,
-    /// It is of more than words: of a state, of what is beside or in something.
-    pub is_conditional: bool,
 }
 
-/// What a selector names by itself, without the selectors in it.
+/// What a selector names, and cannot do without: of what is beside or around an element too, and of its attributes; of the
+/// selectors in it only those that have no other choice.
 pub(super) fn words(selector: &Selector<Svg>) -> Words {
     let mut words = Words::default();
-    for part in selector.iter_raw_match_order() {
-        match part {
-            Component::Class(word) => words.classes.push(word.0.clone()),
-            Component::ID(word) => words.ids.push(word.0.clone()),
-            Component::LocalName(word) => words.elements.push(word.name.0.clone()),
-            Component::Combinator(_) | Component::ExplicitUniversalType => {}
-            _ => words.is_conditional = true,
+    words.add(selector);
+    words
+}
+
+impl Words {
+    fn add(&mut self, selector: &Selector<Svg>) {
+        for part in selector.iter_raw_match_order() {
+            match part {
+                Component::Class(word) => self.classes.push(word.0.clone()),
+                Component::ID(word) => self.ids.push(word.0.clone()),
+                Component::LocalName(word) => self.elements.push(word.name.0.clone()),
+                Component::AttributeInNoNamespace { local_name, operator, value, case_sensitivity }
+                    if *case_sensitivity != ParsedCaseSensitivity::AsciiCaseInsensitive =>
+                {
+                    match (local_name.0.as_str(), operator) {
+                        ("id", AttrSelectorOperator::Equal) => self.ids.push(value.0.clone()),
+                        ("class", AttrSelectorOperator::Equal | AttrSelectorOperator::Includes) => {
+                            self.classes.extend(value.0.split_ascii_whitespace().map(str::to_string));
+                        }
+                        _ => {}
+                    }
+                }
+                Component::Is(list) | Component::Where(list) => {
+                    if let [only] = list.slice() {
+                        self.add(only);
+                    }
+                }
+                _ => {}
+            }
         }
     }
-    words
 }
 
 /// How far a selector may look around an element.

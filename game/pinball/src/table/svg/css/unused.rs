@@ -17,9 +17,6 @@ pub(super) fn warnings(source: &Source, document: &Document, rules: &[Rule]) -> 
         let unused = rule.selectors.slice().iter().zip(&rule.used).filter(|(_, used)| !**used);
         for (selector, _) in unused {
             let words = selector::words(selector);
-            if words.is_conditional {
-                continue;
-            }
             let written = selector.to_css_string();
             match named.meant(&words) {
                 Meaning::Another(meant) if told.insert(written.clone()) => {
