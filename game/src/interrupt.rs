@@ -24,6 +24,29 @@ pub fn listen(wake: impl Fn() + Send + 'static) -> Result<(), Failure> {
     ctrlc::set_handler(handler).map_err(|error| Failure::new(format!("interrupts cannot be listened to: {error}")))
 }
 
+/// Whether there is something to keep when the program is interrupted.
+static IS_WORKING: AtomicBool = AtomicBool::new(false);
+
+/// From now on an interrupt ends the program at once, but while [`work`] works: then it is a wish.
+///
+/// # Errors
+/// As [`listen`].
+pub fn listen_while_working() -> Result<(), Failure> {
+    listen(|| {
+        if !IS_WORKING.load(Ordering::SeqCst) {
+            process::exit(INTERRUPTED);
+        }
+    })
+}
+
+/// What `work` gives, which asks [`is_interrupted`] now and then.
+pub fn work<T>(work: impl FnOnce() -> T) -> T {
+    IS_WORKING.store(true, Ordering::SeqCst);
+    let done = work();
+    IS_WORKING.store(false, Ordering::SeqCst);
+    done
+}
+
 /// Whether the program has been asked to end.
 pub fn is_interrupted() -> bool {
     ASKED.load(Ordering::SeqCst)

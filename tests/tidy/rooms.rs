@@ -278,6 +278,8 @@ const ORDER: [(&str, &[&str]); 4] = [
             "optics",
             "art",
             "storage",
+            "drawn_scene",
+            "rendering",
             "hud",
             "scene_builder",
             "session",

@@ -66,6 +66,13 @@ impl RenderArgs {
         if self.integrator == Some(LightIntegrator::Exact) && self.samples.is_some() {
             return Err("--samples is for integrators that sample; exact light takes none".to_string());
         }
+        let is_json = |scene: &PathBuf| scene.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
+        let is_sampled = self.integrator.is_some() || self.samples.is_some() || self.seconds.is_some();
+        if is_sampled && self.scenes.iter().any(is_json) {
+            return Err("a ray-optics scene (.json) has a list of rays of its own: --integrator, --samples and --seconds are for \
+                        drawings"
+                .to_string());
+        }
         match &self.out {
             Some(out) if self.scenes.len() == 1 && !out.is_dir() => picture_file(out),
             _ => Ok(()),

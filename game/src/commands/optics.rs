@@ -7,6 +7,9 @@ use crate::storage::text_file;
 use crate::{Failure, tell};
 use serde_json::json;
 
+/// Of the light that is sent, what may be given up without a word.
+const WORTH_TELLING: f64 = 1e-3;
+
 /// Measures a scene and prints it.
 ///
 /// # Errors
@@ -22,6 +25,13 @@ pub fn run(args: &OpticsArgs) -> Result<(), Failure> {
         )));
     }
     let measurement = Measurement::of(&scene);
+    let given_up = measurement.given_up.weak + measurement.given_up.long;
+    if given_up > WORTH_TELLING * measurement.sent {
+        tell(&Failure::warning(format!(
+            "{name}: {:.2} % of the light was given up, for it divides too often; what is measured lacks it",
+            100.0 * given_up / measurement.sent
+        )));
+    }
     if args.json { print_json(&scene, &measurement) } else { print_csv(&scene, &measurement) }
 }
 

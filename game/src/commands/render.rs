@@ -25,13 +25,16 @@ const SAMPLES: u32 = 64;
 /// Beams of a family where nothing is said.
 const BEAMS: u32 = 512;
 
+/// Pieces of beams of one family, beyond which photons are taken where nobody has chosen: some ten seconds of all families.
+const MOST_PIECES: u64 = 400_000;
+
 /// Renders the scenes that the arguments name.
 ///
 /// # Errors
 /// If a scene cannot be read or rendered, or a picture cannot be written; the others are rendered all the same.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     let pool = parallel::pool(args.threads)?;
-    interrupt::listen(|| {})?;
+    interrupt::listen_while_working()?;
     let mut failures = Vec::new();
     for scene in &args.scenes {
         let out = place(args, scene);
@@ -42,7 +45,15 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
             break;
         }
     }
-    if failures.is_empty() { Ok(()) } else { Err(Failure::of_many(failures)) }
+    match failures.len() {
+        0 => Ok(()),
+        1 => Err(Failure::of_many(failures)),
+        count => {
+            let all = args.scenes.len();
+            failures.push(Failure::new(format!("{count} of {all} scenes could not be rendered")));
+            Err(Failure::of_many(failures))
+        }
+    }
 }
 
 /// Where a scene's picture is to be.
@@ -92,8 +103,8 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
     let view = view(args, drawn.size_mm);
     let settings = settings(args, &drawn.scene);
     let art = art::drawing(&drawn.svg, drawn.size_mm, &view).map_err(|failure| failure.in_file(name))?;
-    let mut passes = Passes::new(&drawn.scene, view, &settings);
-    let stopped = run_passes(args, &mut passes, begin).map_err(|why| Failure::new(format!("{name}: {why}")))?;
+    let (passes, settings, stopped) =
+        make(args, &drawn.scene, view, settings, begin).map_err(|why| Failure::new(format!("{name}: {why}")))?;
     let (done, all) = passes.steps();
     if !passes.is_whole() {
         let what = "it was stopped before its first pass was whole, so there is no picture";
@@ -120,16 +131,36 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
     Ok(Rendered { picture, metadata, report })
 }
 
+/// All passes; where nobody chose an integrator and there are too many beams, by photons after all.
+fn make<'a>(
+    args: &RenderArgs,
+    scene: &'a Scene,
+    view: View,
+    settings: Settings,
+    begin: Instant,
+) -> Result<(Passes<'a>, Settings, Stopped), String> {
+    let mut passes = Passes::new(scene, view, &settings);
+    match run_passes(args, &mut passes, begin)? {
+        Stopped::TooManyBeams => {
+            let samples = args.samples.unwrap_or(SAMPLES);
+            let settings = Settings { integrator: Integrator::Photons, samples, ..settings };
+            make(args, scene, view, settings, begin)
+        }
+        stopped => Ok((passes, settings, stopped)),
+    }
+}
+
 fn run_passes(args: &RenderArgs, passes: &mut Passes, begin: Instant) -> Result<Stopped, String> {
     let limit = args.seconds.map(Duration::from_secs_f64);
     let (_, all) = passes.steps();
     let bar = parallel::progress_bar(all, "passes");
-    let stopped = passes.run(|done, _| {
+    let is_over = || interrupt::is_interrupted() || limit.is_some_and(|limit| begin.elapsed() >= limit);
+    let goes_on = |done, _| {
         bar.set_position(done);
-        // One pass at least is made, however little time there is.
-        let is_over = limit.is_some_and(|limit| begin.elapsed() >= limit) && done > 0;
-        !is_over && !interrupt::is_interrupted()
-    });
+        // One pass at least is made, however little time there is, unless a person asks to end.
+        !(is_over() && done > 0 || interrupt::is_interrupted())
+    };
+    let stopped = interrupt::work(|| passes.run(goes_on, &is_over));
     bar.finish_and_clear();
     stopped
 }
@@ -150,7 +181,8 @@ fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
         _ => SAMPLES,
     };
     let samples = args.samples.unwrap_or(usual);
-    Settings { integrator, samples, seed: args.seed, depth: args.depth, white_kelvin: args.white }
+    let most_pieces = args.integrator.is_none().then_some(MOST_PIECES);
+    Settings { integrator, samples, seed: args.seed, depth: args.depth, most_pieces, white_kelvin: args.white }
 }
 
 fn integrator_name(integrator: Integrator) -> &'static str {
@@ -165,12 +197,6 @@ fn integrator_name(integrator: Integrator) -> &'static str {
 
 /// A ray-optics scene: its own list of rays, without chance.
 fn optics(args: &RenderArgs, scene: &Path, name: &str) -> Result<Rendered, Failure> {
-    let chosen = args.integrator.is_some() || args.samples.is_some() || args.seconds.is_some();
-    if chosen {
-        return Err(Failure::new(format!(
-            "{name}: a ray-optics scene has a list of rays of its own; leave --integrator, --samples and --seconds away"
-        )));
-    }
     let scene = OpticsScene::parse(name, &text_file::read(scene)?).map_err(Failure::of_many)?;
     scene.warnings.iter().for_each(|what| tell(&Failure::warning(what.clone())));
     let bounds = picture::frame(&scene);
@@ -179,7 +205,12 @@ fn optics(args: &RenderArgs, scene: &Path, name: &str) -> Result<Rendered, Failu
     let View { width, height, mm_per_px, origin_mm } = view(args, bounds.size());
     let view = View { width, height, mm_per_px, origin_mm: origin_mm + bounds.min };
     let weights = weights(args.white);
-    let fluence = picture::fluence(&scene, &view, &weights);
+    let fluence = interrupt::work(|| picture::fluence(&scene, &view, &weights, &interrupt::is_interrupted));
+    if interrupt::is_interrupted() {
+        return Err(Failure::new(format!(
+            "{name}: it was stopped before all of its rays were followed, so there is no picture"
+        )));
+    }
     let (picture, factor) = develop(&fluence, &view, &Develop { stops: args.exposure });
     let metadata = vec![("Integrator", "rays".to_string()), ("Exposure", format!("{factor:e}"))];
     Ok(Rendered { picture, metadata, report: format!("{} rays", scene.rays.len()) })

@@ -27,12 +27,12 @@ pub fn frame(scene: &OpticsScene) -> Option<Bounds> {
     (side > 0.0 && side.is_finite()).then(|| all.grown(MARGIN * side))
 }
 
-/// The light that all rays leave in each pixel, row by row, signed.
-pub fn fluence(scene: &OpticsScene, view: &View, weights: &Weights) -> Vec<[f64; 3]> {
+/// The light that all rays leave in each pixel, row by row, signed; of some of them where `is_cancelled` says so.
+pub fn fluence(scene: &OpticsScene, view: &View, weights: &Weights, is_cancelled: &dyn Fn() -> bool) -> Vec<[f64; 3]> {
     let mut film = SplatFilm::new(view, PACKET_BITS);
     let diagonal = DVec2::new(view.width as f64, view.height as f64).length() * view.mm_per_px;
     let middle = view.table_from_pixel(view.width / 2, view.height / 2);
-    follow_all(scene, |ray, distance| {
+    follow_all(scene, is_cancelled, |ray, distance| {
         let power = (ray.power[0] + ray.power[1]) as f32;
         let color = if scene.colors { weights.at(ray.wavelength_nm) } else { [1.0; 3] };
         let distance = distance.min(ray.ray.origin.distance(middle) + diagonal);

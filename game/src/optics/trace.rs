@@ -16,6 +16,12 @@ const MOST_SURFACES: u32 = 1_000;
 /// Branches of one ray at most.
 const MOST_BRANCHES: u32 = 100_000;
 
+/// Branches of all rays together at most: some ten seconds.
+const MOST_BRANCHES_IN_ALL: u32 = 10_000_000;
+
+/// Branches of one ray that are followed all the same.
+const LEAST_BRANCHES: u32 = 16;
+
 /// What a scene's detectors have measured.
 #[derive(Clone, Debug)]
 pub struct Measurement {
@@ -31,7 +37,7 @@ impl Measurement {
     /// Measures a scene.
     pub fn of(scene: &OpticsScene) -> Measurement {
         let mut measured: Vec<Measured> = scene.detectors.iter().map(|detector| detector.start()).collect();
-        let given_up = follow_all(scene, |ray, distance| {
+        let given_up = follow_all(scene, &|| false, |ray, distance| {
             let power = ray.power[0] + ray.power[1];
             for (detector, measured) in scene.detectors.iter().zip(&mut measured) {
                 detector.count(&ray.ray, distance, power, measured);
@@ -42,16 +48,24 @@ impl Measurement {
     }
 }
 
-/// Follows every ray of a scene along all its branches; `fly` sees each with how far it goes. Gives what was given up.
-pub fn follow_all(scene: &OpticsScene, mut fly: impl FnMut(&PoweredRay, f64)) -> GivenUp {
+/// Follows every ray of a scene along all its branches; `fly` sees each with how far it goes. Gives what was given up: of
+/// all rays together no more than [`MOST_BRANCHES_IN_ALL`] branches are followed, each ray's share of them.
+pub fn follow_all(
+    scene: &OpticsScene,
+    is_cancelled: &dyn Fn() -> bool,
+    mut fly: impl FnMut(&PoweredRay, f64),
+) -> GivenUp {
     let surfaces = Surfaces::new(&scene.bodies, TOGETHER * scene.length_scale);
     let limits = SplitLimits {
         least_power: LEAST_POWER,
         most_surfaces: scene.most_surfaces.unwrap_or(MOST_SURFACES),
-        most_branches: MOST_BRANCHES,
+        most_branches: MOST_BRANCHES.min(MOST_BRANCHES_IN_ALL / scene.rays.len().max(1) as u32).max(LEAST_BRANCHES),
     };
     let mut given_up = GivenUp::default();
     for source in &scene.rays {
+        if is_cancelled() {
+            return given_up;
+        }
         let ray = PoweredRay {
             ray: source.ray,
             starts_on: StartsOn::NOTHING,

@@ -2,24 +2,21 @@
 
 use tracer::transport::luminance;
 
-/// Of the pixels that have light, so many are darker than the key.
-const KEY_RANK: f64 = 0.6;
-/// What the key becomes before the tone curve.
-const KEY: f64 = 0.16;
-/// Less than this part of the brightest pixel is no light: noise and rounding.
-const DARK: f64 = 1e-5;
+/// What the light becomes, before the tone curve, of which half of all light is darker.
+const KEY: f64 = 0.35;
 
-/// The factor that makes a picture's bright parts bright, and does not ask its few brightest pixels, the caustics: those
-/// may be hundreds of times brighter.
+/// The factor by which a picture's light is multiplied: half of all its light falls into pixels that are darker than the key.
+/// Black pixels do not count, however many there are, and the few that are hundreds of times brighter, caustics, count as
+/// what they hold.
 pub fn automatic(fluence: &[[f64; 3]]) -> f64 {
-    let mut lights: Vec<f64> =
-        fluence.iter().map(|color| luminance(*color)).filter(|light| light.is_finite()).collect();
-    let brightest = lights.iter().copied().fold(0.0, f64::max);
-    lights.retain(|light| *light > brightest * DARK);
-    if lights.is_empty() {
-        return 1.0;
-    }
-    let rank = ((lights.len() - 1) as f64 * KEY_RANK) as usize;
-    let (_, key, _) = lights.select_nth_unstable_by(rank, f64::total_cmp);
-    KEY / *key
+    let lights = fluence.iter().map(|color| luminance(*color)).filter(|light| light.is_finite() && *light > 0.0);
+    let mut lights: Vec<f64> = lights.collect();
+    lights.sort_unstable_by(f64::total_cmp);
+    let half = 0.5 * lights.iter().sum::<f64>();
+    let mut below = 0.0;
+    let key = lights.iter().find(|light| {
+        below += **light;
+        below >= half
+    });
+    key.map_or(1.0, |key| KEY / key)
 }

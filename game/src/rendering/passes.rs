@@ -7,6 +7,9 @@ use tracer::transport::beams::{BeamOptions, BeamPicture, BeamTracer};
 use tracer::transport::spectrum::{Emission, Weights};
 use tracer::transport::{Counts, MOST_SURFACES, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer, Scene};
 
+/// Packets of a pass of photons: even where each meets a thousand surfaces, a pass is over in seconds.
+const PACKETS: u64 = 1 << 15;
+
 /// Directions that a path tracer's pass follows from a pixel.
 const DIRECTIONS: u32 = 16;
 
@@ -37,6 +40,8 @@ pub struct Settings {
     pub seed: u64,
     /// Surfaces that light meets at most.
     pub depth: Option<u32>,
+    /// Beams end when this many pieces of them were laid for one family: none where nothing is said.
+    pub most_pieces: Option<u64>,
     /// The temperature of the black body whose light is white, K; without it equal power at every wavelength is.
     pub white_kelvin: Option<f64>,
 }
@@ -48,6 +53,8 @@ pub enum Stopped {
     Done,
     /// They were told to.
     Early,
+    /// There are more beams than there may be.
+    TooManyBeams,
 }
 
 /// A picture in the making.
@@ -58,8 +65,8 @@ pub struct Passes<'a> {
 enum Work<'a> {
     /// Direct light: one pass.
     Direct { scene: &'a Scene, view: View, weights: Box<Weights>, sampling: Option<Sampling>, fluence: Vec<[f64; 3]> },
-    /// A pass is one packet for each pixel.
-    Photons { picture: Box<PhotonPicture<'a>>, passes: u64 },
+    /// The packets of all passes; the last pass may have fewer.
+    Photons { picture: Box<PhotonPicture<'a>>, packets: u64, pixels: u64 },
     /// A pass is some directions from each pixel.
     Path { picture: Box<PathPicture<'a>>, passes: u64 },
     /// All families are one pass: a part of them lacks light. The steps are families.
@@ -96,7 +103,9 @@ impl<'a> Passes<'a> {
             }
             Integrator::Photons => {
                 let tracer = PhotonTracer::new(scene, weights, seed).with_most_surfaces(depth.unwrap_or(MOST_SURFACES));
-                Work::Photons { picture: Box::new(PhotonPicture::new(tracer, view)), passes: u64::from(samples) }
+                let pixels = view.width as u64 * view.height as u64;
+                let packets = pixels * u64::from(samples);
+                Work::Photons { picture: Box::new(PhotonPicture::new(tracer, view)), packets, pixels }
             }
             Integrator::Path => {
                 let directions = samples.min(DIRECTIONS);
@@ -106,8 +115,12 @@ impl<'a> Passes<'a> {
             }
             Integrator::Beams => {
                 let usual = BeamOptions::default();
-                let options =
-                    BeamOptions { beams: samples, most_surfaces: depth.unwrap_or(usual.most_surfaces), ..usual };
+                let options = BeamOptions {
+                    beams: samples,
+                    most_surfaces: depth.unwrap_or(usual.most_surfaces),
+                    most_pieces: settings.most_pieces.unwrap_or(usual.most_pieces),
+                    ..usual
+                };
                 let tracer = BeamTracer::new(scene, &weights, options);
                 let families = tracer.tasks() as u64;
                 Work::Beams { picture: Box::new(BeamPicture::new(tracer, view)), families, done: 0 }
@@ -117,16 +130,26 @@ impl<'a> Passes<'a> {
     }
 
     /// Makes passes until all are made or `goes_on`, which is told how many steps of how many are done, says no.
+    /// `is_cancelled` is asked within a pass, by any thread, where a part of a pass is of no use: beams end there.
     ///
     /// # Errors
     /// If the integrator cannot find this scene's light.
-    pub fn run(&mut self, mut goes_on: impl FnMut(u64, u64) -> bool) -> Result<Stopped, String> {
+    pub fn run(
+        &mut self,
+        mut goes_on: impl FnMut(u64, u64) -> bool,
+        is_cancelled: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Stopped, String> {
         let (mut done, all) = self.steps();
         while done < all {
             if !goes_on(done, all) {
                 return Ok(Stopped::Early);
             }
-            self.step()?;
+            self.step(is_cancelled)?;
+            if let Work::Beams { picture, .. } = &self.work
+                && picture.is_cut()
+            {
+                return Ok(Stopped::TooManyBeams);
+            }
             done = self.steps().0;
         }
         goes_on(done, all);
@@ -137,7 +160,9 @@ impl<'a> Passes<'a> {
     pub fn steps(&self) -> (u64, u64) {
         match &self.work {
             Work::Direct { fluence, .. } => (u64::from(!fluence.is_empty()), 1),
-            Work::Photons { picture, passes } => (picture.passes(), *passes),
+            Work::Photons { picture, packets, .. } => {
+                (picture.counts().sent.div_ceil(PACKETS), packets.div_ceil(PACKETS))
+            }
             Work::Path { picture, passes } => (picture.passes(), *passes),
             Work::Beams { families, done, .. } => (*done, *families),
         }
@@ -147,8 +172,9 @@ impl<'a> Passes<'a> {
     pub fn unit(&self, steps: u64) -> String {
         match &self.work {
             Work::Direct { .. } => "one pass".to_string(),
-            Work::Photons { picture, .. } => {
-                format!("{steps} packets a pixel, {:.1} million in all", picture.counts().sent as f64 * 1e-6)
+            Work::Photons { picture, pixels, .. } => {
+                let sent = picture.counts().sent as f64;
+                format!("{:.3} packets a pixel, {:.2} million in all", sent / *pixels as f64, sent * 1e-6)
             }
             Work::Path { picture, .. } => format!("{} directions a pixel", steps * u64::from(picture.directions())),
             Work::Beams { .. } => format!("{steps} families of rays"),
@@ -158,20 +184,23 @@ impl<'a> Passes<'a> {
     /// Whether what there is is a whole picture, if a noisier one.
     pub fn is_whole(&self) -> bool {
         match (&self.work, self.steps()) {
-            (Work::Beams { .. }, (done, all)) => done == all,
+            (Work::Beams { picture, .. }, (done, all)) => done == all && !picture.is_cut(),
             (_, (done, _)) => done > 0,
         }
     }
 
-    fn step(&mut self) -> Result<(), String> {
+    fn step(&mut self, is_cancelled: &(dyn Fn() -> bool + Sync)) -> Result<(), String> {
         match &mut self.work {
             Work::Direct { scene, view, weights, sampling, fluence } => {
                 *fluence = direct::fluence(scene, view, weights, *sampling)?;
             }
-            Work::Photons { picture, .. } => picture.expose_pass(),
+            Work::Photons { picture, packets, .. } => {
+                let left = *packets - picture.counts().sent;
+                picture.expose(left.min(PACKETS));
+            }
             Work::Path { picture, .. } => picture.expose(),
             Work::Beams { picture, done, .. } => {
-                picture.expose(1);
+                picture.expose(1, &|| !is_cancelled());
                 *done += 1;
             }
         }

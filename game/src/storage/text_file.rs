@@ -6,7 +6,7 @@ use crate::Failure;
 use std::path::Path;
 
 /// The largest scene, bytes.
-const LIMIT_BYTES: u64 = 32 << 20;
+const LIMIT_BYTES: u64 = 8 << 20;
 
 /// The bytes of the file `path`.
 ///

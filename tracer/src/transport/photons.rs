@@ -17,7 +17,7 @@ use std::ops::{AddAssign, Range};
 use std::sync::Mutex;
 
 /// Packets that one task traces.
-const TASK: u64 = 1 << 12;
+const TASK: u64 = 1 << 10;
 
 /// Surfaces that a packet meets at most, if nothing else is said: with half of the power lost at each, 2^-1000 is left.
 pub const MOST_SURFACES: u32 = 1_000;
@@ -234,16 +234,6 @@ impl<'a> PhotonPicture<'a> {
         self.counts += counts;
         // A scene without power sends none, and yet they are done.
         self.counts.sent = first + packets;
-    }
-
-    /// One packet more for each pixel.
-    pub fn expose_pass(&mut self) {
-        self.expose(self.view.width as u64 * self.view.height as u64);
-    }
-
-    /// Whole passes so far.
-    pub fn passes(&self) -> u64 {
-        self.counts.sent / (self.view.width as u64 * self.view.height as u64).max(1)
     }
 
     /// How the packets have ended so far.

@@ -120,7 +120,7 @@ fn pictures_are_the_same_on_any_number_of_threads() {
             let options =
                 BeamOptions { beams: 32, wavelengths: 4, widths: 2, most_surfaces: 4, ..BeamOptions::default() };
             let mut beams = BeamPicture::new(BeamTracer::new(&scene, &weights, options), view());
-            while beams.expose(3) {}
+            while beams.expose(3, &|| true) {}
             [photons.fluence(), paths.fluence(), beams.fluence()]
         })
     };

@@ -12,7 +12,7 @@ const SOURCE: DVec2 = DVec2::new(60.0, 20.0);
 
 fn beams(scene: &Scene, view: View, options: BeamOptions) -> Vec<[f64; 3]> {
     let mut picture = BeamPicture::new(BeamTracer::new(scene, &Weights::equal_energy(), options), view);
-    while picture.expose(8) {}
+    while picture.expose(8, &|| true) {}
     picture.fluence()
 }
 

@@ -1,6 +1,6 @@
 //! A beam: four rays, and the light between them in the pixels that it crosses.
 
-use super::trapezoid::Trapezoid;
+use super::spread::Spread;
 use crate::View;
 use crate::transport::SplatFilm;
 use geometry::DVec2;
@@ -47,11 +47,9 @@ impl Piece {
             let across_u = 0.5 * ((x[1] - x[0]) + (x[3] - x[2]));
             let across_v = 0.5 * ((x[2] - x[0]) + (x[3] - x[1]));
             let center = 0.25 * (x[0] + x[1] + x[2] + x[3]);
-            // Within the row the beam moves aside: a third box, which is folded with the narrower one by its variance.
+            // Within the row the beam moves aside: a third box.
             let moved = way[minor] / way[major] * (end - begin);
-            let (wide, narrow) =
-                if across_u.abs() > across_v.abs() { (across_u, across_v) } else { (across_v, across_u) };
-            let spread = Trapezoid::new(center, wide, (narrow * narrow + moved * moved).sqrt());
+            let spread = Spread::new(center, [across_u, across_v, moved]);
             let light = color(part).map(|channel| channel * chord);
             lay(film, &spread, row as usize, major, size[minor], light);
             row += 1.0;
@@ -71,7 +69,7 @@ impl Piece {
 }
 
 /// Lays light that is spread over a row (or a column) into its pixels.
-fn lay(film: &mut SplatFilm, spread: &Trapezoid, row: usize, major: usize, width: f64, light: [f64; 3]) {
+fn lay(film: &mut SplatFilm, spread: &Spread, row: usize, major: usize, width: f64, light: [f64; 3]) {
     let [begin, end] = spread.ends();
     if !(end > 0.0 && begin < width) {
         return;

@@ -12,7 +12,7 @@
 mod beam;
 mod cell;
 mod family;
+mod spread;
 mod sweep;
-mod trapezoid;
 
 pub use sweep::{BeamOptions, BeamPicture, BeamTracer};

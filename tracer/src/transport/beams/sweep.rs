@@ -13,6 +13,7 @@ use crate::transport::{
 use geometry::{DVec2, Ray};
 use rayon::prelude::*;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How fine a sweep is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,11 +28,21 @@ pub struct BeamOptions {
     pub most_surfaces: u32,
     /// Of its family's power, what a branch must have to be followed.
     pub least_power: f64,
+    /// Straight pieces of beams of one family at most: among many curved glasses beams are halved without end, and photons are
+    /// the better way. What is beyond is left out, and [`BeamPicture::is_cut`] says so.
+    pub most_pieces: u64,
 }
 
 impl Default for BeamOptions {
     fn default() -> BeamOptions {
-        BeamOptions { beams: 512, wavelengths: 32, widths: 8, most_surfaces: 24, least_power: 1e-3 }
+        BeamOptions {
+            beams: 512,
+            wavelengths: 32,
+            widths: 8,
+            most_surfaces: 24,
+            least_power: 1e-3,
+            most_pieces: u64::MAX,
+        }
     }
 }
 
@@ -66,6 +77,8 @@ pub struct BeamPicture<'a> {
     films: Vec<Mutex<SplatFilm>>,
     /// Tasks that are done.
     done: usize,
+    /// Whether a family had more pieces than it may have.
+    is_cut: AtomicBool,
 }
 
 /// A ray of a beam where it leaves a surface or its source.
@@ -141,7 +154,14 @@ struct Sweep<'a, 'b> {
     /// From where on a ray is out of the picture.
     far: f64,
     met: Vec<Met>,
+    /// Pieces that may still be looked at.
+    pieces_left: u64,
+    /// Asked now and then whether to go on.
+    goes_on: &'b (dyn Fn() -> bool + Sync),
 }
+
+/// From one question to the next whether to go on: pieces, some milliseconds.
+const ASKED_EVERY: u64 = 1 << 10;
 
 impl Sweep<'_, '_> {
     /// All beams of these.
@@ -207,6 +227,11 @@ impl Sweep<'_, '_> {
     }
 
     fn beam(&mut self, cell: Cell, a: Side, b: Side) {
+        let Some(left) = self.pieces_left.checked_sub(1) else { return };
+        self.pieces_left = left;
+        if left % ASKED_EVERY == 0 && !(self.goes_on)() {
+            self.pieces_left = 0;
+        }
         let corners = [a[0], b[0], a[1], b[1]];
         let contacts = corners.map(|corner| self.tracer.surfaces.meet(&corner.ray, &corner.starts_on));
         let edge = |at: usize| contacts[at].as_ref().map(|contacts| contacts.first().edge);
@@ -333,11 +358,12 @@ impl<'a> BeamPicture<'a> {
     pub fn new(tracer: BeamTracer<'a>, view: View) -> BeamPicture<'a> {
         let films =
             (0..rayon::current_num_threads().max(1)).map(|_| Mutex::new(SplatFilm::new(&view, BEAM_BITS))).collect();
-        BeamPicture { tracer, view, films, done: 0 }
+        BeamPicture { tracer, view, films, done: 0, is_cut: AtomicBool::new(false) }
     }
 
-    /// Sweeps up to `families` more; `false` when all are done.
-    pub fn expose(&mut self, families: usize) -> bool {
+    /// Sweeps up to `families` more; `false` when all are done. Where `goes_on` says no they are left half done, and
+    /// [`BeamPicture::is_cut`] says so.
+    pub fn expose(&mut self, families: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> bool {
         let last = (self.done + families).min(self.tracer.families.len());
         let beams = self.tracer.options.beams as usize;
         let far = {
@@ -356,11 +382,22 @@ impl<'a> BeamPicture<'a> {
             let mut film = self.films[own].lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             let part = |number: usize| (beams * number / PARTS) as u32;
             let (tracer, view, met) = (&self.tracer, &self.view, Vec::new());
-            let mut sweep = Sweep { tracer, family, media: *media, view, film: &mut film, far, met };
+            // A part by itself, so that what is left out does not depend on who is first.
+            let pieces_left = tracer.options.most_pieces / PARTS as u64;
+            let mut sweep =
+                Sweep { tracer, family, media: *media, view, film: &mut film, far, met, pieces_left, goes_on };
             sweep.run(part(task % PARTS)..part(task % PARTS + 1));
+            if sweep.pieces_left == 0 {
+                self.is_cut.store(true, Ordering::Relaxed);
+            }
         });
         self.done = last;
         self.done < self.tracer.families.len()
+    }
+
+    /// Whether some light is left out: a family had [`BeamOptions::most_pieces`].
+    pub fn is_cut(&self) -> bool {
+        self.is_cut.load(Ordering::Relaxed)
     }
 
     /// The fluence in each pixel, row by row, signed.
