@@ -11,6 +11,7 @@ mod plot;
 mod recording;
 mod recording_chunks;
 mod recording_files;
+mod render;
 mod rules;
 mod still;
 mod techniques;

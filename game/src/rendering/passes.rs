@@ -8,7 +8,7 @@ use tracer::transport::spectrum::{Emission, Weights};
 use tracer::transport::{Counts, MOST_SURFACES, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer, Scene};
 
 /// Packets of a pass of photons: even where each meets a thousand surfaces, a pass is over in seconds.
-const PACKETS: u64 = 1 << 15;
+const PACKETS: u64 = 1 << 13;
 
 /// Directions that a path tracer's pass follows from a pixel.
 const DIRECTIONS: u32 = 16;
@@ -148,7 +148,7 @@ impl<'a> Passes<'a> {
             if let Work::Beams { picture, .. } = &self.work
                 && picture.is_cut()
             {
-                return Ok(Stopped::TooManyBeams);
+                return Ok(if is_cancelled() { Stopped::Early } else { Stopped::TooManyBeams });
             }
             done = self.steps().0;
         }

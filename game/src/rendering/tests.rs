@@ -78,11 +78,11 @@ fn a_stopped_picture_is_one_of_fewer_samples() {
     let drawn = scene("", "<circle class=\"lamp\" cx=\"100\" cy=\"100\" r=\"4\" fill=\"#fff\"/>");
     for integrator in [Integrator::Photons, Integrator::Path] {
         let settings = Settings { integrator, samples: 64, ..SETTINGS };
-        let mut passes = Passes::new(&drawn.scene, view(128), &settings);
+        let mut passes = Passes::new(&drawn.scene, view(64), &settings);
         assert_eq!(passes.run(|done, _| done < 2, &|| false), Ok(Stopped::Early));
-        // A pass of photons has 2^15 packets, here for 128 x 128 pixels.
+        // A pass of photons has 2^13 packets, here for 64 x 64 pixels.
         let samples = if integrator == Integrator::Photons { 4 } else { 32 };
-        let fewer = fluence(&drawn.scene, view(128), &Settings { samples, ..settings });
+        let fewer = fluence(&drawn.scene, view(64), &Settings { samples, ..settings });
         assert_eq!(passes.fluence(), fewer, "{integrator:?}");
     }
 }

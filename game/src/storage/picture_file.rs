@@ -87,12 +87,8 @@ fn exr(picture: LinearPicture, metadata: &Metadata) -> io::Result<Vec<u8>> {
     });
     let mut attributes = LayerAttributes::named("caustic");
     attributes.software_name = Some(Text::from("Caustic"));
+    // One text, since attributes of names of our own would be written in the order of a hash, another in each run.
     attributes.comments = Text::new_or_none(description(metadata));
-    for (key, value) in metadata {
-        if let (Some(key), Some(value)) = (Text::new_or_none(key), Text::new_or_none(value)) {
-            attributes.other.insert(key, AttributeValue::Text(value));
-        }
-    }
     // Uncompressed and in one order: the same bytes on any number of threads.
     let encoding = Encoding {
         compression: Compression::Uncompressed,

@@ -17,7 +17,7 @@ use std::ops::{AddAssign, Range};
 use std::sync::Mutex;
 
 /// Packets that one task traces.
-const TASK: u64 = 1 << 10;
+const TASK: u64 = 1 << 8;
 
 /// Surfaces that a packet meets at most, if nothing else is said: with half of the power lost at each, 2^-1000 is left.
 pub const MOST_SURFACES: u32 = 1_000;
