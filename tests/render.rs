@@ -91,6 +91,25 @@ fn what_cannot_be_rendered_is_one_sentence() {
     assert_eq!(folder.names(), ["a.json", "bad.svg"], "nothing half drawn is written");
 }
 
+/// A place where nothing can be written was found when the picture was done.
+#[test]
+fn a_place_that_cannot_be_is_refused_before_anything_is_made() {
+    let folder = Folder::new("render-place");
+    let file = folder.path("file");
+    fs::write(&file, "text").expect("a file");
+    let inside = format!("{file}/x.png");
+    let done = caustic(&["frame", "--out", &inside]);
+    assert_eq!(done.status.code(), Some(1), "{}", complaint(&done));
+    assert!(complaint(&done).contains("a part of this path is a file"), "{}", complaint(&done));
+    let done = render(&[&scene(PRISM), "--out", &inside, "--integrator", "photons", "--samples", "100000"]);
+    assert_eq!(done.status.code(), Some(1), "{}", complaint(&done));
+    for words in [&["plot", "flipper", "--out", "-"][..], &["simulate", "--games", "1", "--save-all", "-"]] {
+        let done = caustic(words);
+        assert_eq!(done.status.code(), Some(2), "{}", complaint(&done));
+        assert!(complaint(&done).contains("name one"), "{}", complaint(&done));
+    }
+}
+
 /// A round mirror that keeps all of its light had beams without end, and neither time nor signals ended them.
 #[test]
 fn a_scene_of_endless_reflections_ends_in_time() {

@@ -1,8 +1,8 @@
 //! The words that measure: `caustic bench` and `caustic plot`.
 
-use super::values::{threads, whole};
+use super::values::{folder, threads, whole};
 use crate::screen::Size;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -56,7 +56,7 @@ pub struct PlotArgs {
     #[arg(value_enum, default_value_t = Plot::All)]
     pub plot: Plot,
     /// A folder for the PNG files, one a plot
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
     pub out: PathBuf,
     /// A table's name, or the folder of one
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]

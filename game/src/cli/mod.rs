@@ -14,7 +14,7 @@ use clap::builder::{NonEmptyStringValueParser, OsStringValueParser, TypedValuePa
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
-use values::{minutes, png_file, seconds, threads, whole, zoom};
+use values::{folder, minutes, png_file, seconds, threads, whole, zoom};
 
 /// Caustic: a pinball game whose only light is ray traced.
 #[derive(Debug, Parser)]
@@ -248,10 +248,10 @@ pub struct SimulateArgs {
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,
     /// A folder for recordings of games in which something went wrong
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
     pub save_failures: Option<PathBuf>,
     /// A folder for recordings of all the games
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
     pub save_all: Option<PathBuf>,
     /// Write over recordings that are in these folders already
     #[arg(long)]

@@ -33,6 +33,11 @@ pub(super) fn picture_file(path: &Path) -> Result<(), String> {
     }
 }
 
+/// A folder: no stream.
+pub(super) fn folder(name: OsString) -> Result<PathBuf, String> {
+    if name == "-" { Err("files are written into a folder: name one".to_string()) } else { Ok(PathBuf::from(name)) }
+}
+
 /// Seconds, over 0.
 pub(super) fn positive_seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -5,7 +5,7 @@ use crate::cli::{FrameArgs, Integrator};
 use crate::frame_composer::{FrameComposer, Interpolation};
 use crate::hud::UiState;
 use crate::storage::recordings::{self, ShownRecording};
-use crate::storage::{save_png, tables};
+use crate::storage::{check_place, save_png, tables};
 use crate::{Failure, Simulation, Snapshot, Table};
 use physics::TICKS_PER_SECOND;
 use std::path::Path;
@@ -23,6 +23,7 @@ const SAMPLES: u32 = 64;
 /// # Errors
 /// If the table or the recording cannot be read, or the file cannot be written.
 pub fn run(args: &FrameArgs) -> Result<(), Failure> {
+    check_place(&args.out)?;
     let Moment { table, snapshot, notice } = match &args.replay {
         Some(file) => of_recording(file, args.at)?,
         None => of_table(&args.table, args.at.unwrap_or(LIT_S))?,

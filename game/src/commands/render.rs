@@ -9,6 +9,7 @@ use crate::rendering::{
     Develop, Integrator, Passes, Picture, Settings, Stopped, add_art, develop, finds_all_by_beams, weights,
 };
 use crate::screen::Size;
+use crate::storage::check_place;
 use crate::storage::picture_file::{self, LinearPicture};
 use crate::storage::text_file;
 use crate::{Failure, art, interrupt, tell};
@@ -25,8 +26,8 @@ const SAMPLES: u32 = 64;
 /// Beams of a family where nothing is said.
 const BEAMS: u32 = 512;
 
-/// Pieces of beams of one family, beyond which photons are taken where nobody has chosen: some ten seconds of all families.
-const MOST_PIECES: u64 = 400_000;
+/// Pieces of beams beyond which photons are taken where nobody has chosen: some ten seconds.
+const MOST_PIECES: u64 = 12_000_000;
 
 /// Renders the scenes that the arguments name.
 ///
@@ -75,6 +76,7 @@ struct Rendered {
 }
 
 fn render(args: &RenderArgs, scene: &Path, out: &Path) -> Result<(), Failure> {
+    check_place(out)?;
     let name = scene.display().to_string();
     let is_json = scene.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
     let begin = Instant::now();
@@ -110,7 +112,8 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
         let what = "it was stopped before its first pass was whole, so there is no picture";
         return Err(Failure::new(format!("{name}: {what}; give it more time, or fewer --samples")));
     }
-    let (mut picture, factor) = develop(&passes.fluence(), &view, &Develop { stops: args.exposure });
+    let stops = args.exposure + drawn.stops;
+    let (mut picture, factor) = develop(&passes.fluence(), &view, &Develop { stops });
     add_art(&mut picture, &art, drawn.ambient);
     let mut report = format!("{}, {}", integrator_name(settings.integrator), passes.unit(done));
     if stopped == Stopped::Early {

@@ -5,12 +5,15 @@ use super::{body, lamp, material};
 use crate::Failure;
 use geometry::DVec2;
 use pinball::table::{DrawnShape, DrawnShapes, LIGHT_BENDING_WORDS};
+use std::ops::RangeInclusive;
 use tracer::transport::{Body, Dielectric, LightSource, Material, Scene, Surfaces, TOLERANCE_MM};
 
 /// Words of a scene beside the table's.
 const OWN_WORDS: [&str; 5] = ["glass", "prism", "lens", "mirror", "lamp"];
 /// A table's words for what has no place in a scene of light.
 const ART_WORDS: [&str; 2] = ["insert", "plastic"];
+/// Mistakes that are worth reading at once.
+const MOST_TOLD: usize = 100;
 /// Light from everywhere, where nothing is said: what is drawn is just seen.
 const AMBIENT: f64 = 0.1;
 /// What is left of light after a millimetre of glass in which a lamp could not be seen at all.
@@ -27,6 +30,8 @@ pub struct DrawnScene {
     pub svg: String,
     /// Light from everywhere in which the drawing is seen, as a part of full light.
     pub ambient: f64,
+    /// Stops brighter than a picture is exposed by its own light.
+    pub stops: f64,
     /// What is odd in the drawing and yet no mistake.
     pub warnings: Vec<Failure>,
 }
@@ -74,21 +79,30 @@ impl DrawnScene {
                 "{path}: there is no lamp, so the picture would be black; give a circle or a line class=\"lamp\""
             )));
         }
-        let ambient = ambient(&drawn).map_err(|why| mistakes.push(drawn.mistake_of_all(why))).unwrap_or(AMBIENT);
+        let mut of_all = |name: &str, range: RangeInclusive<f64>, usual: f64| {
+            let read = number(&drawn, name, range, usual);
+            read.map_err(|why| mistakes.push(drawn.mistake_of_all(why))).unwrap_or(usual)
+        };
+        let (ambient, stops) = (of_all("ambient", 0.0..=1.0, AMBIENT), of_all("exposure", -30.0..=30.0, 0.0));
+        if mistakes.len() > MOST_TOLD {
+            let more = mistakes.len() - MOST_TOLD;
+            mistakes.truncate(MOST_TOLD);
+            mistakes.push(Failure::new(format!("and {more} more mistakes")));
+        }
         if mistakes.is_empty() {
-            Ok(DrawnScene { scene, size_mm: drawn.size_mm, svg: drawn.svg, ambient, warnings })
+            Ok(DrawnScene { scene, size_mm: drawn.size_mm, svg: drawn.svg, ambient, stops, warnings })
         } else {
             Err(mistakes)
         }
     }
 }
 
-/// The light from everywhere that the drawing says.
-fn ambient(drawn: &DrawnShapes) -> Result<f64, String> {
-    let Some(text) = drawn.data.get("ambient") else { return Ok(AMBIENT) };
+/// A number that the drawing says as a whole.
+fn number(drawn: &DrawnShapes, name: &str, range: RangeInclusive<f64>, usual: f64) -> Result<f64, String> {
+    let Some(text) = drawn.data.get(name) else { return Ok(usual) };
     match text.parse::<f64>() {
-        Ok(ambient) if (0.0..=1.0).contains(&ambient) => Ok(ambient),
-        _ => Err(format!("its `data-ambient` is `{text}`; write a number from 0 to 1")),
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!("its `data-{name}` is `{text}`; write a number from {} to {}", range.start(), range.end())),
     }
 }
 

@@ -109,6 +109,20 @@ fn attributes_that_say_nothing_are_warned_of() {
     assert!(told.starts_with("warning: a.svg:3: glass: a glass has no `data-indx`"), "{told}");
 }
 
+/// What the drawing says as a whole is read, and told in its line where it cannot be.
+#[test]
+fn ambient_light_and_exposure_are_the_drawings() {
+    let of = |attributes: &str| {
+        let text =
+            format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\" {attributes}>{LAMP}</svg>");
+        DrawnScene::read("a.svg", text.into_bytes())
+    };
+    let scene = of("data-ambient=\"0.3\" data-exposure=\"-2\"").expect("it is sound");
+    assert_eq!((scene.ambient, scene.stops), (0.3, -2.0));
+    let told = of("data-ambient=\"bright\"").expect_err("it is no number")[0].to_string();
+    assert_eq!(told, "a.svg:1: its `data-ambient` is `bright`; write a number from 0 to 1");
+}
+
 /// A clone of glass is glass, where it is put.
 #[test]
 fn clones_of_glass_bend_light_too() {

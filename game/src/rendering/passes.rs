@@ -40,7 +40,7 @@ pub struct Settings {
     pub seed: u64,
     /// Surfaces that light meets at most.
     pub depth: Option<u32>,
-    /// Beams end when this many pieces of them were laid for one family: none where nothing is said.
+    /// Beams end when this many pieces of them were laid, all families together, each its share: never where nothing is said.
     pub most_pieces: Option<u64>,
     /// The temperature of the black body whose light is white, K; without it equal power at every wavelength is.
     pub white_kelvin: Option<f64>,
@@ -115,14 +115,12 @@ impl<'a> Passes<'a> {
             }
             Integrator::Beams => {
                 let usual = BeamOptions::default();
-                let options = BeamOptions {
-                    beams: samples,
-                    most_surfaces: depth.unwrap_or(usual.most_surfaces),
-                    most_pieces: settings.most_pieces.unwrap_or(usual.most_pieces),
-                    ..usual
-                };
+                let options =
+                    BeamOptions { beams: samples, most_surfaces: depth.unwrap_or(usual.most_surfaces), ..usual };
                 let tracer = BeamTracer::new(scene, &weights, options);
                 let families = tracer.tasks() as u64;
+                let share = settings.most_pieces.map_or(u64::MAX, |pieces| pieces / families.max(1));
+                let tracer = tracer.with_most_pieces(share);
                 Work::Beams { picture: Box::new(BeamPicture::new(tracer, view)), families, done: 0 }
             }
         };

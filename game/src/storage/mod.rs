@@ -21,5 +21,5 @@ pub mod text_file;
 mod watch;
 
 pub use file_failure::{because, file_failure};
-pub use png_file::save_png;
+pub use png_file::{check_place, save_png};
 pub use watch::TableWatch;

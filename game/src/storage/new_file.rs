@@ -35,6 +35,21 @@ pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result
     written
 }
 
+/// Whether a file could be put at `path`, as far as one sees before anything is done.
+///
+/// # Errors
+/// If `path` is a folder, or something on the way to it is none.
+pub fn check(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    let mut around = path.ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty());
+    match around.find_map(|folder| fs::metadata(folder).ok()) {
+        Some(found) if !found.is_dir() => Err(ErrorKind::NotADirectory.into()),
+        _ => Ok(()),
+    }
+}
+
 /// Makes the folders in which `path` is to be, where they are missing.
 ///
 /// # Errors

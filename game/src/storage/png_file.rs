@@ -14,6 +14,14 @@ pub fn save_png(frame: &Frame, path: &Path) -> Result<(), Failure> {
     new_file::write(path, |file| encode(frame, file)).map_err(|error| file_failure("write the picture", path, &error))
 }
 
+/// Whether a picture could be put at `path`: to be asked before it is made.
+///
+/// # Errors
+/// If it could not.
+pub fn check_place(path: &Path) -> Result<(), Failure> {
+    new_file::check(path).map_err(|error| file_failure("write the picture", path, &error))
+}
+
 fn encode(frame: &Frame, file: &mut impl Write) -> io::Result<()> {
     let mut encoder = png::Encoder::new(file, frame.width as u32, frame.height as u32);
     encoder.set_color(png::ColorType::Rgb);

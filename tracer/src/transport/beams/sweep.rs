@@ -120,6 +120,12 @@ impl<'a> BeamTracer<'a> {
         BeamTracer { surfaces, families, power, options }
     }
 
+    /// The same with another limit of pieces of one family.
+    pub fn with_most_pieces(mut self, most_pieces: u64) -> BeamTracer<'a> {
+        self.options.most_pieces = most_pieces;
+        self
+    }
+
     /// How many families there are: tasks for [`BeamPicture::expose`].
     pub fn tasks(&self) -> usize {
         self.families.len()
