@@ -2,6 +2,7 @@
 //! lost ball must have a consequence, and the game an end; and a saucer's ball must come out again.
 
 use super::finding::{Finding, FindingKind};
+use super::shaken;
 use super::whole_game::{self, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
 use crate::{Buttons, Failure, Simulation, Table};
 use geometry::DVec2;
@@ -30,8 +31,12 @@ pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<(Vec<Finding
         let told = Finding { kind, part: None, place_mm: DVec2::ZERO, count: 1 };
         return Ok((vec![told], simulation.complaints()));
     }
-    let (found, complaints) = game(&simulation, places);
-    Ok((found.into_iter().chain(held(&simulation)).collect(), complaints))
+    let (mut found, mut complaints) = game(&simulation, places);
+    let (kept, more) = held(&simulation);
+    found.extend(kept);
+    complaints.extend(more);
+    complaints.extend(shaken::complaints(&simulation));
+    Ok((found, once(complaints)))
 }
 
 /// Whether a game is on behind a press of this button.
@@ -58,24 +63,41 @@ fn game(simulation: &Simulation, places: &LossPlaces) -> (Vec<Finding>, Vec<Stri
     for drain in others.iter().take(MAX_DRAINS - 1) {
         let (own, more) = whole_game::play(simulation, places, Some(*drain), 1);
         found.extend(own);
-        let new: Vec<String> = more.into_iter().filter(|one| !complaints.contains(one)).collect();
-        complaints.extend(new);
+        complaints.extend(more);
     }
     (found, complaints)
 }
 
-/// Saucers that keep a ball, in a game whose first ball waits at the plunger.
-fn held(simulation: &Simulation) -> Vec<Finding> {
+/// The same complaint once.
+fn once(complaints: Vec<String>) -> Vec<String> {
+    let mut told: Vec<String> = Vec::new();
+    for complaint in complaints {
+        if !told.contains(&complaint) {
+            told.push(complaint);
+        }
+    }
+    told
+}
+
+/// Saucers that keep a ball, in a game whose first ball waits at the plunger, and what the rules complain about meanwhile.
+fn held(simulation: &Simulation) -> (Vec<Finding>, Vec<String>) {
     let parts = simulation.table().layout.parts.iter().enumerate();
     let saucers = parts.filter_map(|(index, part)| match &part.kind {
         Kind::Saucer(saucer) => Some((PartId(index as u16), saucer.circle.center)),
         _ => None,
     });
-    let kept = saucers.take(MAX_SAUCERS).filter(|(part, center)| keeps(simulation.clone(), *part, *center));
-    kept.map(|(part, center)| Finding::of_part(FindingKind::NeverEjected, part, center)).collect()
+    let mut complaints = Vec::new();
+    let kept = saucers.take(MAX_SAUCERS).filter(|(part, center)| {
+        let mut simulation = simulation.clone();
+        let is_kept = keeps(&mut simulation, *part, *center);
+        complaints.extend(simulation.complaints());
+        is_kept
+    });
+    let kept = kept.map(|(part, center)| Finding::of_part(FindingKind::NeverEjected, part, center)).collect();
+    (kept, complaints)
 }
 
-fn keeps(mut simulation: Simulation, part: PartId, center: DVec2) -> bool {
+fn keeps(simulation: &mut Simulation, part: PartId, center: DVec2) -> bool {
     simulation.put_ball(center);
     let (mut caught, mut contact_solves) = (false, 0);
     let is = |event: &Event, kind: EventKind| event.part == Some(part) && event.kind == kind;

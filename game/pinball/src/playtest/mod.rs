@@ -13,6 +13,7 @@ mod places;
 mod plunger;
 mod reach;
 mod rules_finding;
+mod shaken;
 mod switches;
 #[cfg(test)]
 mod tests;

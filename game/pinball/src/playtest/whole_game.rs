@@ -251,8 +251,9 @@ impl WholeGame<'_> {
     }
 
     /// Whether a press of a button begins the next game.
-    fn begins_again(&self) -> bool {
-        let mut simulation = self.simulation.clone();
+    fn begins_again(&mut self) -> bool {
+        // What the rules complain about meanwhile is kept.
+        let simulation = &mut self.simulation;
         let mut is_begun_by = |button: Buttons| {
             (0..PRESS_PERIOD_TICKS).any(|tick| {
                 let is_down =

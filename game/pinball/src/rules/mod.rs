@@ -6,6 +6,7 @@
 
 mod ball_search;
 mod display;
+mod handlers;
 mod host;
 mod host_function;
 mod host_lamps;

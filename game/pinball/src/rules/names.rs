@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 pub struct Names {
     parts: BTreeMap<String, PartId>,
     kinds: Vec<(String, Kind)>,
+    /// See [`Table::part_lines`].
+    lines: Vec<usize>,
     lamps: BTreeMap<String, usize>,
     /// See [`Table::art_ids`].
     art: BTreeMap<String, String>,
@@ -26,6 +28,7 @@ impl Names {
                 .map(|(index, part)| (part.name.clone(), PartId(index as u16)))
                 .collect(),
             kinds: table.layout.parts.iter().map(|part| (part.name.clone(), part.kind.clone())).collect(),
+            lines: table.part_lines.clone(),
             lamps: lamps
                 .filter(|(_, lamp)| !lamp.name.is_empty())
                 .map(|(index, lamp)| (lamp.name.clone(), index))
@@ -64,8 +67,23 @@ impl Names {
     pub fn told(&self, name: &str, sentence: String) -> String {
         match (self.art.get(name), sentence.split_once(" in the drawing")) {
             (Some(why), Some((begin, _))) => format!("{begin}: {why}"),
+            (None, Some(_)) => match self.nameless(name) {
+                // What it is called for want of an id is not what was meant.
+                Some(why) => format!("{}; {why}", sentence.split("; did you mean").next().unwrap_or_default()),
+                None => sentence,
+            },
             _ => sentence,
         }
+    }
+
+    /// What to say of the first part without an id of which this is the word: nobody has given it the name that stands beside
+    /// every drain.
+    fn nameless(&self, name: &str) -> Option<String> {
+        let word = name.trim_end_matches(|letter: char| letter.is_ascii_digit() || letter == '-').to_ascii_lowercase();
+        let is_it = |(own, _): &(String, Kind)| own.split_once('#').is_some_and(|(class, _)| class == word);
+        let (at, _) = self.kinds.iter().enumerate().find(|(_, part)| is_it(part))?;
+        let line = self.lines.get(at)?;
+        Some(format!("the {word} of line {line} has no id; give it id=\"{name}\""))
     }
 
     /// Whether a part or a lamp has this name.

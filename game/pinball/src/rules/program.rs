@@ -1,10 +1,11 @@
 //! A compiled script: shared by every simulation of its table.
 
+use super::handlers;
 use super::host_function::ScriptContext;
 use super::literal_names::unknown_names;
 use super::memory::Memory;
 use super::names::Names;
-use super::script::{Data, Failed, Meter, Mistake, Script, UNCLOSED_COMMENT, open_comment, too_many};
+use super::script::{Data, Failed, Meter, Script, UNCLOSED_COMMENT, open_comment, too_many};
 use super::script_state::ScriptState;
 use super::value::Value;
 use super::work::Work;
@@ -13,20 +14,6 @@ use crate::table::LIMITS_BYTES;
 use crate::{Failure, Table};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// What a script may define to be told of what happens, with the number of parameters.
-const CALLS: [(&str, usize); 10] = [
-    ("on_start", 0),
-    ("on_switch", 1),
-    ("on_open", 1),
-    ("on_button", 1),
-    ("on_release", 1),
-    ("on_timer", 1),
-    ("on_launch", 0),
-    ("on_feed", 0),
-    ("on_bob", 0),
-    ("on_slam", 0),
-];
 
 /// Steps that every call takes, whatever it does.
 const CALL_STEPS: u64 = 20;
@@ -69,7 +56,7 @@ impl Program {
             return Err(Failure::new(format!("{file}:{line}: {what}")));
         }
         let (script, mut mistakes) = Script::read(&table.rules);
-        mistakes.extend(wrong_calls(&script, &table.rules));
+        handlers::tell(&script, &table.rules, &mut mistakes);
         mistakes.extend(unknown_names(&script, &names));
         if !mistakes.is_empty() {
             // What an endless comment has swallowed is missing everywhere else.
@@ -82,7 +69,7 @@ impl Program {
                 mistakes.iter().take(MAX_MISTAKES).map(|(line, what)| Failure::new(format!("{file}:{line}: {what}")));
             return Err(Failure::of_many(mistakes.collect()));
         }
-        let numbered = script.functions().zip(0..).filter(|(function, _)| is_call(&function.name));
+        let numbered = script.functions().zip(0..).filter(|(function, _)| handlers::is_handler(&function.name));
         let call = |name: &str, number| (name.to_string(), (number, line_of_function(name, &table.rules)));
         let calls = numbered.map(|(function, number)| call(&function.name, number)).collect();
         Ok(Program { script, calls, names, file })
@@ -147,27 +134,6 @@ fn spent() -> String {
         "this does not come to an end, or does too much at once (the rules may take {} steps in a second)",
         Work::most(1000)
     )
-}
-
-fn is_call(name: &str) -> bool {
-    CALLS.iter().any(|(call, _)| *call == name)
-}
-
-/// Functions that look as if they were to be called when something happens, but never will be.
-fn wrong_calls(script: &Script, text: &str) -> Vec<Mistake> {
-    let mut mistakes = Vec::new();
-    for function in script.functions().filter(|function| function.name.starts_with("on_")) {
-        let what = match CALLS.iter().find(|(name, _)| *name == function.name) {
-            Some((_, count)) if *count == function.parameters => continue,
-            Some((name, count)) => format!("{name} takes {count} parameters"),
-            None => {
-                let names: Vec<&str> = CALLS.iter().map(|(name, _)| *name).collect();
-                format!("nothing calls {}; there are {}", function.name, names.join(", "))
-            }
-        };
-        mistakes.push((line_of_function(&function.name, text), what));
-    }
-    mistakes
 }
 
 /// The line on which a function begins.

@@ -110,8 +110,11 @@ impl Config {
     pub fn finish_named(&self, name: &str) -> Result<&FinishOverrides, String> {
         self.finishes.get(name).ok_or_else(|| {
             let known: Vec<&str> = self.finishes.keys().map(String::as_str).collect();
-            let known =
-                if known.is_empty() { "none yet".to_string() } else { format!("there are {}", known.join(", ")) };
+            let known = match known.as_slice() {
+                [] => "none yet".to_string(),
+                [only] => format!("there is {only}"),
+                _ => format!("there are {}", known.join(", ")),
+            };
             format!("data-finish: there is no [finish.{name}] in table.toml; {known}")
         })
     }

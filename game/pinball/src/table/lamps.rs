@@ -62,8 +62,8 @@ pub(super) fn color(element: &Element) -> Result<[u8; 3], String> {
     match if word == "stroke" { element.stroke } else { element.fill } {
         Paint::Color(color) => Ok(color),
         _ => {
-            let what = element.class.word();
-            Err(format!("the {word} of a {what} is its light; give it one colour, \"#rrggbb\""))
+            let what = element.class.with_article();
+            Err(format!("the {word} of {what} is its light; give it one colour, \"#rrggbb\""))
         }
     }
 }

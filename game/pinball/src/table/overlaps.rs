@@ -3,6 +3,7 @@
 //! Walls may lie in each other and posts in walls, so only what is there for a ball is looked at; and what moves out of the
 //! way is in nobody's.
 
+mod drain_gap;
 mod plunger;
 mod room;
 mod strokes;
@@ -36,6 +37,7 @@ pub(super) fn findings(table: &Table) -> Vec<Failure> {
         }
     }
     found.extend(strokes::findings(table));
+    found.extend(drain_gap::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.extend(plunger::findings(table));
     found.extend(room::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.sort();

@@ -143,7 +143,7 @@ fn no_smaller_than(circle: Circle, least_mm: f64, why: &str) -> Result<Circle, S
 }
 
 fn expected(element: &Element, what: &str) -> String {
-    format!("a {} is drawn as {what}", element.class.word())
+    format!("{} is drawn as {what}", element.class.with_article())
 }
 
 /// Where a ball's centre is on a rollover or in a drain: in a circle, or within half the thickness of a line. A
@@ -259,8 +259,10 @@ fn degrees(element: &Element, key: &str) -> Result<f64, String> {
 
 fn data(element: &Element, key: &str, min: f64, max: f64) -> Result<f64, String> {
     let expected = || format!("data-{key} must be a number from {min} to {max}");
-    let text =
-        element.data.get(key).ok_or_else(|| format!("a {} needs data-{key}; {}", element.class.word(), expected()))?;
+    let text = element
+        .data
+        .get(key)
+        .ok_or_else(|| format!("{} needs data-{key}; {}", element.class.with_article(), expected()))?;
     let number = text.parse::<f64>().ok().filter(|number| (min..=max).contains(number));
     number.ok_or_else(|| format!("{}, and it is `{text}`", expected()))
 }

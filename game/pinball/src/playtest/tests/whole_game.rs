@@ -212,3 +212,25 @@ fn a_machine_that_is_always_tilted_is_told_so() {
         changed("flippers(true);", once).replace("eject(\"hole\");", "eject(\"hole\"); tilt(false); flippers(true);");
     assert_eq!(first_game(&rules), []);
 }
+
+/// Rules that divided by 0 when the bob swung, or when the machine was slammed, were called good: nobody pushed it.
+#[test]
+fn what_the_rules_do_when_the_machine_is_pushed_is_tried() {
+    let complaints = |more: &str| {
+        let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{DRAIN}"), &format!("{GAME}\n{more}")));
+        playtest.first_game().unwrap().1
+    };
+    let zero = "fn on_bob() { score(10 / (ball() - ball())); }";
+    assert_eq!(complaints(zero), ["rules.rhai:7: 10 cannot be divided by 0"]);
+    assert_eq!(complaints("fn on_slam() { score(scores()[9]); }").len(), 1);
+    assert_eq!(complaints("fn on_bob() { this.n = (this.n ?? 0) + 1; if this.n > 3 { score([]); } }").len(), 1);
+    for name in ["left", "right", "nudge-left", "nudge-right", "nudge-up", "nudge-down"] {
+        let told = complaints(&format!("fn on_release(name) {{ if name == \"{name}\" {{ score([]); }} }}"));
+        assert_eq!(told.len(), 1, "{name}");
+    }
+    assert_eq!(complaints("fn on_bob() { tilt(true); } fn on_slam() { game_over(); }"), [""; 0]);
+    // A saucer's ball, wherever the walls lead balls.
+    let out = GAME.replace("eject(\"hole\");", "eject(\"hole\"); score([]);");
+    let playtest = playtest_of(with_rules(&format!("{WALLS}{HOLE}{DRAIN}"), &out));
+    assert_eq!(playtest.first_game().unwrap().1.len(), 1);
+}

@@ -1,24 +1,14 @@
 //! Arguments: what the game's functions are given that they do not take, where it stands in the script.
 
 use super::facts::{Call, Facts};
+use super::given::Given;
 use super::literal::{plain, shown};
 use super::remark::Remark;
-use super::words::Words;
 use crate::rules::host_function::ScriptContext;
-use crate::rules::script::{Data, Kind, Node, Operator, Script};
+use crate::rules::script::{Data, Kind, Script};
 use crate::rules::script_state::ScriptState;
 use crate::rules::signatures::{self, Signature, Type};
 use std::sync::Arc;
-
-/// What is known of a value that a function is given.
-struct Given {
-    /// Its type; none of the three for an array, a map or nothing.
-    is: Option<Type>,
-    /// What it is, for a sentence.
-    word: &'static str,
-    /// The value, if it stands there.
-    value: Option<Data>,
-}
 
 /// What the functions of the game do not take.
 pub fn remarks(facts: &Facts, script: &Script, context: &mut ScriptContext) -> Vec<Remark> {
@@ -37,48 +27,7 @@ fn given(call: &Call, script: &Script) -> Vec<Option<Given>> {
     // What a chain stands at is given first, and is no argument.
     let nodes = std::iter::repeat_n(None, call.words.len() - call.arguments.len());
     let nodes = nodes.chain(call.arguments.iter().map(Some));
-    nodes
-        .zip(&call.words)
-        .map(|(node, words)| node.and_then(|node| of_node(node, script)).or(of_words(words)))
-        .collect()
-}
-
-fn of_node(node: &Node, script: &Script) -> Option<Given> {
-    let flag = |value| Some(Given { is: Some(Type::Flag), word: "true or false", value });
-    let other = |word| Some(Given { is: None, word, value: None });
-    match &node.kind {
-        Kind::Text(text) => of_value(&Data::Text(text.clone())),
-        Kind::Int(number) => of_value(&Data::Int(*number)),
-        Kind::Bool(value) => flag(Some(Data::Bool(*value))),
-        Kind::Constant(number) => of_value(script.constant_value(*number)?),
-        Kind::Joined(_) => Some(Given { is: Some(Type::Text), word: "a text", value: None }),
-        Kind::Not(_) | Kind::And(_) | Kind::Or(_) => flag(None),
-        Kind::Binary(Operator::Equal | Operator::NotEqual, _) => flag(None),
-        Kind::List(_) => other("an array"),
-        Kind::Map(_) => other("a map"),
-        Kind::Unit => other("nothing"),
-        Kind::Function(_) => other("a function"),
-        _ => None,
-    }
-}
-
-fn of_value(value: &Data) -> Option<Given> {
-    let (is, word) = match value {
-        Data::Text(_) => (Some(Type::Text), "a text"),
-        Data::Int(_) => (Some(Type::Number), "a whole number"),
-        Data::Bool(_) => (Some(Type::Flag), "true or false"),
-        Data::List(_) => (None, "an array"),
-        Data::Map(_) => (None, "a map"),
-        _ => return None,
-    };
-    Some(Given { is, word, value: plain(value) })
-}
-
-/// A text that comes from elsewhere.
-fn of_words(words: &Words) -> Option<Given> {
-    let is_nothing = words.literals.is_empty() && words.told.is_empty();
-    let value = words.only().map(|text| Data::Text(text.clone()));
-    (!words.others && !is_nothing).then_some(Given { is: Some(Type::Text), word: "a text", value })
+    nodes.zip(&call.words).map(|(node, words)| Given::of(node, words, script)).collect()
 }
 
 /// The parameter that cannot be what it is given.

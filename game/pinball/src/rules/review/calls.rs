@@ -36,6 +36,10 @@ pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
             "a game begins without a ball: no rule calls `add_ball()`; call it behind `start_game`",
         ));
     }
+    if !facts.calls_of("score").any(|call| !call.words.is_empty()) {
+        let what = "no player can score: no rule calls `score(points)`; call it in `on_switch(name)`, as `score(100)`";
+        found.push(Remark::warning(line, what));
+    }
     let is_kicker =
         |kind: &Kind| matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_));
     if names.parts().any(|(_, kind)| is_kicker(kind)) && !facts.calls_of("kickers").any(switches_on) {

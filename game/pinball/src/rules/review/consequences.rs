@@ -4,6 +4,7 @@
 
 use super::facts::Facts;
 use super::known::{Frame, Known};
+use super::tilt::FLIPPERS_ON;
 use super::words::Words;
 use crate::rules::script::{Chain, Kind, Node, Pattern, Script, Step, StepKind, Switch};
 use std::collections::BTreeSet;
@@ -193,6 +194,10 @@ impl<'a> Consequences<'a> {
     fn host(&mut self, name: &'static str, values: &'a [Node], second: Option<&'a Node>, frame: &Frame) {
         if !self.in_beginning {
             self.calls.insert(name);
+            let is_off = matches!(values.first().map(|node| &node.kind), Some(Kind::Bool(false)));
+            if name == "flippers" && !is_off {
+                self.calls.insert(FLIPPERS_ON);
+            }
         }
         if name == "after" {
             let timer = second.map_or(Known::Nothing, |second| frame.known(second, self.script));

@@ -5,7 +5,7 @@
 
 use super::words::{Told, Words};
 use crate::rules::host_function::HostFunction;
-use crate::rules::script::{Chain, Data, Kind, Node, Operator, Pattern, Root, Script, StepKind};
+use crate::rules::script::{Chain, Data, Kind, Node, Operator, Pattern, Root, Script, StepKind, Switch};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -36,6 +36,18 @@ pub struct Comparison {
     pub is_item: bool,
 }
 
+/// Two values that are compared.
+pub struct Compared<'a> {
+    /// The line.
+    pub line: u32,
+    /// How.
+    pub operator: Operator,
+    /// Both.
+    pub sides: [&'a Node; 2],
+    /// Which texts each can be.
+    pub words: [Words; 2],
+}
+
 /// What a script does with texts.
 #[derive(Default)]
 pub struct Facts<'a> {
@@ -43,6 +55,10 @@ pub struct Facts<'a> {
     pub calls: Vec<Call<'a>>,
     /// In the same order.
     pub comparisons: Vec<Comparison>,
+    /// In the same order.
+    pub compared: Vec<Compared<'a>>,
+    /// Every `switch`, and which texts its subject can be.
+    pub switches: Vec<(&'a Switch, Words)>,
 }
 
 impl<'a> Facts<'a> {
@@ -155,16 +171,20 @@ impl<'a> Walker<'a, '_> {
             Kind::Try(parts) => parts.variable.iter().for_each(|slot| self.set(*slot, Words::unknown())),
             Kind::Switch(switch) => {
                 let words = self.words(&switch.subject);
+                self.facts.switches.push((switch, words.clone()));
                 for case in &switch.cases {
                     if let Pattern::Value(Data::Text(text)) = &case.pattern {
                         self.compare(switch.branches[case.branch].body.line, &words, text, false);
                     }
                 }
             }
-            Kind::Binary(Operator::Equal | Operator::NotEqual, sides) => {
+            Kind::Binary(operator, sides) if operator.compares() => {
                 let [left, right] = [self.words(&sides[0]), self.words(&sides[1])];
+                let (sides, words) = ([&sides[0], &sides[1]], [left.clone(), right.clone()]);
+                self.facts.compared.push(Compared { line, operator: *operator, sides, words });
+                let is_equality = matches!(operator, Operator::Equal | Operator::NotEqual);
                 for (words, other) in [(&left, &right), (&right, &left)] {
-                    if let Some(text) = other.only() {
+                    if let Some(text) = other.only().filter(|_| is_equality) {
                         self.compare(line, words, text, false);
                     }
                 }

@@ -6,6 +6,8 @@ mod calls;
 mod consequences;
 mod entry_values;
 mod facts;
+mod given;
+mod handlers;
 mod known;
 mod literal;
 mod lost_ball;
@@ -13,7 +15,9 @@ mod memory;
 mod messages;
 mod names;
 mod remark;
+mod tilt;
 mod timers;
+mod types;
 mod unreached;
 mod words;
 
@@ -55,6 +59,12 @@ impl Review {
         let facts = Facts::new(script);
         let lamps = LampController::new(table);
         let context = &mut ScriptContext { script: ScriptState::new(0), lamps, names: Arc::new(Names::new(table)) };
+        let misspelt = handlers::misspelt(script, &table.rules);
+        if !misspelt.is_empty() {
+            // What such a function was to do is missing everywhere else.
+            let findings = misspelt.iter().map(|remark| failure(remark, table)).collect();
+            return Review { findings, messages: messages::messages(&facts, script) };
+        }
         let mut remarks = [
             names::remarks(&facts, names, &table.rules),
             timers::remarks(&facts, script, &table.rules),
@@ -64,6 +74,8 @@ impl Review {
             lost_ball::remarks(&facts, names, script, &table.rules),
             arguments::remarks(&facts, script, context),
             unreached::remarks(script, &table.rules),
+            types::remarks(&facts, script, &table.rules),
+            tilt::remark(&facts, script).into_iter().collect(),
             calls::none(script).into_iter().collect(),
             open_comment(&table.rules).map(|line| Remark::error(line, UNCLOSED_COMMENT)).into_iter().collect(),
         ]

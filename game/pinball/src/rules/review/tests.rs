@@ -1,7 +1,9 @@
 //! What a table's maker is told of rules that can be played and do not do what they say.
 
 mod arguments;
+mod handlers;
 mod lost_ball;
+mod types;
 mod unreached;
 
 use super::Review;
@@ -170,10 +172,21 @@ fn what_is_remembered_by_no_rule_is_told_where_it_is_read() {
     assert_eq!(told(foreign), Vec::<String>::new());
 }
 
+/// A game in which no rule gave a point was called good.
+#[test]
+fn rules_that_give_no_points_are_told() {
+    let rules = "fn on_button(name) { start_game(1); add_ball(); message(`${score()}`, 0); } fn on_switch(name) { game_over(); }";
+    let none =
+        "warning: 1: no player can score: no rule calls `score(points)`; call it in `on_switch(name)`, as `score(100)`";
+    assert_eq!(told(rules), [none]);
+    assert_eq!(told(&rules.replace("game_over();", "5.score(); game_over();")), Vec::<String>::new());
+}
+
 /// A game whose flippers were never switched on was called good.
 #[test]
 fn calls_without_which_no_game_can_be_played_are_told() {
-    let rules = "fn on_button(name) { if name == \"start\" { start_game(1); } } fn on_switch(name) { game_over(); }";
+    let rules =
+        "fn on_button(name) { if name == \"start\" { start_game(1); } } fn on_switch(name) { score(5); game_over(); }";
     let ball = "1: a game begins without a ball: no rule calls `add_ball()`; call it behind `start_game`";
     let saucer = " the saucer \"saucer\" keeps its ball: no rule calls `eject(\"saucer\")`; start a timer in \
                   `on_switch` and call it in `on_timer`";
@@ -220,7 +233,8 @@ fn coils_that_no_rule_works_are_told() {
     ];
     let told = |more: &str| -> Vec<String> {
         let lost = "fn on_switch(name) { if name == \"drain#1\" { game_over(); } }";
-        let rules = format!("fn on_button(name) {{\nstart_game(1); flippers(true); add_ball(); {more}\n}}\n{lost}");
+        let rules =
+            format!("fn on_button(name) {{\nstart_game(1); flippers(true); add_ball(); score(5); {more}\n}}\n{lost}");
         let review = Review::of(&crate::table::tests::with_rules(&drawn.concat(), &rules));
         review.findings.iter().map(ToString::to_string).filter(|one| !one.contains("saucer")).collect()
     };

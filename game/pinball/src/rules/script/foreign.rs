@@ -1,5 +1,7 @@
 //! Foreign words: those of other languages, and what rules write for them.
 
+use crate::rules::{host, signatures};
+
 /// Words and signs.
 const WORDS: [(&str, &str); 37] = [
     ("===", "write `==`"),
@@ -79,6 +81,13 @@ pub fn function(name: &str) -> Option<&'static str> {
 pub fn unknown_name(name: &str) -> String {
     match hint(name) {
         Some(hint) => format!("rules have no `{name}`: {hint}"),
+        None if name == "score" => {
+            "score is a function, not a variable: `score()` is what the player has, and `score(10)` gives 10 points"
+                .into()
+        }
+        None if host::named(name).is_some() => {
+            format!("{name} is a function, not a variable: write {}", signatures::all_of(name))
+        }
         None => format!("there is no variable or constant called {name} here"),
     }
 }

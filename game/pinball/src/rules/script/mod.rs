@@ -27,6 +27,7 @@ mod told;
 mod tests;
 
 pub use data::Data;
+pub use foreign::unknown_name;
 pub use interpreter::Interpreter;
 pub use meter::{Meter, text_steps};
 pub use node::{Chain, Kind, Node, Operator, Pattern, Root, Step, StepKind, Switch};

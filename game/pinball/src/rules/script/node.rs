@@ -110,6 +110,14 @@ pub enum Operator {
     InclusiveRange,
 }
 
+impl Operator {
+    /// Whether it gives what one value is to another: the same, more, less.
+    pub fn compares(self) -> bool {
+        use Operator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+        matches!(self, Equal | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual)
+    }
+}
+
 /// A value and the way from it: `a.b[c].d(e)`.
 #[derive(Debug)]
 pub struct Chain {

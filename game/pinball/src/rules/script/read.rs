@@ -274,7 +274,7 @@ fn constant(value: &rhai::Dynamic, position: Position) -> Reading<Data> {
         Ok(Data::text(value.to_string()))
     } else {
         let what =
-            format!("a case is a number, a range of numbers, a text, true, false or (), not a {}", value.type_name());
+            format!("a case is a number, a range of numbers, a text, true, false or (), and this is none: {value}");
         Err(mistake(position, what))
     }
 }

@@ -238,6 +238,11 @@ impl Reader<'_> {
         }
         match name {
             "call" => Ok(StepKind::Call(arguments)),
+            _ if host::named(name).is_some_and(|function| function.takes(count)) => {
+                let own = signatures::of(name).filter(|one| one.parameters().count() == count);
+                let ways = signatures::written(own);
+                Err(mistake(position, format!("nothing stands before {name}, no `this.` either: write {ways}")))
+            }
             _ => Err(self.unknown(name, count, position)),
         }
     }

@@ -42,7 +42,40 @@ fn syntax_variables_and_functions_are_checked_with_their_lines() {
     assert!(mistake("fn on_start() {\n\n  nothing_like_it(1);\n}").starts_with("bench/rules.rhai:3: "));
     assert!(mistake("fn on_swich(name) {}").contains("nothing calls on_swich"));
     assert!(mistake("fn on_start() {\n  if nobody > 1 {}\n}").starts_with("bench/rules.rhai:2: "));
-    assert!(mistake("\nfn on_switch() {}").starts_with("bench/rules.rhai:2: on_switch takes 1 parameter"));
+    assert!(
+        mistake("fn on_swich(name) {}").contains("nothing calls on_swich; did you mean `on_switch`? (there are on_s")
+    );
+    assert_eq!(
+        mistake("\nfn on_timer() { if name == \"x\" { score(1); } }"),
+        "bench/rules.rhai:2: on_timer is told one value: write `fn on_timer(name)`"
+    );
+    assert_eq!(
+        mistake("fn on_bob(name) { lamp(name, 1); }"),
+        "bench/rules.rhai:1: on_bob is told nothing: write `fn on_bob()`"
+    );
+}
+
+/// `this.score(1000)` was told to have one value too few or too many, and of `score += 10` that there is no score.
+#[test]
+fn a_function_that_is_used_as_something_else_is_told_with_what_to_write() {
+    let said = |call: &str| mistake(&format!("fn on_feed() {{ {call} }}")).replacen("bench/rules.rhai:1: ", "", 1);
+    let alone = "nothing stands before score, no `this.` either: write `score(points)`";
+    assert_eq!(said("this.score(1000);"), alone);
+    let score =
+        "score is a function, not a variable: `score()` is what the player has, and `score(10)` gives 10 points";
+    assert_eq!(said("score += 10;"), score);
+    assert_eq!(said("if ball == 1 { score(1); }"), "ball is a function, not a variable: write `ball()`");
+    assert_eq!(said("\"red\".lamp(\"on\");"), "");
+}
+
+/// The drain that rules named had no id, and the sentence did not say so.
+#[test]
+fn a_part_without_an_id_is_named_by_its_line() {
+    let rules = "fn on_switch(name) { if name == \"drain\" { score(1); } }";
+    let review = crate::rules::Review::of(&crate::table::tests::with_rules("", rules));
+    let told: Vec<String> = review.findings.iter().map(ToString::to_string).collect();
+    let drain = "rules.rhai:1: there is no part called \"drain\" in the drawing; the drain of line 3 has no id; give it id=\"drain\"";
+    assert_eq!(told, [drain]);
 }
 
 #[test]

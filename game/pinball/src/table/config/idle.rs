@@ -9,6 +9,8 @@ use std::collections::BTreeSet;
 
 /// A ball that is kicked less hardly comes away, m/s.
 const LEAST_KICK_M_S: f64 = 0.05;
+/// Only the hardest shots of a game are faster, m/s.
+const MOST_THRESHOLD_M_S: f64 = 2.0;
 /// Nobody sees a lamp of less power.
 const LEAST_POWER: f64 = 0.01;
 /// What rolls down the table over a hole is faster: it falls a few centimetres before it is there, m/s.
@@ -28,7 +30,16 @@ pub(in crate::table) fn warnings(source: &Source, config: &Config, elements: &[E
 fn of(config: &Config, element: &Element) -> Option<(usize, String)> {
     let Element { class, name, .. } = element;
     let given = |key| config.given(*class, name, key);
-    match class {
+    let deaf =
+        given("threshold_m_s").filter(|(threshold, _)| *threshold > MOST_THRESHOLD_M_S).map(|(threshold, at)| {
+            let what = format!(
+                "{name}: with `threshold_m_s` = {threshold} hardly any ball is fast enough for this {}; {} is usual",
+                class.word(),
+                class.parameters().iter().find(|own| own.name == "threshold_m_s").map_or(0.0, |own| own.default)
+            );
+            (at, what)
+        });
+    deaf.or_else(|| match class {
         ElementClass::Bumper | ElementClass::Slingshot => {
             let (kick, at) = given("kick_m_s").filter(|(kick, _)| *kick < LEAST_KICK_M_S)?;
             let word = class.word();
@@ -58,7 +69,7 @@ fn of(config: &Config, element: &Element) -> Option<(usize, String)> {
             ))
         }
         _ => None,
-    }
+    })
 }
 
 /// Finishes that nothing has.

@@ -25,7 +25,10 @@ pub(super) fn unknown(word: &str, is_dotted: bool, known: &str) -> String {
     }
     match known {
         "" => format!("`{word}` is not known here, and nothing is: take it out"),
-        _ => format!("`{word}` is not known here{}; there are {known}", meant(word, known.split(", "))),
+        _ => {
+            let are = if known.contains(", ") { "there are" } else { "there is" };
+            format!("`{word}` is not known here{}; {are} {known}", meant(word, known.split(", ")))
+        }
     }
 }
 

@@ -193,6 +193,24 @@ pub(in crate::table) fn own_properties<'a>(node: Node<'a, '_>) -> impl Iterator<
     })
 }
 
+/// The colours of an element that are none, with their properties: in its `style`, and as attributes. Of what stands for
+/// another value nothing is known.
+pub(in crate::table) fn wrong_colors(node: Node) -> Vec<(String, String)> {
+    let is_known = |value: &str| !value.is_empty() && !value.to_ascii_lowercase().contains("var(");
+    let own = node.attributes().filter(|one| one.namespace().is_none() && value::is_colored(one.name()));
+    let attributes = own.filter(|one| value::plain(one.name(), one.value()).is_none());
+    let attributes = attributes.map(|one| (one.name().to_string(), one.value().trim().to_string()));
+    let declared = declarations::of_attribute(node.attribute("style").unwrap_or(""));
+    let declared = declared.into_iter().filter(|one| !one.is_valid && value::is_colored(&one.name));
+    let all = attributes.chain(declared.map(|one| (one.name, one.value)));
+    all.filter(|(_, value)| is_known(value)).collect()
+}
+
+/// Whether an element says a property once, so that what it says is what a reader finds.
+pub(in crate::table) fn is_read_alone(node: Node, property: &str) -> bool {
+    own_properties(node).filter(|own| own.as_ref() == property).count() == 1
+}
+
 /// What in an element's `style` attribute is no declaration: how it begins, and a warning.
 pub(in crate::table) fn unread_style(source: &Source, node: Node) -> Vec<(String, Diagnostic)> {
     let unread = declarations::unread_in_attribute(node.attribute("style").unwrap_or(""));

@@ -268,7 +268,8 @@ impl Reader<'_> {
         let Some(class) = element_class(node) else { return };
         if let Err(outside) = &inherited.drawn {
             self.refuse(node);
-            return self.diagnostic(node, format!("a {} inside `{outside}` is not drawn; move it out", class.word()));
+            return self
+                .diagnostic(node, format!("{} inside `{outside}` is not drawn; move it out", class.with_article()));
         }
         if self.drawn.len() >= MAX_ELEMENTS {
             self.too_many = true;
@@ -339,7 +340,7 @@ impl Reader<'_> {
                 Some(meant) => format!("did you mean `data-{meant}`?"),
                 None => format!("it may have {}", words_of_data(class)),
             };
-            self.diagnostic(node, format!("{name}: a {} has no `data-{key}`; {what}", class.word()));
+            self.diagnostic(node, format!("{name}: {} has no `data-{key}`; {what}", class.with_article()));
             if let (Some(meant), Some(value)) = (meant, data.remove(&key)) {
                 data.insert(meant.to_string(), value);
             }
@@ -396,6 +397,12 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         return Err(format!("its line is {thickness_mm} mm thick; it must be from 0 to 1000 mm"));
     }
     let group = node.ancestors().find_map(|node| node.attribute("data-group"));
+    let is_unlit = |paint: &str| style::property(node, paint).is_some_and(is_nothing);
+    let is_unlit = match class {
+        ElementClass::Insert => is_unlit("fill-opacity"),
+        ElementClass::Lamp => is_unlit(if node.has_tag_name("line") { "stroke-opacity" } else { "fill-opacity" }),
+        _ => false,
+    };
     Ok(Element {
         class,
         name: name.to_string(),
@@ -405,7 +412,7 @@ fn read_element(node: Node, class: ElementClass, name: &str, transform: Transfor
         fill: style::fill(node)?,
         stroke: style::stroke(node)?,
         is_hidden: matches!(style::property(node, "visibility"), Some("hidden" | "collapse")),
-        is_clear: node.ancestors().any(|node| style::own_property(node, "opacity").is_some_and(is_nothing)),
+        is_clear: is_unlit || node.ancestors().any(|node| style::own_property(node, "opacity").is_some_and(is_nothing)),
         group: group.map(str::to_string),
         data: BTreeMap::new(),
     })

@@ -113,6 +113,13 @@ impl ElementClass {
         }
     }
 
+    /// The same behind `a` or `an`.
+    pub fn with_article(self) -> String {
+        let word = self.word();
+        let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+        format!("{article} {word}")
+    }
+
     /// The class that this word means.
     pub fn from_word(word: &str) -> Option<ElementClass> {
         ElementClass::ALL.into_iter().find(|class| class.word() == word)

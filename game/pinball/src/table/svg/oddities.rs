@@ -5,6 +5,7 @@ use super::css;
 use super::drawing::element_class;
 use super::page::SVG;
 use super::references::{self, Links, href, is_use, urls};
+use super::sheet_values::READ;
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,6 +21,7 @@ pub(in crate::table) fn warnings<'d>(
     for node in drawn(document) {
         let style = style_of(node).or_else(|| node.attribute("style")).unwrap_or("");
         reader.properties(node);
+        reader.colors(node);
         reader.references(node, style);
         reader.link(node);
         reader.size(node, style);
@@ -59,6 +61,25 @@ impl Reader<'_> {
                 self.found.extend(css::misspelt(self.source, line, &name));
                 self.names.insert(name.into_owned());
             }
+        }
+    }
+
+    /// Tells colours that are none, each once. What a thing is read from is a mistake, and told elsewhere.
+    fn colors(&mut self, node: Node) {
+        let name = node.tag_name().name();
+        // Of an animation `fill` says what comes behind it.
+        if name.starts_with("animate") || name == "set" {
+            return;
+        }
+        for (property, value) in css::wrong_colors(node) {
+            let is_told = READ.contains(&&*property) && css::is_read_alone(node, &property);
+            if (is_told && element_class(node).is_some()) || !self.told.insert((property.clone(), value.clone())) {
+                continue;
+            }
+            let what = format!(
+                "the {property} of this {name} is `{value}`, which is no colour, so a browser passes over it; write it as \"#rrggbb\""
+            );
+            self.tell(node, what);
         }
     }
 

@@ -39,8 +39,9 @@ impl Outline {
             "path" => path_data::draw(&mut pen, required(node, "d")?)?,
             "g" => return Err("a group is no thing: give the class to each shape in it instead".to_string()),
             other => {
+                let article = if other == "ellipse" { "an" } else { "a" };
                 return Err(format!(
-                    "a thing cannot be a `{other}`: draw it as line, polyline, polygon, path, circle or rect"
+                    "a thing cannot be {article} `{other}`: draw it as line, polyline, polygon, path, circle or rect"
                 ));
             }
         }

@@ -66,7 +66,7 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, 
     }
     diagnostics.extend(oddities::warnings(source, document, links, style_of));
     let holders = &Holders::of(document, links);
-    diagnostics.extend(hidden::warning(source, document, holders, style_of));
+    diagnostics.extend(hidden::warnings(source, document, (links, holders), style_of));
     let cloner = Cloner {
         text: &source.text,
         links,

@@ -66,7 +66,7 @@ fn mistakes_in_shapes_have_their_line() {
     says(drawn(r#"<circle id="w" class="post" r="0"/>"#), &["5: w: its radius `r` must be more than 0"]);
     says(
         drawn(r#"<ellipse id="w" class="post" rx="3" ry="4"/>"#),
-        &["5: w: a thing cannot be a `ellipse`", "polyline"],
+        &["5: w: a thing cannot be an `ellipse`", "polyline"],
     );
     says(drawn(r#"<text id="w" class="wall">x</text>"#), &["5: w: a thing cannot be a `text`"]);
 }
@@ -163,7 +163,7 @@ fn mistakes_in_coils_and_captive_balls_have_their_line() {
     );
     says(
         one(read(magnet, "[part.m]\nfinish = \"x\""), "table.toml:"),
-        &["2: `finish` is not known here; there are pull_m_s2"],
+        &["2: `finish` is not known here; there is pull_m_s2"],
     );
 }
 
@@ -258,6 +258,13 @@ fn a_drawing_that_was_cut_off_is_told_where_it_ends() {
         one(read_files("<svg xmlns=\"http://www.w3.org/2000/svg\">\n<g>\n\n", "", ""), "table.svg:"),
         &["2: the drawing ends here, in the middle of an element; it was not saved whole"],
     );
+}
+
+/// "of a insert" stood in the sentence.
+#[test]
+fn an_insert_has_its_article() {
+    let insert = r#"<rect id="i" class="insert" x="9" y="9" width="9" height="9" fill="none"/>"#;
+    says(one(read(insert, ""), "table.svg:"), &["5: i: the fill of an insert is its light"]);
 }
 
 /// A lamp in a bumper whose radius was forgotten was told too, though nothing was wrong with it.

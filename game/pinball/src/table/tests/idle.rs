@@ -24,6 +24,18 @@ fn numbers_that_leave_a_part_idle_are_told() {
         (sling, "part.sl", "kick_m_s = 0.01", "sl: with `kick_m_s` = 0.01 this slingshot kicks no ball"),
         (saucer, "class.saucer", "capture_m_s = 0.1", "hole: with `capture_m_s` = 0.1 nearly every ball rolls over it"),
         (saucer, "class.saucer", "capture_m_s = 20", "hole: with `capture_m_s` = 20 no ball is ever too fast for it"),
+        (
+            BUMPER,
+            "class.bumper",
+            "threshold_m_s = 2.9",
+            "pop: with `threshold_m_s` = 2.9 hardly any ball is fast enough for this bumper; 0.05 is",
+        ),
+        (
+            sling,
+            "part.sl",
+            "threshold_m_s = 2.5",
+            "sl: with `threshold_m_s` = 2.5 hardly any ball is fast enough for this slingshot",
+        ),
     ] {
         let told = warned(drawn, &format!("[{words}]\n{number}"));
         assert!(told.len() == 1 && told[0].starts_with(&format!("toml:2: {idle}")), "{told:?}");
@@ -48,6 +60,19 @@ fn a_finish_that_nothing_has_is_told() {
     assert_eq!(warned("", &format!("{finish}[class.wall]\nfinish = \"gold\"")), [""; 0]);
     assert_eq!(warned("", &format!("{finish}[part.left]\nfinish = \"gold\"")), [""; 0]);
     assert_eq!(warned("<line class='wall' x1='9' y1='9' x2='40' y2='9' data-finish='gold'/>", finish), [""; 0]);
+}
+
+/// A lamp that stood elsewhere than in its bumper was not told: a transform had moved the bumper away.
+#[test]
+fn a_lamp_that_does_not_stand_in_what_it_names_is_told() {
+    let lamp = LAMP.replace("id=", "data-inside='pop' id=");
+    let away = "svg:6: gi: it has data-inside=\"pop\", and stands 75 mm outside of pop of line 5; draw it in there, or leave that out";
+    let moved = BUMPER.replace("cx='200'", "cx='300'");
+    assert_eq!(warned(&format!("{moved}\n{lamp}"), ""), [away]);
+    let near = BUMPER.replace("cx='200'", "cx='224'");
+    assert_eq!(warned(&format!("{near}\n{lamp}"), ""), [""; 0]);
+    let ring = "<path id='pop' class='wall' d='M150 250h100v100h-100z' fill='none' stroke-width='4'/>";
+    assert_eq!(warned(&format!("{ring}\n{lamp}"), ""), [""; 0], "walls round it");
 }
 
 /// A lamp in a bumper without `data-inside` lit nothing.

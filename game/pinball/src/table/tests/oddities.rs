@@ -73,7 +73,15 @@ fn a_lamp_without_light_is_told_by_its_name() {
         one(lamp("")).starts_with("5: gi: its fill is black, so it gives no light unless the rules give it a colour")
     );
     assert!(one(lamp("fill='#000'")).starts_with("5: gi: its fill is black"));
-    assert_eq!(lamp("fill='#010000'"), [""; 0]);
+    let nearly = one(lamp("fill='rgb(1.0,0.8,0.5)'"));
+    let dark = "5: gi: its fill is read as #010101, which is nearly black, so it gives hardly any light; the numbers of `rgb()` go to 255";
+    assert!(nearly.starts_with(dark), "{nearly}");
+    assert!(
+        one(lamp("fill='#0b0b0b'")).starts_with(
+            "5: gi: its fill is read as #0b0b0b, which is nearly black, so it gives hardly any light; write"
+        )
+    );
+    assert_eq!([lamp("fill='#300'"), lamp("fill='#00f'"), lamp("fill='#222'")].concat(), [""; 0]);
     let tube = "<line id='t' class='lamp' x1='9' y1='9' x2='99' y2='9' stroke='black'/>";
     assert!(one(warned(tube)).starts_with("5: t: its stroke is black"));
     let insert = "<rect id='i' class='insert' x='9' y='9' width='9' height='9'/>";
@@ -96,7 +104,65 @@ fn what_stands_and_cannot_be_seen_is_told_once() {
         one(warned(&hidden)),
         "5: a: its visibility is hidden, and it is there all the same; what is not to be there has display=\"none\""
     );
-    assert_eq!(warned(&format!("<g display='none'>{}</g>", wall("a", "visibility='hidden'"))), [""; 0]);
+    assert_eq!(warned(&wall("a", "visibility='hidden' display='none'")), [""; 0]);
+    let dark = "i: its opacity is 0, and it shines all the same; what is not to shine has display=\"none\", or is switched off by the \
+                rules (so it is with 1 more)";
+    let lamps = "<circle id='i' class='insert' cx='9' cy='99' r='4' fill='red' opacity='0'/>
+        <circle id='l' class='lamp' cx='99' cy='99' r='4' fill='red' style='fill-opacity:0'/>";
+    assert_eq!(one(warned(lamps)), format!("5: {dark}"));
+}
+
+/// A layer with the walls, or with all parts, that was switched off in Inkscape was not told: the drawing had no drain.
+#[test]
+fn a_group_with_things_that_is_switched_off_is_told() {
+    let walls = "<path id='a' class='wall' d='M9 9h90'/><path id='b' class='wall' d='M9 99h90'/>";
+    let layer = "xmlns:i='http://www.inkscape.org/namespaces/inkscape' i:groupmode='layer' i:label='Walls'";
+    let so = "is hidden (`display: none`), so the 2 things in it are not on the table; show it, or delete it";
+    for off in ["style='display:none'", "display='none' visibility='hidden'"] {
+        assert_eq!(one(warned(&format!("<g {off} {layer}>{walls}</g>"))), format!("5: this layer `Walls` {so}"));
+    }
+    assert_eq!(
+        one(warned(&format!("<g display='none' id='x'><g display='none'>{walls}</g></g>"))),
+        format!("5: this g `x` {so}")
+    );
+    for meant in [
+        "<g display='none'><path d='M9 9h90'/></g>",
+        "<g><path class='wall' d='M9 9h90' display='none'/></g>",
+        "<g display='none'><circle id='pin' class='post' cx='9' cy='9' r='4' fill='red'/></g><use id='p' href='#pin' x='90' y='90'/>",
+        "<defs><g display='none'><path class='wall' d='M9 9h90'/></g></defs>",
+    ] {
+        assert_eq!(warned(meant), [""; 0], "{meant}");
+    }
+}
+
+/// `#44667` and `fill:bluu` were painted black, and check said ok.
+#[test]
+fn colours_that_are_none_are_told() {
+    let told = |look: &str| warned(&format!("<rect width='9' height='9' {look}/>"));
+    let none = |property: &str, value: &str| {
+        format!(
+            "5: the {property} of this rect is `{value}`, which is no colour, so a browser passes over it; write it as \"#rrggbb\""
+        )
+    };
+    assert_eq!(one(told("fill='#44667'")), none("fill", "#44667"));
+    assert_eq!(one(told("style='fill:bluu'")), none("fill", "bluu"));
+    assert_eq!(one(told("fill='red' style='stroke: #12345'")), none("stroke", "#12345"));
+    let bumper = "<circle class='bumper' id='pop' cx='99' cy='99' r='25' fill='tomato' style='fill: #12345'/>";
+    assert!(one(warned(bumper)).starts_with("5: the fill of this circle is `#12345`, which is no colour"));
+    assert!(one(warned("<linearGradient id='g'><stop stop-color='rde'/></linearGradient><rect width='9' height='9' fill='url(#g)'/>")).contains("the stop-color of this stop is `rde`"));
+    for good in [
+        "fill='none'",
+        "fill='inherit'",
+        "fill='var(--x)'",
+        "style='fill:var(--x, red)'",
+        "fill=''",
+        "stroke='currentColor'",
+        "fill='hsl(0 100% 50%)'",
+        "fill='context-stroke'",
+    ] {
+        assert_eq!(told(good), [""; 0], "{good}");
+    }
+    assert_eq!(warned("<rect width='9' height='9'><animate attributeName='x' fill='freeze'/></rect>"), [""; 0]);
 }
 
 #[test]

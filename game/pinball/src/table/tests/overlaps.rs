@@ -65,6 +65,26 @@ fn flippers_whose_strokes_cross_are_told() {
     );
 }
 
+/// Two flippers whose rubbers nearly met let no ball through, and a game had no end.
+#[test]
+fn flippers_that_let_no_ball_through_are_told() {
+    let flipper = |id: &str, side: &str, x1: f64, x2: f64| {
+        let data = format!(r#"data-side="{side}" data-up-deg="50""#);
+        format!(r#"<line class="flipper" id="{id}" {data} x1="{x1}" y1="300" x2="{x2}" y2="335"/>"#)
+    };
+    let pair = |gap: f64| {
+        let left = flipper("a", "left", 100.0, 160.0);
+        format!("{left}\n{}", flipper("b", "right", 234.0 + gap, 174.0 + gap))
+    };
+    let narrow = one(&pair(20.0));
+    let told_so = "warning: 6: b: between its tip at rest and that of a of line 5 are 20.0 mm: no ball falls through, for it is 27 mm \
+                   wide; draw them farther apart";
+    assert_eq!(narrow, told_so);
+    assert_eq!(told(&pair(27.5)), [""; 0]);
+    let away = format!("{}\n{}", flipper("a", "right", 160.0, 100.0), flipper("b", "left", 180.0, 240.0));
+    assert_eq!(told(&away), [""; 0], "back to back");
+}
+
 /// A flipper went through a guide, a post or a bumper in its way, and nobody said so.
 #[test]
 fn what_stands_in_a_flippers_stroke_is_told() {

@@ -273,7 +273,7 @@ fn what_a_sheet_hides_and_what_is_clear_is_told() {
         warned(&layer),
         ["6: a sheet says `display: none` of this g, so the 2 things in it are not on the table"]
     );
-    assert_eq!(warned(&format!("<g style='display:none'>{}</g>", wall("a", ""))), [""; 0], "its maker says so");
+    assert_eq!(warned(&wall("a", "style='display:none'")), [""; 0], "its maker says so");
     let clear = "its opacity is 0, and it is there all the same; what is not to be there has display=\"none\"";
     assert_eq!(warned(&wall("a", "opacity='0'")), [format!("5: a: {clear}")]);
     assert_eq!(

@@ -76,8 +76,9 @@ fn numbers_that_a_function_refuses_are_told_before_play() {
     ] {
         tells(call, what);
     }
-    let balls =
-        told("fn on_button(name) { start_game(0); flippers(true); add_ball(); } fn on_switch(name) { game_over(); }");
+    let balls = told(
+        "fn on_button(name) { start_game(0); flippers(true); add_ball(); } fn on_switch(name) { score(5); game_over(); }",
+    );
     assert_eq!(balls, ["1: a game has 1 to 99 balls, not 0"]);
 }
 

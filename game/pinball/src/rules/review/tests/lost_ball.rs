@@ -2,8 +2,7 @@
 
 use super::told_of;
 
-const BEGIN: &str =
-    "fn on_button(name) { if name == \"start\" && !playing() { start_game(3); flippers(true); add_ball(); } }\n";
+const BEGIN: &str = "fn on_button(name) { if name == \"start\" && !playing() { start_game(3); flippers(true); add_ball(); score(1); } }\n";
 
 /// What is told of rules that begin a game so, on a table with a drain.
 fn told(rules: &str) -> Vec<String> {

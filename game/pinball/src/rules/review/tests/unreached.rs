@@ -16,7 +16,7 @@ fn a_case_that_another_has_taken_is_told() {
     for rules in [
         "fn on_switch(name) { switch name { \"dock\" if playing() => score(1), \"dock\" => score(2) } }",
         "fn on_feed() { switch ball() { 1 => score(1), 1..3 => score(2), _ => score(3) } }",
-        "fn on_feed() { switch ball() { 1 => score(1), \"1\" => score(2) } }",
+        "fn on_feed() { switch this.x { 1 => score(1), \"1\" => score(2) } this.x = 1; }",
     ] {
         assert_eq!(told(rules), Vec::<String>::new(), "{rules}");
     }
