@@ -19,7 +19,7 @@ const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 5
 </svg>"##;
 
 /// The beginning of every script here: a game starts, a lost ball ends it.
-const GAME: &str = r#"fn on_button(n) { if n == "start" && !playing() { start_game(3); flippers(true); kickers(true); add_ball(); } }
+const GAME: &str = r#"fn on_button(n) { if n == "start" && !playing() { start_game(3); flippers(true); kickers(true); add_ball(); score(1); } }
 fn on_switch(n) { if n == "drain" && balls_in_play() == 0 { if !next_player() { game_over(); } else { add_ball(); } } }
 "#;
 
@@ -93,7 +93,7 @@ fn ends_at_once(name: &str, rules: &str, line: usize, what: &str) {
 #[test]
 fn a_map_without_end_behind_a_button_ends_at_once() {
     let rules = r#"fn on_button(n) {
-  if n == "start" && !playing() { start_game(3); flippers(true); add_ball(); }
+  if n == "start" && !playing() { start_game(3); flippers(true); add_ball(); score(1); }
   if n == "left" { let a = []; a.pad(4096, 1); loop { a.map(|x| x); } }
 }
 fn on_switch(n) { if n == "drain" && balls_in_play() == 0 { if next_player() { add_ball(); } else { game_over(); } } }

@@ -29,7 +29,7 @@ fn told(
     let between =
         left.base.center.x < right.base.center.x && tips[0].distance(tips[1]) < left.length_m.min(right.length_m);
     let gap_m = -depth([left, right], [0.0; 2], DISCS).max(depth([right, left], [0.0; 2], DISCS));
-    if !faces || !between || gap_m < 0.0 || gap_m >= 2.0 * BALL_RADIUS_M {
+    if !faces || !between || !(0.0..2.0 * BALL_RADIUS_M).contains(&gap_m) {
         return None;
     }
     let (later, earlier) = (left_part.max(right_part), left_part.min(right_part));
