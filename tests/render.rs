@@ -15,9 +15,9 @@ fn scene(name: &str) -> String {
     format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The keys and texts of a PNG's iTXt chunks.
-fn texts(png: &[u8]) -> String {
-    String::from_utf8_lossy(png).into_owned()
+/// A picture's file as text: what it says of itself is in plain letters.
+fn texts(file: &[u8]) -> String {
+    String::from_utf8_lossy(file).into_owned()
 }
 
 #[test]

@@ -5,9 +5,7 @@ use super::print::print_lines;
 use crate::cli::{LightIntegrator, RenderArgs};
 use crate::drawn_scene::DrawnScene;
 use crate::optics::{OpticsScene, picture};
-use crate::rendering::{
-    Develop, Integrator, Passes, Picture, Settings, Stopped, add_art, develop, finds_all_by_beams, weights,
-};
+use crate::rendering::{Integrator, Passes, Picture, Settings, Stopped, add_art, develop, finds_all_by_beams, weights};
 use crate::screen::Size;
 use crate::storage::check_place;
 use crate::storage::picture_file::{self, LinearPicture};
@@ -117,9 +115,9 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
         return Err(Failure::new(format!("{name}: {what}; give it more time, or fewer --samples")));
     }
     let stops = args.exposure + drawn.stops;
-    let (mut picture, factor) = develop(&passes.fluence(), &view, &Develop { stops });
+    let (mut picture, factor) = develop(&passes.fluence(), &view, stops);
     add_art(&mut picture, &art, drawn.ambient);
-    let mut report = format!("{}, {}", integrator_name(settings.integrator), passes.unit(done));
+    let mut report = format!("{}, {}", integrator_name(settings.integrator), passes.amount(done));
     if stopped == Stopped::Early {
         report += &format!(" of {all} (stopped early)");
     }
@@ -218,7 +216,7 @@ fn optics(args: &RenderArgs, scene: &Path, name: &str) -> Result<Rendered, Failu
             "{name}: it was stopped before all of its rays were followed, so there is no picture"
         )));
     }
-    let (picture, factor) = develop(&fluence, &view, &Develop { stops: args.exposure });
+    let (picture, factor) = develop(&fluence, &view, args.exposure);
     let metadata = vec![("Integrator", "rays".to_string()), ("Exposure", format!("{factor:e}"))];
     Ok(Rendered { picture, metadata, report: format!("{} rays", scene.rays.len()) })
 }

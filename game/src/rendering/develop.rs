@@ -5,16 +5,9 @@ use super::exposure;
 use tracer::transport::into_gamut;
 use tracer::{View, srgb};
 
-/// How light becomes a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Develop {
-    /// Stops brighter than the automatic exposure: each doubles the light.
-    pub stops: f64,
-}
-
-/// The picture, and the factor by which the light was multiplied.
-pub fn develop(fluence: &[[f64; 3]], view: &View, develop: &Develop) -> (Picture, f64) {
-    let factor = exposure::automatic(fluence) * libm::exp2(develop.stops);
+/// The picture, `stops` brighter than the automatic exposure (each doubles the light), and the factor by which the light was multiplied.
+pub fn develop(fluence: &[[f64; 3]], view: &View, stops: f64) -> (Picture, f64) {
+    let factor = exposure::automatic(fluence) * libm::exp2(stops);
     let pixels =
         fluence.iter().map(|color| into_gamut(color.map(|channel| channel * factor)).map(|channel| channel as f32));
     (Picture { width: view.width, height: view.height, pixels: pixels.collect() }, factor)

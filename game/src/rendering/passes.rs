@@ -166,8 +166,8 @@ impl<'a> Passes<'a> {
         }
     }
 
-    /// How so many steps are told.
-    pub fn unit(&self, steps: u64) -> String {
+    /// What so many steps are, for a sentence.
+    pub fn amount(&self, steps: u64) -> String {
         match &self.work {
             Work::Direct { .. } => "one pass".to_string(),
             Work::Photons { picture, pixels, .. } => {

@@ -1,6 +1,5 @@
 //! Handlers: the functions of a script that are called when something happens.
 
-use super::program::line_of_function;
 use super::script::{Mistake, Script, unknown_name};
 use crate::spelling;
 
@@ -58,4 +57,10 @@ pub fn tell(script: &Script, text: &str, mistakes: &mut Vec<Mistake>) {
         };
         mistakes.push((line_of_function(&function.name, text), what));
     }
+}
+
+/// The line on which a function begins.
+pub fn line_of_function(function: &str, text: &str) -> usize {
+    let begin = format!("fn {function}(");
+    text.lines().position(|line| line.contains(&begin)).map_or(1, |index| index + 1)
 }

@@ -70,7 +70,7 @@ impl Program {
             return Err(Failure::of_many(mistakes.collect()));
         }
         let numbered = script.functions().zip(0..).filter(|(function, _)| handlers::is_handler(&function.name));
-        let call = |name: &str, number| (name.to_string(), (number, line_of_function(name, &table.rules)));
+        let call = |name: &str, number| (name.to_string(), (number, handlers::line_of_function(name, &table.rules)));
         let calls = numbered.map(|(function, number)| call(&function.name, number)).collect();
         Ok(Program { script, calls, names, file })
     }
@@ -134,10 +134,4 @@ fn spent() -> String {
         "this does not come to an end, or does too much at once (the rules may take {} steps in a second)",
         Work::most(1000)
     )
-}
-
-/// The line on which a function begins.
-pub fn line_of_function(function: &str, text: &str) -> usize {
-    let begin = format!("fn {function}(");
-    text.lines().position(|line| line.contains(&begin)).map_or(1, |index| index + 1)
 }

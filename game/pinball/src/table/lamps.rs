@@ -2,7 +2,7 @@
 
 use super::config::Config;
 use super::lamp::{Emitter, Lamp, LampKind};
-use super::svg::drawing::Element;
+use super::svg::element::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::style::Paint;
 use geometry::{Circle, DVec2};

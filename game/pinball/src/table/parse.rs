@@ -3,7 +3,8 @@
 use super::config::{self, Config};
 use super::solids::{self, ShadowGroups};
 use super::source::{self, Diagnostic, Source, failures};
-use super::svg::drawing::{Drawing, Element};
+use super::svg::drawing::Drawing;
+use super::svg::element::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::half_place;
 use super::svg::layers;

@@ -4,7 +4,7 @@ mod coils;
 mod ramp;
 
 use super::config::Config;
-use super::svg::drawing::Element;
+use super::svg::element::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::outline::Outline;
 use geometry::{Circle, Core, DVec2, Segment, Shape, trig};

@@ -20,7 +20,7 @@ pub(super) fn warnings(
     solids: &[Solid],
 ) -> Vec<Diagnostic> {
     let drawn = drawing.elements.iter().filter(|one| matches!(one.class, ElementClass::Lamp | ElementClass::Insert));
-    let told = |(element, lamp): (&super::svg::drawing::Element, &Lamp)| {
+    let told = |(element, lamp): (&super::svg::element::Element, &Lamp)| {
         let LampKind::Bulb { center_mm, inside, .. } = &lamp.kind else { return None };
         if let Some(id) = element.data.get("inside")
             && let Some(away_mm) = outside(solids, *inside, *center_mm)

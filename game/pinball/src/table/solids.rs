@@ -5,7 +5,7 @@ mod ramp;
 pub(super) use ramp::ramp_solids;
 
 use super::config::{Config, FinishOverrides};
-use super::svg::drawing::Element;
+use super::svg::element::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::outline::Outline;
 use super::svg::outline_offset;

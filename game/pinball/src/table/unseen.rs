@@ -2,7 +2,7 @@
 
 use super::lamps;
 use super::source::{Diagnostic, Source};
-use super::svg::drawing::Element;
+use super::svg::element::Element;
 use super::svg::element_class::ElementClass;
 use super::svg::outline::Outline;
 use geometry::DVec2;

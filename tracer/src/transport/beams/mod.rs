@@ -11,6 +11,7 @@
 
 mod beam;
 mod cell;
+mod corner;
 mod family;
 mod spread;
 mod sweep;

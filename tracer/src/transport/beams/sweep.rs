@@ -2,15 +2,15 @@
 
 use super::beam::Piece;
 use super::cell::Cell;
+use super::corner::Corner;
 use super::family::{Family, families};
 use crate::View;
 use crate::transport::BEAM_BITS;
-use crate::transport::interaction::{Branch, Interaction, interact};
 use crate::transport::spectrum::Weights;
 use crate::transport::{
     Contacts, EdgeId, Falloff, Material, Media, Scene, SplatFilm, StartsOn, Surfaces, TOLERANCE_MM,
 };
-use geometry::{DVec2, Ray};
+use geometry::DVec2;
 use rayon::prelude::*;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -79,18 +79,6 @@ pub struct BeamPicture<'a> {
     done: usize,
     /// Whether a family had more pieces than it may have.
     is_cut: AtomicBool,
-}
-
-/// A ray of a beam where it leaves a surface or its source.
-#[derive(Clone, Copy)]
-struct Corner {
-    ray: Ray,
-    starts_on: StartsOn,
-    nm: f64,
-    /// What is left of s and of p.
-    power: [f64; 2],
-    way: f64,
-    media: Media,
 }
 
 /// The corners of one edge of a beam: v 0 and v 1.
@@ -329,30 +317,6 @@ impl Sweep<'_, '_> {
             let weight = falloff.weight(first.way + way) * libm::exp(-absorption * way);
             color.map(|channel| channel * weight)
         });
-    }
-}
-
-impl Corner {
-    /// The ray behind a surface: through it, or reflected.
-    fn next(&self, surfaces: &Surfaces, contacts: &Contacts, through: bool) -> Option<Corner> {
-        let mut smooth = |normal, _| normal;
-        let interaction = interact(surfaces, contacts, self.ray.direction, self.nm, &mut smooth);
-        let Interaction::Split { reflected, transmitted } = interaction else { return None };
-        let Branch { direction, power } = if through { transmitted? } else { reflected? };
-        let contact = contacts.first();
-        let mut media = self.media;
-        let passed = libm::exp(-media.absorption_per_mm(surfaces, self.nm) * contact.distance);
-        if through {
-            media.cross(surfaces, contacts, self.nm);
-        }
-        Some(Corner {
-            ray: Ray { origin: contact.place, direction },
-            starts_on: contacts.starts_on(),
-            nm: self.nm,
-            power: [0, 1].map(|way| self.power[way] * power[way] * passed),
-            way: self.way + contact.distance,
-            media,
-        })
     }
 }
 

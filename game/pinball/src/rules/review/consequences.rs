@@ -4,7 +4,6 @@
 
 use super::facts::Facts;
 use super::known::{Frame, Known};
-use super::tilt::FLIPPERS_ON;
 use super::words::Words;
 use crate::rules::script::{Chain, Kind, Node, Pattern, Script, Step, StepKind, Switch};
 use std::collections::BTreeSet;
@@ -14,6 +13,9 @@ use std::sync::Arc;
 const MAX_CALLS: usize = 4096;
 /// Calls in each other on the way to the beginning of a game.
 const MAX_ROUNDS: usize = 8;
+
+/// What a call of `flippers` that may switch them on is called here.
+pub const FLIPPERS_ON: &str = "flippers(true)";
 
 /// What events can come to.
 pub struct Consequences<'a> {

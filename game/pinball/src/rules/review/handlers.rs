@@ -2,7 +2,7 @@
 
 use super::remark::Remark;
 use crate::rules::handlers;
-use crate::rules::program::line_of_function;
+use crate::rules::handlers::line_of_function;
 use crate::rules::script::{Chain, Kind, Node, Script, StepKind};
 use std::collections::BTreeSet;
 

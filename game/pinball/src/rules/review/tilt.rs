@@ -1,6 +1,6 @@
 //! Tilt: a tilt kills the flippers, and something must give them back to the balls that follow.
 
-use super::consequences::Consequences;
+use super::consequences::{Consequences, FLIPPERS_ON};
 use super::facts::{Call, Facts};
 use super::remark::Remark;
 use super::words::Words;
@@ -23,6 +23,3 @@ pub fn remark(facts: &Facts, script: &Script) -> Option<Remark> {
                 `flippers(true)` but where a game begins; call it, and `tilt(false)`, where a ball begins too";
     Some(Remark::warning(tilt.line as usize, what))
 }
-
-/// What [`Consequences`] calls a call of `flippers` that may switch them on.
-pub const FLIPPERS_ON: &str = "flippers(true)";

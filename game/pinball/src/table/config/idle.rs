@@ -3,7 +3,7 @@
 
 use super::Config;
 use crate::table::source::{Diagnostic, Source};
-use crate::table::svg::drawing::Element;
+use crate::table::svg::element::Element;
 use crate::table::svg::element_class::{ElementClass, FASTEST_M_S};
 use std::collections::BTreeSet;
 

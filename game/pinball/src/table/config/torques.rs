@@ -2,7 +2,7 @@
 
 use super::Config;
 use crate::table::source::{Diagnostic, Source};
-use crate::table::svg::drawing::Element;
+use crate::table::svg::element::Element;
 use crate::table::svg::element_class::ElementClass;
 use std::collections::BTreeSet;
 

@@ -1,7 +1,7 @@
 //! Coils: what the rules move by coils: kickbacks and diverters.
 
 use super::{M_PER_MM, data};
-use crate::table::svg::drawing::Element;
+use crate::table::svg::element::Element;
 use geometry::{Circle, Segment, trig};
 use physics::{FlipperControl, Material};
 

@@ -1,7 +1,7 @@
 //! Ways above the playfield: a line with a height at each of its corners.
 
 use super::M_PER_MM;
-use crate::table::svg::drawing::Element;
+use crate::table::svg::element::Element;
 use crate::table::svg::outline::Outline;
 use crate::table::svg::path_flattening::{Piece, Subpath};
 use geometry::{DVec2, Segment};

@@ -4,7 +4,7 @@
 
 use super::finish;
 use crate::table::config::Config;
-use crate::table::svg::drawing::Element;
+use crate::table::svg::element::Element;
 use crate::table::svg::element_class::ElementClass;
 use crate::table::{Finish, Profile, Solid};
 use geometry::{DVec2, Shape};

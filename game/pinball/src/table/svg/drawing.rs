@@ -2,16 +2,15 @@
 //!
 //! Refuses to know what `table.toml` says and what an element is good for.
 
+use super::element::Element;
 use super::element_class::{ElementClass, LIGHT_BENDING_WORDS};
 use super::ids::Ids;
-use super::outline::Outline;
 use super::page::{Page, SVG};
-use super::path_flattening::Curves;
 use super::sheet_values::SheetMistakes;
-use super::style::{self, Paint};
+use super::style;
 use super::transform::Transform;
 use super::written_out::{WrittenOut, is_container};
-use super::{class_typo, css, outside, viewport};
+use super::{class_typo, outside, viewport};
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,64 +19,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_ELEMENTS: usize = 20_000;
 /// Pieces and corners of all elements together.
 const MAX_PIECES: usize = 200_000;
-/// Properties of CSS that place and shape an element.
-const PLACES: [&str; 15] = [
-    "transform",
-    "transform-origin",
-    "translate",
-    "rotate",
-    "scale",
-    "x",
-    "y",
-    "cx",
-    "cy",
-    "r",
-    "rx",
-    "ry",
-    "width",
-    "height",
-    "d",
-];
 /// What is drawn as a shape, and so can be a thing.
 const SHAPES: [&str; 8] = ["line", "polyline", "polygon", "path", "circle", "ellipse", "rect", "use"];
-
-/// One element of the table.
-#[derive(Clone, Debug)]
-pub(in crate::table) struct Element {
-    pub class: ElementClass,
-    /// Its id, or a name that no id can be.
-    pub name: String,
-    /// The byte at which its element begins.
-    pub at: usize,
-    pub outline: Outline,
-    /// Of its line, mm.
-    pub thickness_mm: f64,
-    pub fill: Paint,
-    pub stroke: Paint,
-    /// Whether its drawing says that it is not to be seen.
-    pub is_hidden: bool,
-    /// Whether its drawing says that nothing of it is opaque.
-    pub is_clear: bool,
-    /// The group that it belongs to.
-    pub group: Option<String>,
-    /// Its `data-` attributes.
-    pub data: BTreeMap<String, String>,
-}
-
-impl Element {
-    /// Half of its line's thickness, mm.
-    pub fn radius_mm(&self) -> f64 {
-        self.thickness_mm * 0.5
-    }
-
-    /// The colour that it is drawn in: of its line, or of its inside.
-    pub fn color(&self) -> Option<[u8; 3]> {
-        [self.stroke, self.fill].into_iter().find_map(|paint| match paint {
-            Paint::Color(color) => Some(color),
-            _ => None,
-        })
-    }
-}
 
 /// The playfield and the elements on it.
 #[derive(Debug)]
@@ -278,7 +221,7 @@ impl Reader<'_> {
         self.drawn.push((class, node.range().start));
         let name = self.name(node, class);
         let data = self.data(node, class, &name);
-        match transform.clone().and_then(|transform| read_element(node, class, &name, transform)) {
+        match transform.clone().and_then(|transform| Element::read(node, class, &name, transform)) {
             Ok(element) => self.keep(node, Element { data, ..element }),
             Err(why) => {
                 self.refuse(node);
@@ -370,50 +313,4 @@ pub(super) fn inner_svg(outer: Transform, node: Node) -> Result<Transform, Strin
 fn element_data<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     let known = |data: &str| ElementClass::ALL.iter().any(|class| class.data().any(|known| known == data));
     node.attributes().filter_map(|attribute| attribute.name().strip_prefix("data-")).find(|data| known(data))
-}
-
-/// Whether an opacity is none.
-fn is_nothing(opacity: &str) -> bool {
-    opacity.trim_end_matches('%').parse::<f64>().is_ok_and(|opacity| opacity <= 0.0)
-}
-
-/// What a browser lets a sheet or a `style` say of where and how large something is, and what only it does.
-pub(super) fn placed_by_style<'a>(node: Node<'a, '_>) -> Option<&'a str> {
-    let inside = node.ancestors().filter(|outer| outer.parent_element().is_some());
-    let declared = inside.flat_map(|outer| {
-        let style = css::style_declarations(outer.attribute("style").unwrap_or("")).map(|(name, _)| name);
-        style.chain(outer.has_attribute("transform-origin").then_some("transform-origin"))
-    });
-    declared.into_iter().find(|name| PLACES.contains(name))
-}
-
-fn read_element(node: Node, class: ElementClass, name: &str, transform: Transform) -> Result<Element, String> {
-    if let Some(property) = placed_by_style(node) {
-        return Err(format!("its style, or one around it, sets `{property}`; say with plain attributes where it is"));
-    }
-    let scale = transform.scale()?;
-    let thickness_mm = style::stroke_width(node)? * scale;
-    if !(0.0..=1000.0).contains(&thickness_mm) {
-        return Err(format!("its line is {thickness_mm} mm thick; it must be from 0 to 1000 mm"));
-    }
-    let group = node.ancestors().find_map(|node| node.attribute("data-group"));
-    let is_unlit = |paint: &str| style::property(node, paint).is_some_and(is_nothing);
-    let is_unlit = match class {
-        ElementClass::Insert => is_unlit("fill-opacity"),
-        ElementClass::Lamp => is_unlit(if node.has_tag_name("line") { "stroke-opacity" } else { "fill-opacity" }),
-        _ => false,
-    };
-    Ok(Element {
-        class,
-        name: name.to_string(),
-        at: node.range().start,
-        outline: Outline::of(node, transform, scale, Curves::Chords)?,
-        thickness_mm,
-        fill: style::fill(node)?,
-        stroke: style::stroke(node)?,
-        is_hidden: matches!(style::property(node, "visibility"), Some("hidden" | "collapse")),
-        is_clear: is_unlit || node.ancestors().any(|node| style::own_property(node, "opacity").is_some_and(is_nothing)),
-        group: group.map(str::to_string),
-        data: BTreeMap::new(),
-    })
 }

@@ -3,7 +3,8 @@
 //! What a table's things are to [`super::drawing`], these are to a scene of light: places, looks and words, read as a browser reads
 //! them. Curves become arcs ([`super::biarc`]), so that mirrors and lenses have the slopes that are drawn.
 
-use super::drawing::{inner_svg, is_chosen, placed_by_style};
+use super::drawing::{inner_svg, is_chosen};
+use super::element::check_place;
 use super::element_class::ElementClass;
 use super::outline::Outline;
 use super::page::Page;
@@ -211,9 +212,7 @@ impl Reader<'_> {
 }
 
 fn shape(node: Node, transform: Transform) -> Result<DrawnShape, String> {
-    if let Some(property) = placed_by_style(node) {
-        return Err(format!("its style, or one around it, sets `{property}`; say with plain attributes where it is"));
-    }
+    check_place(node)?;
     let scale = transform.scale()?;
     let thickness_mm = style::stroke_width(node)? * scale;
     let (fill, stroke) = (style::fill(node)?, style::stroke(node)?);

@@ -1,6 +1,6 @@
 //! Half a place: a thing of which one coordinate is said and the one that belongs to it is not, so that it is 0 in silence.
 
-use super::drawing::Element;
+use super::element::Element;
 use super::page::SVG;
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};

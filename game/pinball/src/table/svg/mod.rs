@@ -10,6 +10,7 @@ mod color;
 pub(super) mod css;
 pub(super) mod drawing;
 pub(super) mod drawn_shapes;
+pub(super) mod element;
 pub(super) mod element_class;
 pub(super) mod half_place;
 mod hidden;

@@ -1,6 +1,6 @@
 //! Outside: things that lie beside the playfield; of very many it is the playfield's size that is wrong.
 
-use super::drawing::Element;
+use super::element::Element;
 use super::page::rounded;
 use crate::table::source::{Diagnostic, Source};
 use geometry::{Bounds, DVec2};
