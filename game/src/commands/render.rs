@@ -22,7 +22,7 @@ const USUAL_SIDE: f64 = 1080.0;
 /// Samples where nothing is said.
 const SAMPLES: u32 = 64;
 /// Beams of a family where nothing is said.
-const BEAMS: u32 = 512;
+const BEAMS: u32 = 64;
 
 /// Pieces of beams beyond which photons are taken where nobody has chosen: some ten seconds.
 const MOST_PIECES: u64 = 12_000_000;

@@ -67,6 +67,14 @@ pub enum Falloff {
 }
 
 impl Falloff {
+    /// What no weight is over: a table's `2 pi r^2 s / (s^2 + h^2)` is highest at s = h.
+    pub fn most(&self) -> f64 {
+        match *self {
+            Falloff::Plane => 1.0,
+            Falloff::Table { height_mm, .. } => PI * crate::Lamp::REFERENCE_MM * crate::Lamp::REFERENCE_MM / height_mm,
+        }
+    }
+
     /// The weight of light that has gone this way.
     pub fn weight(&self, way: f64) -> f64 {
         match *self {

@@ -1,9 +1,11 @@
 //! A beam: four rays, and the light between them in the pixels that it crosses.
 
-use super::spread::Spread;
+use super::film::{Along, BeamFilm, Trapezoid};
 use crate::View;
-use crate::transport::SplatFilm;
 use geometry::DVec2;
+
+/// Where a beam's end is slanted, a row of pixels is divided into so many.
+const STRIPS: f64 = 4.0;
 
 /// A straight piece of a beam, in pixels.
 pub struct Piece {
@@ -13,8 +15,19 @@ pub struct Piece {
     pub to: [DVec2; 4],
 }
 
-fn mean(places: &[DVec2; 4]) -> DVec2 {
-    (places[0] + places[1] + places[2] + places[3]) * 0.25
+/// A piece, seen along the axis that it crosses more squarely: `x` is that axis, `y` the one across.
+struct Lanes {
+    along: Along,
+    /// Where its edges begin and end: the middles over v.
+    edges: [[DVec2; 2]; 2],
+    /// How far they go along y for each step along x.
+    slopes: [f64; 2],
+    /// The box of its width in v where it begins and where it ends; within a row the beam moves aside, too.
+    blurs: [f64; 2],
+    /// From the middle of its beginning to the middle of its end.
+    middle: [DVec2; 2],
+    /// Its length for each step along x.
+    stretch: f64,
 }
 
 impl Piece {
@@ -25,65 +38,91 @@ impl Piece {
     }
 
     /// Lays its light on the film: `color` is asked with the part of the way that has gone.
-    pub fn splat(&self, film: &mut SplatFilm, color: impl Fn(f64) -> [f64; 3]) {
-        let (from, to) = (mean(&self.from), mean(&self.to));
-        let way = to - from;
-        let length = way.length();
-        if !(length > 0.0 && length.is_finite()) {
-            return;
+    pub fn splat(&self, film: &mut BeamFilm, color: impl Fn(f64) -> [f64; 3]) {
+        let Some(lanes) = self.lanes() else { return };
+        let [width, height] = film.size().map(|side| side as f64);
+        let rows = if lanes.along == Along::Row { height } else { width };
+        let mut ends = [lanes.edges[0][0].x, lanes.edges[1][0].x, lanes.edges[0][1].x, lanes.edges[1][1].x];
+        ends.sort_unstable_by(f64::total_cmp);
+        let [low, inner_low, inner_high, high] = ends.map(|end| end.clamp(0.0, rows));
+        lanes.splat_strips(film, [low, inner_low], STRIPS, &color);
+        lanes.splat_strips(film, [inner_low, inner_high], 1.0, &color);
+        lanes.splat_strips(film, [inner_high, high], STRIPS, &color);
+    }
+
+    fn lanes(&self) -> Option<Lanes> {
+        let middle = [mean(&self.from), mean(&self.to)];
+        let way = middle[1] - middle[0];
+        if !(way.length_squared() > 0.0 && way.is_finite()) {
+            return None;
         }
-        // Rows if it crosses them more squarely than columns.
-        let major = if way.y.abs() >= way.x.abs() { 1 } else { 0 };
-        let minor = 1 - major;
-        let size = [film.width() as f64, film.height() as f64];
-        let (low, high) = (from[major].min(to[major]).max(0.0), from[major].max(to[major]).min(size[major]));
+        let along = if way.y.abs() >= way.x.abs() { Along::Row } else { Along::Column };
+        let turn = |place: DVec2| if along == Along::Row { DVec2::new(place.y, place.x) } else { place };
+        let edge = |u: usize| [&self.from, &self.to].map(|places| turn((places[u] + places[u + 2]) * 0.5));
+        let middle = middle.map(turn);
+        let way = turn(way);
+        let slope = way.y / way.x;
+        let edges = [edge(0), edge(1)];
+        let slopes = edges.map(|[from, to]| {
+            let (x, y) = (to.x - from.x, to.y - from.y);
+            // An edge that hardly crosses rows, or backwards, goes as the middle does.
+            if x * way.x > 1e-3 * way.x.abs() { y / x } else { slope }
+        });
+        let blur = |places: &[DVec2; 4]| {
+            let across = ((places[2] - places[0]) + (places[3] - places[1])) * 0.5;
+            let across = turn(across);
+            across.y - across.x * slope
+        };
+        let blurs = [blur(&self.from), blur(&self.to)];
+        Some(Lanes { along, edges, slopes, blurs, middle, stretch: way.length() / way.x.abs() })
+    }
+}
+
+impl Lanes {
+    /// Lays the light between two places along x, each row divided into at most so many strips.
+    fn splat_strips(&self, film: &mut BeamFilm, [low, high]: [f64; 2], strips: f64, color: &impl Fn(f64) -> [f64; 3]) {
         let mut row = low.floor();
         while row < high {
             let (begin, end) = (row.max(low), (row + 1.0).min(high));
-            let middle = 0.5 * (begin + end);
-            let part = (middle - from[major]) / way[major];
-            let chord = (end - begin) * length / way[major].abs();
-            let x: [f64; 4] = std::array::from_fn(|corner| self.place(corner, middle, part, major));
-            let across_u = 0.5 * ((x[1] - x[0]) + (x[3] - x[2]));
-            let across_v = 0.5 * ((x[2] - x[0]) + (x[3] - x[1]));
-            let center = 0.25 * (x[0] + x[1] + x[2] + x[3]);
-            // Within the row the beam moves aside: a third box.
-            let moved = way[minor] / way[major] * (end - begin);
-            let spread = Spread::new(center, [across_u, across_v, moved]);
-            let light = color(part).map(|channel| channel * chord);
-            lay(film, &spread, row as usize, major, size[minor], light);
+            let count = ((end - begin) * strips).ceil().max(1.0);
+            let step = (end - begin) / count;
+            for strip in 0..count as usize {
+                self.splat_strip(film, row as usize, begin + (strip as f64 + 0.5) * step, step, color);
+            }
             row += 1.0;
         }
     }
 
-    /// Where a corner's ray is as it crosses the middle of a row.
-    fn place(&self, corner: usize, middle: f64, part: f64, major: usize) -> f64 {
-        let minor = 1 - major;
-        let (from, to) = (self.from[corner], self.to[corner]);
-        let along = to[major] - from[major];
-        // A ray that hardly crosses the row is where its part of the way is.
-        let own = if along.abs() > 1e-3 { (middle - from[major]) / along } else { part };
-        let own = own.clamp(part - 1.0, part + 1.0);
-        from[minor] + (to[minor] - from[minor]) * own
+    /// Lays the light of a strip of a row round `x`, `step` long.
+    fn splat_strip(&self, film: &mut BeamFilm, row: usize, x: f64, step: f64, color: &impl Fn(f64) -> [f64; 3]) {
+        let [a, b] = [0, 1].map(|edge| self.edges[edge][0].y + self.slopes[edge] * (x - self.edges[edge][0].x));
+        let [Some(begin), Some(end)] = [0, 1].map(|edge| self.place(edge, [a, b][edge], x)) else { return };
+        let (whole, covered) = ((b - a).abs(), (end - begin).abs());
+        let part = if covered < whole { covered / whole } else { 1.0 };
+        let gone = (x - self.middle[0].x) / (self.middle[1].x - self.middle[0].x);
+        let blur = self.blurs[0] + (self.blurs[1] - self.blurs[0]) * gone;
+        let moved = 0.5 * (self.slopes[0] + self.slopes[1]) * step;
+        // One box for both, with the variance of the two. The widths in u, which beams share their edges of, stay exact.
+        let blur = (blur * blur + moved * moved).sqrt();
+        let light = color(gone).map(|channel| channel * (part * step * self.stretch));
+        film.lay(self.along, row, light, &Trapezoid { begin, end, blur });
+    }
+
+    /// Where the beam's border is at x on the side of an edge: on its ray, which is at `ray` there, or, where that has not begun or
+    /// has ended, on the line from its end to the other edge's. `None` if neither is there.
+    fn place(&self, edge: usize, ray: f64, x: f64) -> Option<f64> {
+        let [from, to] = self.edges[edge];
+        let side = match ((x - from.x) * (x - to.x) <= 0.0, (x - from.x).abs() < (x - to.x).abs()) {
+            (true, _) => return Some(ray),
+            (false, true) => 0,
+            (false, false) => 1,
+        };
+        let (own, other) = (self.edges[edge][side], self.edges[1 - edge][side]);
+        let part = (x - own.x) / (other.x - own.x);
+        (0.0..=1.0).contains(&part).then(|| own.y + (other.y - own.y) * part)
     }
 }
 
-/// Lays light that is spread over a row (or a column) into its pixels.
-fn lay(film: &mut SplatFilm, spread: &Spread, row: usize, major: usize, width: f64, light: [f64; 3]) {
-    let [begin, end] = spread.ends();
-    if !(end > 0.0 && begin < width) {
-        return;
-    }
-    let last = end.min(width).ceil() - 1.0;
-    let mut at = begin.max(0.0).floor();
-    // What lies beside the picture is left out; nothing lies left of the first pixel where the spread begins in it.
-    let mut before = if begin >= 0.0 { 0.0 } else { spread.left_of(at) };
-    while at <= last {
-        let left = if at == last && end <= width { 1.0 } else { spread.left_of(at + 1.0) };
-        let part = left - before;
-        before = left;
-        let (x, y) = if major == 1 { (at as usize, row) } else { (row, at as usize) };
-        film.deposit(x, y, light.map(|channel| channel * part));
-        at += 1.0;
-    }
+fn mean(places: &[DVec2; 4]) -> DVec2 {
+    (places[0] + places[1] + places[2] + places[3]) * 0.25
 }

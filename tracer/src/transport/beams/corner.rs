@@ -16,6 +16,9 @@ pub(super) struct Corner {
     pub media: Media,
 }
 
+/// The corners of one edge of a beam: v 0 and v 1.
+pub(super) type Side = [Corner; 2];
+
 impl Corner {
     /// The ray behind a surface: through it, or reflected.
     pub fn next(&self, surfaces: &Surfaces, contacts: &Contacts, through: bool) -> Option<Corner> {

@@ -13,7 +13,10 @@ mod beam;
 mod cell;
 mod corner;
 mod family;
-mod spread;
+mod film;
+mod picture;
 mod sweep;
+mod tracer;
 
-pub use sweep::{BeamOptions, BeamPicture, BeamTracer};
+pub use picture::BeamPicture;
+pub use tracer::{BeamOptions, BeamTracer};
