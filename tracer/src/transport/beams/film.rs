@@ -4,6 +4,8 @@
 //! same however wide it is, and two running sums over all rows at the end give every pixel (F. Crow, "Summed-area tables for
 //! texture mapping", SIGGRAPH 1984, turned round). Places are 1/256 pixel and all sums are whole numbers: a trapezoid closes
 //! exactly, in any order, where floating point would leave a streak up to the row's end.
+//!
+//! A beam crosses rows one after the other at almost the same place, so what is side by side in memory is a place's rows.
 
 /// Units of a place in a pixel.
 const PER_PX: f64 = 256.0;
@@ -31,9 +33,9 @@ pub enum Along {
 pub struct BeamFilm {
     width: usize,
     height: usize,
-    /// Red, green and blue of each row's pixels and its slack, one row after the other.
+    /// Red, green and blue: of each pixel of a row and its slack, all rows.
     rows: Vec<[i64; 3]>,
-    /// The same of each column.
+    /// The same of each pixel of a column.
     columns: Vec<[i64; 3]>,
 }
 
@@ -63,9 +65,9 @@ impl BeamFilm {
 
     /// Adds light to a row (or column) of this number.
     pub fn lay(&mut self, along: Along, number: usize, light: [f64; 3], trapezoid: &Trapezoid) {
-        let (length, sums) = match along {
-            Along::Row => (self.width, &mut self.rows),
-            Along::Column => (self.height, &mut self.columns),
+        let (length, count, sums) = match along {
+            Along::Row => (self.width, self.height, &mut self.rows),
+            Along::Column => (self.height, self.width, &mut self.columns),
         };
         let places = trapezoid.corners();
         let last = PER_PX as i64 * length as i64;
@@ -77,10 +79,9 @@ impl BeamFilm {
         let scale = (1_u64 << (BITS - 1)) as f64 / area;
         let rounding = rounding(&places, number);
         let height = light.map(|channel| (channel * scale + rounding).floor() as i64);
-        let row = &mut sums[number * (length + SLACK)..][..length + SLACK];
         for (place, sign) in places.into_iter().zip([1, -1, -1, 1]) {
             if place < last {
-                add_ramp(row, place, height.map(|channel| sign * channel));
+                add_ramp(sums, count, number, place, height.map(|channel| sign * channel));
             }
         }
     }
@@ -97,15 +98,12 @@ impl BeamFilm {
     /// The light in each pixel, row by row.
     pub fn pixels(&self) -> Vec<[f64; 3]> {
         let mut pixels = vec![[0_i64; 3]; self.width * self.height];
-        let mut put = |at: usize, light: [i64; 3]| {
-            (0..3).for_each(|channel| pixels[at][channel] = pixels[at][channel].wrapping_add(light[channel]));
+        let mut put = |x: usize, y: usize, light: [i64; 3]| {
+            let pixel = &mut pixels[y * self.width + x];
+            (0..3).for_each(|channel| pixel[channel] = pixel[channel].wrapping_add(light[channel]));
         };
-        for (y, row) in self.rows.chunks_exact(self.width + SLACK).enumerate() {
-            sum_twice(&row[..self.width], |x, light| put(y * self.width + x, light));
-        }
-        for (x, column) in self.columns.chunks_exact(self.height + SLACK).enumerate() {
-            sum_twice(&column[..self.height], |y, light| put(y * self.width + x, light));
-        }
+        sum_twice(&self.rows, self.width, self.height, |x, y, light| put(x, y, light));
+        sum_twice(&self.columns, self.height, self.width, |y, x, light| put(x, y, light));
         let unit = (1_u64 << BITS) as f64;
         pixels.into_iter().map(|sums| sums.map(|sum| sum as f64 / unit)).collect()
     }
@@ -137,7 +135,7 @@ fn rounding(places: &[i64; 4], number: usize) -> f64 {
 ///
 /// With g units from the place to its pixel's end, that pixel has g^2, the next one (256 + g)^2 - g^2, and each further one
 /// 2 * 256^2 more than the one before: the differences of the differences are the three below.
-fn add_ramp(row: &mut [[i64; 3]], place: i64, height: [i64; 3]) {
+fn add_ramp(sums: &mut [[i64; 3]], count: usize, number: usize, place: i64, height: [i64; 3]) {
     let pixel = place >> 8;
     let (at, parts) = if pixel >= 0 {
         let rest = 256 - (place & 255);
@@ -147,7 +145,8 @@ fn add_ramp(row: &mut [[i64; 3]], place: i64, height: [i64; 3]) {
         let first = 512 * (128 - place);
         (0, [first, 131_072 - first, 0])
     };
-    for (sums, part) in row[at..at + 3].iter_mut().zip(parts) {
+    for (step, part) in parts.into_iter().enumerate() {
+        let sums = &mut sums[(at + step) * count + number];
         for channel in 0..3 {
             // What is far too high on the way is taken back by the other corners: sums are right to 64 bits in the end.
             sums[channel] = sums[channel].wrapping_add(height[channel].wrapping_mul(part));
@@ -155,15 +154,17 @@ fn add_ramp(row: &mut [[i64; 3]], place: i64, height: [i64; 3]) {
     }
 }
 
-/// Gives each pixel's value from the second differences of a row.
-fn sum_twice(differences: &[[i64; 3]], mut put: impl FnMut(usize, [i64; 3])) {
-    let (mut slope, mut value) = ([0_i64; 3], [0_i64; 3]);
-    for (at, difference) in differences.iter().enumerate() {
-        for channel in 0..3 {
-            slope[channel] = slope[channel].wrapping_add(difference[channel]);
-            value[channel] = value[channel].wrapping_add(slope[channel]);
+/// Gives each value of `count` rows from their second differences: `put` is told the place in the row and the row.
+fn sum_twice(differences: &[[i64; 3]], length: usize, count: usize, mut put: impl FnMut(usize, usize, [i64; 3])) {
+    let mut rows = vec![([0_i64; 3], [0_i64; 3]); count];
+    for (at, differences) in differences.chunks_exact(count).take(length).enumerate() {
+        for (row, ((slope, value), difference)) in rows.iter_mut().zip(differences).enumerate() {
+            for channel in 0..3 {
+                slope[channel] = slope[channel].wrapping_add(difference[channel]);
+                value[channel] = value[channel].wrapping_add(slope[channel]);
+            }
+            put(at, row, *value);
         }
-        put(at, value);
     }
 }
 

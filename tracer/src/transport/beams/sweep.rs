@@ -20,11 +20,15 @@ const NARROW_U: f64 = 1.0 / (1 << 12) as f64;
 const MOST_SAG_PX: f64 = 0.2;
 
 /// How far aside of the middle between the edges that ray may be: this part of the beam's width, and no less and no more than these
-/// pixels. Light is spread evenly over a beam; with this its halves differ by 1 %.
+/// pixels. Light is spread evenly over a beam; with this its halves differ by 1 %. Of weak beams less is seen: what has a part of
+/// its family's power may bend so much more, and be so much more uneven.
 const MOST_BEND: f64 = 0.0025;
 const BENDS_PX: [f64; 2] = [0.02, 0.2];
 
-/// How much power may differ between a beam's edges that is wider than two pixels, of the stronger one's.
+/// No beam may bend more than this, pixels.
+const MOST_BEND_PX: f64 = 2.0;
+
+/// How much power may differ between a beam's edges that is wider than two pixels, of all its family's power.
 const MOST_FADE: f64 = 0.04;
 
 /// Halvings of a beam for its form alone.
@@ -219,7 +223,11 @@ impl Sweep<'_, '_> {
         let bends = Form::Bends { middle };
         let Some([corner, _]) = middle else { return bends };
         let powers = [0, 1].map(|u| corners[u].power[0] + corners[u].power[1]);
-        if widest > 2.0 * px && (powers[0] - powers[1]).abs() > MOST_FADE * powers[0].max(powers[1]) {
+        let strength = powers[0].max(powers[1]);
+        let bend = MOST_BEND / strength;
+        let [least, most] =
+            [BENDS_PX[0] / strength, BENDS_PX[1] / strength.sqrt()].map(|bend| bend.min(MOST_BEND_PX) * px);
+        if widest > 2.0 * px && (powers[0] - powers[1]).abs() > MOST_FADE {
             return bends;
         }
         let contacts = self.tracer.surfaces.meet(&corner.ray, &corner.starts_on);
@@ -229,10 +237,11 @@ impl Sweep<'_, '_> {
         let ends = [corner.ray.origin, self.end(&corner.ray, contacts.as_ref())];
         for ((end, places), width) in ends.into_iter().zip([&piece.from, &piece.to]).zip(widths) {
             let off = end - (places[0] + places[1]) * 0.5;
-            let most = (MOST_BEND * width).clamp(BENDS_PX[0] * px, BENDS_PX[1] * px);
             // How far out a ray ends that meets nothing is nothing to see.
             let is_surface = edge.is_some() || places == &piece.from;
-            if off.perp_dot(along).abs() > most || is_surface && off.dot(along).abs() > MOST_SAG_PX * px {
+            if off.perp_dot(along).abs() > (bend * width).min(most).max(least)
+                || is_surface && off.dot(along).abs() > MOST_SAG_PX * px
+            {
                 return bends;
             }
         }
