@@ -21,6 +21,7 @@ mod interrupt;
 pub mod optics;
 pub mod rendering;
 pub mod scene_builder;
+pub mod scene_viewer;
 pub mod screen;
 pub mod session;
 #[cfg(test)]

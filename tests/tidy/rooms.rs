@@ -285,6 +285,7 @@ const ORDER: [(&str, &[&str]); 4] = [
             "session",
             "frame_composer",
             "desktop",
+            "scene_viewer",
             "cli",
             "game_app",
             "commands",

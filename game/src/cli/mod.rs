@@ -4,9 +4,11 @@ mod measure;
 mod render;
 mod usage_error;
 mod values;
+mod view;
 
 pub use measure::{Bench, BenchArgs, Plot, PlotArgs};
 pub use render::{LightIntegrator, RenderArgs};
+pub use view::ViewArgs;
 
 use crate::frame_composer::LightResolution;
 use crate::screen::Size;
@@ -47,6 +49,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Render drawings as scenes of light: glass, mirrors, prisms, spectra
     Render(RenderArgs),
+    /// Show a drawing's light in a window: drag its lamps, lenses and prisms
+    View(ViewArgs),
     /// Trace a ray-optics scene and print what its detectors measure
     Optics(OpticsArgs),
     /// Measure the light, the frame and the simulation

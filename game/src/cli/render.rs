@@ -1,6 +1,7 @@
 //! `caustic render`: its words.
 
 use super::values::{picture_file, positive_seconds, threads, whole};
+use crate::rendering::Integrator;
 use crate::screen::Size;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -22,13 +23,14 @@ pub struct RenderArgs {
     #[arg(long, value_enum)]
     pub integrator: Option<LightIntegrator>,
     /// Photons: packets for each pixel (64). Path: directions from each pixel (64). Beams: beams that each family of rays
-    /// begins with (512). Monte Carlo: shadow rays for each lamp and pixel (64)
+    /// begins with (64). Monte Carlo: shadow rays for each lamp and pixel (64)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1..=1_048_576_u32), verbatim_doc_comment)]
     pub samples: Option<u32>,
     /// Surfaces that light meets at most
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0..=1_000_000_u32))]
     pub depth: Option<u32>,
-    /// Stop after the pass in which this time is over, and keep what there is
+    /// Stop after the pass in which this time is over, and keep what there is. Beams are one pass: those that were not
+    /// asked for give way to photons at half of the time
     #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = positive_seconds)]
     pub seconds: Option<f64>,
     /// Seed of the random numbers
@@ -60,6 +62,18 @@ pub enum LightIntegrator {
     MonteCarlo,
 }
 
+impl From<LightIntegrator> for Integrator {
+    fn from(word: LightIntegrator) -> Integrator {
+        match word {
+            LightIntegrator::Exact => Integrator::Exact,
+            LightIntegrator::Photons => Integrator::Photons,
+            LightIntegrator::Beams => Integrator::Beams,
+            LightIntegrator::Path => Integrator::Path,
+            LightIntegrator::MonteCarlo => Integrator::MonteCarlo,
+        }
+    }
+}
+
 impl RenderArgs {
     /// What two words together may not say.
     pub(super) fn check(&self) -> Result<(), String> {
@@ -87,7 +101,7 @@ fn stops(text: &str) -> Result<f64, String> {
     }
 }
 
-fn kelvin(text: &str) -> Result<f64, String> {
+pub(super) fn kelvin(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (1000.0..=40_000.0).contains(&value) => Ok(value),
         _ => Err("it must be a temperature from 1000 to 40000".to_string()),

@@ -13,6 +13,7 @@ pub mod render;
 pub mod replay;
 pub mod simulate;
 pub mod verify;
+pub mod view;
 
 use crate::Failure;
 use crate::cli::{Cli, Command};
@@ -32,6 +33,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Command::Plot(args) => plot::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::View(args) => view::run(&args),
         Command::Optics(args) => optics::run(&args),
         Command::Verify(args) => verify::run(&args),
     }

@@ -2,7 +2,7 @@
 
 use super::parallel;
 use super::print::print_lines;
-use crate::cli::{LightIntegrator, RenderArgs};
+use crate::cli::RenderArgs;
 use crate::drawn_scene::DrawnScene;
 use crate::optics::{OpticsScene, picture};
 use crate::rendering::{Integrator, Passes, Picture, Settings, Stopped, add_art, develop, finds_all_by_beams, weights};
@@ -25,7 +25,10 @@ const SAMPLES: u32 = 64;
 const BEAMS: u32 = 64;
 
 /// Pieces of beams beyond which photons are taken where nobody has chosen: some ten seconds.
-const MOST_PIECES: u64 = 12_000_000;
+const MOST_PIECES: u64 = 3_000_000;
+
+/// Of the time that a picture may take, the part after which photons are taken where nobody has chosen.
+const BEAMS_TIME: f64 = 0.5;
 
 /// Renders the scenes that the arguments name.
 ///
@@ -104,9 +107,10 @@ fn view(args: &RenderArgs, size_mm: DVec2) -> View {
 fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Result<Rendered, Failure> {
     let drawn = DrawnScene::read(name, text_file::read_bytes(scene)?).map_err(Failure::of_many)?;
     drawn.warnings.iter().for_each(tell);
-    let view = view(args, drawn.size_mm);
+    let view = view(args, drawn.drawing.size_mm);
     let settings = settings(args, &drawn.scene);
-    let art = art::drawing(&drawn.svg, drawn.size_mm, &view).map_err(|failure| failure.in_file(name))?;
+    let art =
+        art::drawing(&drawn.drawing.svg, drawn.drawing.size_mm, &view).map_err(|failure| failure.in_file(name))?;
     let (passes, settings, stopped) =
         make(args, &drawn.scene, view, settings, begin).map_err(|why| Failure::new(format!("{name}: {why}")))?;
     let (done, all) = passes.steps();
@@ -136,7 +140,7 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
     Ok(Rendered { picture, metadata, report })
 }
 
-/// All passes; where nobody chose an integrator and there are too many beams, by photons after all.
+/// All passes; where nobody chose an integrator and there are too many beams, or no time for them, by photons after all.
 fn make<'a>(
     args: &RenderArgs,
     scene: &'a Scene,
@@ -145,8 +149,10 @@ fn make<'a>(
     begin: Instant,
 ) -> Result<(Passes<'a>, Settings, Stopped), String> {
     let mut passes = Passes::new(scene, view, &settings);
-    match run_passes(args, &mut passes, begin)? {
-        Stopped::TooManyBeams => {
+    let may_change = args.integrator.is_none() && settings.integrator == Integrator::Beams;
+    let seconds = args.seconds.map(|seconds| if may_change { BEAMS_TIME * seconds } else { seconds });
+    match run_passes(seconds, &mut passes, begin)? {
+        Stopped::TooManyBeams | Stopped::Early if may_change && !interrupt::is_interrupted() => {
             let samples = args.samples.unwrap_or(SAMPLES);
             let settings = Settings { integrator: Integrator::Photons, samples, ..settings };
             make(args, scene, view, settings, begin)
@@ -155,8 +161,8 @@ fn make<'a>(
     }
 }
 
-fn run_passes(args: &RenderArgs, passes: &mut Passes, begin: Instant) -> Result<Stopped, String> {
-    let limit = args.seconds.map(Duration::from_secs_f64);
+fn run_passes(seconds: Option<f64>, passes: &mut Passes, begin: Instant) -> Result<Stopped, String> {
+    let limit = seconds.map(Duration::from_secs_f64);
     let (_, all) = passes.steps();
     let bar = parallel::progress_bar(all, "passes");
     let is_over = || interrupt::is_interrupted() || limit.is_some_and(|limit| begin.elapsed() >= limit);
@@ -171,15 +177,8 @@ fn run_passes(args: &RenderArgs, passes: &mut Passes, begin: Instant) -> Result<
 }
 
 fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
-    let integrator = match args.integrator {
-        Some(LightIntegrator::Exact) => Integrator::Exact,
-        Some(LightIntegrator::Photons) => Integrator::Photons,
-        Some(LightIntegrator::Beams) => Integrator::Beams,
-        Some(LightIntegrator::Path) => Integrator::Path,
-        Some(LightIntegrator::MonteCarlo) => Integrator::MonteCarlo,
-        None if finds_all_by_beams(scene) => Integrator::Beams,
-        None => Integrator::Photons,
-    };
+    let fitting = || if finds_all_by_beams(scene) { Integrator::Beams } else { Integrator::Photons };
+    let integrator = args.integrator.map_or_else(fitting, Integrator::from);
     let usual = match integrator {
         Integrator::Beams => BEAMS,
         Integrator::Exact => 1,
@@ -187,7 +186,8 @@ fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
     };
     let samples = args.samples.unwrap_or(usual);
     let most_pieces = args.integrator.is_none().then_some(MOST_PIECES);
-    Settings { integrator, samples, seed: args.seed, depth: args.depth, most_pieces, white_kelvin: args.white }
+    let (seed, depth, white_kelvin) = (args.seed, args.depth, args.white);
+    Settings { integrator, samples, seed, depth, most_pieces, is_preview: false, white_kelvin }
 }
 
 fn integrator_name(integrator: Integrator) -> &'static str {

@@ -2,6 +2,7 @@
 
 use crate::input::Key;
 use crate::screen::Size;
+use geometry::DVec2;
 use std::time::Duration;
 use winit::event_loop::EventLoopProxy;
 
@@ -35,6 +36,8 @@ pub enum Event<R> {
         /// It went down.
         down: bool,
     },
+    /// The mouse moved, a button went down or came up, or its wheel turned.
+    Pointer(Pointer),
     /// The keyboard went to another window.
     FocusLost,
     /// A frame is in the window.
@@ -46,6 +49,19 @@ pub enum Event<R> {
     },
     /// A sentence for the person at the window: why there is no frame, where a screenshot is.
     Message(String),
+}
+
+/// What the mouse did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pointer {
+    /// It is here, pixels from the window's upper left corner.
+    Moved(DVec2),
+    /// Its left button went down.
+    Pressed,
+    /// Its left button came up.
+    Released,
+    /// Its wheel was turned, lines away from the person.
+    Wheel(f64),
 }
 
 /// When a frame came into the window.

@@ -13,13 +13,14 @@ mod frame_pipeline;
 mod icon;
 mod key_codes;
 mod painter_thread;
+mod pointer;
 mod scale_factor;
 mod screenshot;
 mod shell;
 mod shell_window;
 mod surface;
 
-pub use app::{App, Commands, Event, FrameTiming, Waker};
+pub use app::{App, Commands, Event, FrameTiming, Pointer, Waker};
 pub use shell_window::WindowOptions;
 
 use crate::{Failure, interrupt};

@@ -4,6 +4,7 @@ use super::app::{App, Commands, Event, Wake, Waker};
 use super::frame_pipeline::{FramePipeline, now};
 use super::key_codes;
 use super::painter_thread::{Painter, PainterThread};
+use super::pointer;
 use super::screenshot::Screenshot;
 use super::shell_window::{ShellWindow, WindowOptions};
 use crate::{Failure, interrupt};
@@ -194,7 +195,11 @@ impl<A: App> ApplicationHandler<Wake> for Shell<'_, A> {
                     self.hand_on(events, Event::Key { key, down });
                 }
             }
-            _ => {}
+            other => {
+                if let Some(pointer) = pointer::pointer(&other) {
+                    self.hand_on(events, Event::Pointer(pointer));
+                }
+            }
         }
     }
 

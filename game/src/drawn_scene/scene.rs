@@ -3,7 +3,6 @@
 use super::attributes::Attributes;
 use super::{body, lamp, material};
 use crate::Failure;
-use geometry::DVec2;
 use pinball::table::{DrawnShape, DrawnShapes, LIGHT_BENDING_WORDS};
 use std::ops::RangeInclusive;
 use tracer::transport::{Body, Dielectric, LightSource, Material, Scene, Surfaces, TOLERANCE_MM};
@@ -24,10 +23,10 @@ const OPAQUE: f64 = 1e-9;
 pub struct DrawnScene {
     /// Its bodies and lamps, mm.
     pub scene: Scene,
-    /// Width and height of the page, mm: the picture shows it whole.
-    pub size_mm: DVec2,
-    /// The drawing itself, as SVG text: what is seen of it without any lamp.
-    pub svg: String,
+    /// The drawing itself: what is seen of it without any lamp. The picture shows its page whole.
+    pub drawing: DrawnShapes,
+    /// Which of its shapes light knows, by number.
+    pub things: Vec<usize>,
     /// Light from everywhere in which the drawing is seen, as a part of full light.
     pub ambient: f64,
     /// Stops brighter than a picture is exposed by its own light.
@@ -53,8 +52,8 @@ impl DrawnScene {
         let mut mistakes = Vec::new();
         let mut warnings = drawn.warnings.clone();
         let mut scene = Scene::default();
-        let mut lamps = Vec::new();
-        for shape in &drawn.shapes {
+        let (mut lamps, mut things) = (Vec::new(), Vec::new());
+        for (number, shape) in drawn.shapes.iter().enumerate() {
             let attributes = Attributes::new(shape);
             match thing(shape, &attributes) {
                 Ok(Thing::Bodies(bodies)) => scene.bodies.extend(bodies),
@@ -68,6 +67,7 @@ impl DrawnScene {
                     continue;
                 }
             }
+            things.push(number);
             warnings.extend(unread(shape, &attributes).map(|what| drawn.warning(shape, what)));
         }
         if mistakes.is_empty() {
@@ -90,7 +90,7 @@ impl DrawnScene {
             mistakes.push(Failure::new(format!("and {more} more mistakes")));
         }
         if mistakes.is_empty() {
-            Ok(DrawnScene { scene, size_mm: drawn.size_mm, svg: drawn.svg, ambient, stops, warnings })
+            Ok(DrawnScene { scene, drawing: drawn, things, ambient, stops, warnings })
         } else {
             Err(mistakes)
         }

@@ -205,6 +205,7 @@ impl App for GameApp {
     fn event(&mut self, event: Event<FrameReport>, commands: &mut Commands) {
         match event {
             Event::Key { key, down } => self.key(key, down, commands),
+            Event::Pointer(_) => {}
             Event::FocusLost => self.lose_focus(commands),
             Event::FrameShown { report, timing } => self.frame_shown(report, timing, commands),
             Event::Message(text) => self.tell(text, commands),

@@ -1,7 +1,7 @@
 //! Reads a table again when its files are saved, on a thread of its own: the game never waits for a file.
 
 use crate::desktop::Waker;
-use crate::storage::{TableWatch, tables};
+use crate::storage::{FileWatch, tables};
 use crate::{Failure, Table};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use std::time::Duration;
 /// Watches one table's folder.
 pub struct TableReload {
     dir: PathBuf,
-    watch: TableWatch,
+    watch: FileWatch,
     loading: bool,
     loaded: Receiver<Loaded>,
     outbox: Sender<Loaded>,
@@ -24,7 +24,7 @@ impl TableReload {
     /// Watches the table in `dir`.
     pub fn new(dir: &Path) -> TableReload {
         let (outbox, loaded) = channel();
-        TableReload { dir: dir.to_path_buf(), watch: TableWatch::new(dir), loading: false, loaded, outbox }
+        TableReload { dir: dir.to_path_buf(), watch: FileWatch::of_table(dir), loading: false, loaded, outbox }
     }
 
     /// Looks whether a file was saved, and begins to read the table if so; `now` is the time since any fixed moment.

@@ -22,7 +22,9 @@ pub use dialog::Dialog;
 pub use dmd::{has_dots, reading_ms};
 pub use frame_times::{FrameRates, FrameTimes};
 pub use key_help::{HELP as KEYS, REPLAY_HELP as REPLAY_KEYS};
+pub use palette::{BRASS, IVORY, NIGHT};
 pub use replay_bar::ReplayProgress;
+pub use text::{Anchor, FontFamily, TextRenderer, TextStyle};
 pub use ui_state::{Badge, UiState};
 
 use crate::screen::{CachedLayer, Canvas, Placement, Rect, ScreenFromTable, Side};
@@ -31,7 +33,6 @@ use crate::{Failure, Table};
 use debug_overlay::{DebugOverlay, OverlayView};
 use dmd::{DmdRaster, Dots};
 use panel::{PanelText, ProgressLines};
-use text::TextRenderer;
 use tracer::Frame;
 
 /// The HUD and everything that it keeps from frame to frame.

@@ -8,6 +8,6 @@ mod picture;
 #[cfg(test)]
 mod tests;
 
-pub use develop::{add_art, develop};
+pub use develop::{add_art, develop, expose};
 pub use passes::{Integrator, Passes, Settings, Stopped, finds_all_by_beams, weights};
 pub use picture::Picture;

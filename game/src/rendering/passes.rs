@@ -13,6 +13,10 @@ const PACKETS: u64 = 1 << 13;
 /// Directions that a path tracer's pass follows from a pixel.
 const DIRECTIONS: u32 = 16;
 
+/// Beams that show where light goes.
+const PREVIEW: BeamOptions =
+    BeamOptions { beams: 32, wavelengths: 8, widths: 2, most_surfaces: 8, least_power: 0.02, most_pieces: u64::MAX };
+
 /// How the light of a scene is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
@@ -42,6 +46,8 @@ pub struct Settings {
     pub depth: Option<u32>,
     /// Beams end when this many pieces of them were laid, all families together, each its share: never where nothing is said.
     pub most_pieces: Option<u64>,
+    /// Beams: as few of them as show where light goes, for a picture at once; of too many some are left out.
+    pub is_preview: bool,
     /// The temperature of the black body whose light is white, K; without it equal power at every wavelength is.
     pub white_kelvin: Option<f64>,
 }
@@ -70,7 +76,7 @@ enum Work<'a> {
     /// A pass is some directions from each pixel.
     Path { picture: Box<PathPicture<'a>>, passes: u64 },
     /// All families are one pass: a part of them lacks light. The steps are families.
-    Beams { picture: Box<BeamPicture<'a>>, families: u64, done: u64 },
+    Beams { picture: Box<BeamPicture<'a>>, families: u64, done: u64, may_be_cut: bool },
 }
 
 /// The weights of wavelengths with which the light of a black body of this temperature is white, or that of equal energy.
@@ -114,14 +120,15 @@ impl<'a> Passes<'a> {
                 Work::Path { picture, passes: u64::from(samples.div_ceil(directions.max(1))) }
             }
             Integrator::Beams => {
-                let usual = BeamOptions::default();
+                let usual = if settings.is_preview { PREVIEW } else { BeamOptions::default() };
                 let options =
                     BeamOptions { beams: samples, most_surfaces: depth.unwrap_or(usual.most_surfaces), ..usual };
                 let tracer = BeamTracer::new(scene, &weights, options);
                 let families = tracer.tasks() as u64;
                 let share = settings.most_pieces.map_or(u64::MAX, |pieces| pieces / families.max(1));
                 let tracer = tracer.with_most_pieces(share);
-                Work::Beams { picture: Box::new(BeamPicture::new(tracer, view)), families, done: 0 }
+                let picture = Box::new(BeamPicture::new(tracer, view));
+                Work::Beams { picture, families, done: 0, may_be_cut: settings.is_preview }
             }
         };
         Passes { work }
@@ -143,10 +150,15 @@ impl<'a> Passes<'a> {
                 return Ok(Stopped::Early);
             }
             self.step(is_cancelled)?;
-            if let Work::Beams { picture, .. } = &self.work
+            if let Work::Beams { picture, may_be_cut, .. } = &self.work
                 && picture.is_cut()
             {
-                return Ok(if is_cancelled() { Stopped::Early } else { Stopped::TooManyBeams });
+                if is_cancelled() {
+                    return Ok(Stopped::Early);
+                }
+                if !may_be_cut {
+                    return Ok(Stopped::TooManyBeams);
+                }
             }
             done = self.steps().0;
         }

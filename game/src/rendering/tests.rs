@@ -9,6 +9,7 @@ const SETTINGS: Settings = Settings {
     seed: 0,
     depth: None,
     most_pieces: None,
+    is_preview: false,
     white_kelvin: None,
 };
 

@@ -22,4 +22,4 @@ mod watch;
 
 pub use file_failure::{because, file_failure};
 pub use png_file::{check_place, save_png};
-pub use watch::TableWatch;
+pub use watch::FileWatch;

@@ -1,6 +1,6 @@
 //! A table's folder, read and watched.
 
-use super::{TableWatch, limited_read, tables};
+use super::{FileWatch, limited_read, tables};
 use crate::small_table::SVG;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -93,8 +93,11 @@ fn no_more_of_a_file_is_read_than_the_limit() {
 #[test]
 fn a_watch_tells_what_was_saved_once_and_waits_until_it_is_whole() {
     let folder = Folder::new("watch");
-    let mut watch = TableWatch::new(&folder.0);
-    let mut at = |ms: u64| watch.changed(Duration::from_millis(ms));
+    let mut watch = FileWatch::of_table(&folder.0);
+    let mut at = |ms: u64| -> Vec<String> {
+        let changed = watch.changed(Duration::from_millis(ms));
+        changed.iter().filter_map(|file| Some(file.file_name()?.to_str()?.to_string())).collect()
+    };
     assert!(at(1000).is_empty());
     folder.write("rules.rhai", "fn half", 1);
     assert!(at(1100).is_empty(), "it looks only now and then");

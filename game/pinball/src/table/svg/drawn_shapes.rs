@@ -38,6 +38,8 @@ pub struct DrawnShapes {
     /// What is odd in the file and yet no mistake.
     pub warnings: Vec<Failure>,
     source: Source,
+    /// The drawing as it is in the file.
+    pub(super) file: Source,
 }
 
 /// A shape with a class.
@@ -49,6 +51,8 @@ pub struct DrawnShape {
     pub id: Option<String>,
     /// Where it begins in the written out drawing.
     at: usize,
+    /// Where it begins in the file; of a clone, its `use`.
+    pub(super) in_file: usize,
     /// What is drawn, mm.
     pub outline: DrawnOutline,
     /// Of its line, mm.
@@ -128,17 +132,17 @@ impl DrawnShapes {
 fn read(path: &str, bytes: Vec<u8>, words: &[&'static str], diagnostics: &mut Vec<Diagnostic>) -> Option<DrawnShapes> {
     let source = Source::read(path.to_string(), Ok(bytes), LIMIT_BYTES);
     let source = source.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()?;
-    let WrittenOut { source, styled, .. } = written_out::write_out(source, diagnostics)?;
-    let document = xml::parse(&source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()?;
+    let written = written_out::write_out(source, diagnostics)?;
+    let WrittenOut { source, styled, file, .. } = &written;
+    let document = xml::parse(source).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()?;
     let root = document.root_element();
     let page = Page::of(root).map_err(|why| diagnostics.push(source.diagnostic(root.range().start, why))).ok()?;
-    let mut reader =
-        Reader { source: &source, diagnostics, words, styled: &styled, told: BTreeSet::new(), shapes: vec![] };
+    let mut reader = Reader { source, diagnostics, words, styled, told: BTreeSet::new(), shapes: vec![] };
     reader.children(root, &Ok(Transform::scaling(page.mm_per_unit)));
-    let shapes = reader.shapes;
-    let svg = source.text.clone();
-    let data = data(root);
-    Some(DrawnShapes { size_mm: page.size_mm, shapes, data, svg, warnings: Vec::new(), source })
+    let mut shapes = reader.shapes;
+    shapes.iter_mut().for_each(|shape| shape.in_file = written.origin(shape.at));
+    let (svg, data, size_mm) = (source.text.clone(), data(root), page.size_mm);
+    Some(DrawnShapes { size_mm, shapes, data, svg, warnings: Vec::new(), source: source.clone(), file: file.clone() })
 }
 
 struct Reader<'a> {
@@ -233,6 +237,7 @@ fn shape(node: Node, transform: Transform) -> Result<DrawnShape, String> {
         words,
         id: node.attribute("id").map(str::to_string),
         at: node.range().start,
+        in_file: node.range().start,
         outline: drawn(Outline::of(node, transform, scale, Curves::Arcs)?),
         thickness_mm,
         fill: color(fill),

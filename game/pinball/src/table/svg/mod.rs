@@ -16,6 +16,7 @@ pub(super) mod half_place;
 mod hidden;
 pub(super) mod ids;
 pub(super) mod layers;
+mod moved;
 mod oddities;
 pub(super) mod outline;
 pub(super) mod outline_offset;

@@ -25,6 +25,33 @@ pub(in crate::table) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     result
 }
 
+/// Where a place in the edited text comes from: the same byte, or the beginning of what an edit has replaced there.
+pub(in crate::table) fn origin(edits: &[Edit], text: &str, at: usize) -> usize {
+    let mut sorted: Vec<&Edit> = edits.iter().collect();
+    sorted.sort_by_key(|(range, _)| range.start);
+    // How far what follows has moved, and back.
+    let (mut longer, mut shorter) = (0, 0);
+    for (range, new) in sorted {
+        let begin = range.start + longer - shorter;
+        if at < begin {
+            break;
+        }
+        let new = placed_length(&text[range.clone()], new);
+        if at < begin + new {
+            return range.start;
+        }
+        longer += new;
+        shorter += range.len();
+    }
+    at + shorter - longer
+}
+
+/// How long a text is that has been put in the place of another.
+fn placed_length(old: &str, new: &str) -> usize {
+    let lines = |text: &str| text.matches('\n').count();
+    new.len() + lines(old).saturating_sub(lines(new))
+}
+
 /// A text in one line, which moves no line of what it is put into.
 pub(in crate::table) fn in_one_line(text: &str) -> String {
     text.replace(['\n', '\r'], " ")
@@ -64,6 +91,18 @@ mod tests {
         let inner = document.root_element().first_element_child().unwrap();
         let new = edited(text, vec![(inner.range(), in_one_line("<e>\n</e>"))]);
         assert_eq!(new, "<a>\n<e> </e>\n\n</a>");
+    }
+
+    #[test]
+    fn a_place_is_found_again_where_it_came_from() {
+        let text = "<a>\n<b\nc='d'/>\n</a>";
+        let edits = vec![(8..13, "long long".to_string()), (3..3, "<!-- -->".to_string()), (16..17, String::new())];
+        let new = edited(text, edits.clone());
+        for (at, letter) in new.char_indices() {
+            let origin = origin(&edits, text, at);
+            let is_new = (3..11).contains(&at) || new[..at].ends_with("long ") || "long".contains(letter);
+            assert!(is_new || text[origin..].starts_with(letter), "{at} {letter:?} {origin}");
+        }
     }
 
     #[test]

@@ -59,6 +59,11 @@ impl Transform {
         self.table_from_own.matrix2.determinant() < 0.0
     }
 
+    /// A way in millimetres, as a way in the element's own coordinates.
+    pub fn own_vector(&self, way_mm: DVec2) -> DVec2 {
+        self.table_from_own.matrix2.inverse() * way_mm
+    }
+
     /// A point, mm.
     pub fn point(&self, x: f64, y: f64) -> DVec2 {
         self.table_from_own.transform_point2(DVec2::new(x, y))

@@ -9,7 +9,7 @@ use super::drawing::is_thing;
 use super::page::SVG;
 use super::references::{Links, XLINK, href_id, is_use, plain_href};
 use super::sheet_values::SheetLines;
-use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, prefix};
+use super::text_edit::{Edit, attributes_start, edited, escaped, in_one_line, origin, prefix};
 use super::xml;
 use super::{amount, hidden, oddities, shape_typo};
 use crate::table::source::{Diagnostic, Source};
@@ -27,15 +27,26 @@ pub(in crate::table) struct WrittenOut {
     pub lines: SheetLines,
     /// Lines of clones whose things have no ids, which has been told.
     pub nameless: BTreeSet<usize>,
+    /// The drawing as it is in the file.
+    pub file: Source,
+    edits: Vec<Edit>,
+}
+
+impl WrittenOut {
+    /// Where a place in the written out drawing comes from in the file: of a clone, its `use`.
+    pub fn origin(&self, at: usize) -> usize {
+        origin(&self.edits, &self.file.text, at)
+    }
 }
 
 /// Writes a drawing out; nothing if it has a mistake that must be mended first.
 pub(in crate::table) fn write_out(source: Source, diagnostics: &mut Vec<Diagnostic>) -> Option<WrittenOut> {
     match edits(&source, diagnostics) {
         Ok(Changes { edits, lines, styled, nameless }) => {
-            let is_plain = edits.is_empty();
-            let written = |source| Some(WrittenOut { source, styled, lines, nameless });
-            if is_plain { written(source) } else { written(Source::new(source.path, edited(&source.text, edits))) }
+            let file = source.clone();
+            let source =
+                if edits.is_empty() { source } else { Source::new(source.path, edited(&source.text, edits.clone())) };
+            Some(WrittenOut { source, styled, lines, nameless, file, edits })
         }
         Err(mistakes) => {
             diagnostics.extend(mistakes);
