@@ -23,6 +23,9 @@ const ZOOM: f64 = 1.15;
 /// How long a notice stands.
 const NOTICE: Duration = Duration::from_secs(5);
 
+/// What stands at the foot in the beginning.
+const WELCOME: &str = "drag a lamp, a lens or a prism \u{b7} H tells the keys";
+
 /// A drawing in a window.
 pub struct SceneViewer {
     pub(super) document: Document,
@@ -35,6 +38,10 @@ pub struct SceneViewer {
     now: Duration,
     notice: Option<(String, Duration)>,
     is_help: bool,
+    /// The next frame is the picture alone, and is saved.
+    is_bare: bool,
+    /// The person was told that leaving loses what was moved.
+    is_warned: bool,
     refiner: Refiner,
     orders: u64,
     /// What the last order was of.
@@ -76,8 +83,10 @@ impl SceneViewer {
             drag: None,
             watch,
             now: Duration::ZERO,
-            notice: None,
+            notice: Some((WELCOME.to_string(), NOTICE)),
             is_help: false,
+            is_bare: false,
+            is_warned: false,
             refiner: Refiner::start(pool)?,
             orders: 0,
             ordered: None,
@@ -152,8 +161,8 @@ impl SceneViewer {
     fn key(&mut self, key: Key, commands: &mut Commands) {
         let middle = DVec2::new(self.size.width as f64, self.size.height as f64) * 0.5;
         match key {
-            Key::KeyQ | Key::Escape => commands.quit = true,
-            Key::KeyP | Key::F12 => commands.screenshot = true,
+            Key::KeyQ | Key::Escape => commands.quit = self.may_leave(),
+            Key::KeyP | Key::F12 => self.is_bare = true,
             Key::F11 => commands.toggle_fullscreen = true,
             Key::KeyH | Key::F1 => self.is_help = !self.is_help,
             Key::Digit0 | Key::Numpad0 => self.camera = Camera::whole(self.camera.page_mm),
@@ -172,6 +181,16 @@ impl SceneViewer {
             Key::KeyE => self.save(),
             _ => {}
         }
+    }
+
+    /// Whether nothing is lost, or the person knows what is.
+    fn may_leave(&mut self) -> bool {
+        if !self.document.is_changed() || self.is_warned {
+            return true;
+        }
+        self.is_warned = true;
+        self.tell("what was moved is not written: E writes it, Q again leaves without");
+        false
     }
 
     fn save(&mut self) {
@@ -274,9 +293,16 @@ impl App for SceneViewer {
     fn event(&mut self, event: Event<()>, commands: &mut Commands) {
         match event {
             Event::Key { key, down: true } => self.key(key, commands),
-            Event::Pointer(pointer) => self.pointer(pointer),
+            Event::Pointer(pointer) => {
+                self.is_warned = false;
+                self.pointer(pointer);
+            }
             Event::FocusLost => self.end_drag(),
             Event::Message(text) => self.tell(text),
+            Event::FrameShown { .. } if self.is_bare => {
+                self.is_bare = false;
+                commands.screenshot = true;
+            }
             Event::Key { down: false, .. } | Event::FrameShown { .. } => return,
         }
         commands.redraw = true;
@@ -289,9 +315,9 @@ impl App for SceneViewer {
         Overlay {
             size,
             picture: self.shown.as_ref().map(|shown| shown.frame.clone()),
-            outline: self.outline().map(|shape| overlay::outline(self.document.scene(), shape, &view)),
-            status: self.status(),
-            is_help: self.is_help,
+            outline: self.outline().filter(|_| !self.is_bare).map(|shape| overlay::outline(self.document.scene(), shape, &view)),
+            status: if self.is_bare { String::new() } else { self.status() },
+            is_help: self.is_help && !self.is_bare,
         }
     }
 

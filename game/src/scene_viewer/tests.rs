@@ -100,6 +100,20 @@ fn moves_are_taken_back_one_by_one() {
     assert_eq!(viewer.app.status(), "nothing was moved");
 }
 
+/// Leaving is asked twice where something would be lost, and only there.
+#[test]
+fn what_was_moved_is_not_left_by_one_key() {
+    let mut viewer = Viewer::new("leave.svg");
+    viewer.press(Key::KeyQ);
+    assert!(viewer.commands.quit);
+    viewer.commands.quit = false;
+    viewer.drag(DVec2::new(100.0, 100.0), DVec2::new(120.0, 100.0));
+    viewer.press(Key::KeyQ);
+    assert!(!viewer.commands.quit && viewer.app.status().contains("E writes it"), "{}", viewer.app.status());
+    viewer.press(Key::KeyQ);
+    assert!(viewer.commands.quit);
+}
+
 /// The wheel leaves what is under the mouse there; dragging the ground moves the page with the mouse.
 #[test]
 fn the_page_stays_under_the_mouse() {
