@@ -2,5 +2,6 @@
 
 pub(crate) mod culling_triangle;
 pub mod flip;
+pub mod literal_photons;
 pub mod monte_carlo;
 pub mod quality;

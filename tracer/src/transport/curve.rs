@@ -63,6 +63,15 @@ impl Curve {
         count
     }
 
+    /// Its normal at one of its points, as a crossing has it.
+    pub fn normal_at(&self, place: DVec2) -> DVec2 {
+        match self {
+            Curve::Line(line) => line.left_normal().unwrap_or(DVec2::ZERO),
+            Curve::Arc(arc) => (place - arc.circle().center).normalize_or_zero(),
+            Curve::Parabola(parabola) => parabola.normal_at(place),
+        }
+    }
+
     /// The point in its middle, and its normal there.
     pub fn middle(&self) -> (DVec2, DVec2) {
         match self {
@@ -86,10 +95,11 @@ fn cross_line(line: &Segment, ray: &Ray) -> Option<Crossing> {
     let along = line.along();
     let denominator = ray.direction.perp_dot(along);
     let to_a = line.a - ray.origin;
-    // A ray along the line does not cross it: the quotients are not numbers or infinite, and fail the comparisons.
+    // A ray along the line does not cross it: the quotient is not a number or infinite, or the line's part has no room.
     let distance = to_a.perp_dot(along) / denominator;
-    let part = to_a.perp_dot(ray.direction) / denominator;
-    if !(distance > 0.0 && (0.0..=1.0).contains(&part)) {
+    let part = to_a.perp_dot(ray.direction);
+    let part = if denominator < 0.0 { -part } else { part };
+    if !(distance > 0.0 && distance < f64::INFINITY && (0.0..=denominator.abs()).contains(&part)) {
         return None;
     }
     Some(Crossing { distance, normal: line.left_normal()? })
@@ -118,12 +128,19 @@ fn cross_arc(arc: &Arc, ray: &Ray, starts_on: bool) -> Option<Crossing> {
         let inner = if outer == 0.0 { 0.0 } else { product / outer };
         [inner.min(outer), inner.max(outer)]
     };
+    let least = least_of_arc(arc);
     let at = |distance: f64| {
-        let point = ray.at(distance);
-        let on = distance > 0.0 && (arc.half_angle() == std::f64::consts::PI || arc.spans(point));
-        on.then(|| Crossing { distance, normal: (point - circle.center).normalize_or_zero() })
+        let from_center = ray.at(distance) - circle.center;
+        let on = distance > 0.0 && from_center.dot(arc.middle()) >= least;
+        on.then(|| Crossing { distance, normal: from_center.normalize_or_zero() })
     };
     roots.into_iter().find_map(at)
+}
+
+/// How far a point of the arc's circle lies at least along the arc's middle, from the centre, if it is on the arc.
+pub(super) fn least_of_arc(arc: &Arc) -> f64 {
+    let is_whole = arc.half_angle() == std::f64::consts::PI;
+    if is_whole { f64::NEG_INFINITY } else { arc.circle().radius * arc.cos_half_angle() }
 }
 
 impl Parabola {
@@ -154,12 +171,15 @@ impl Parabola {
         let at = |distance: f64| {
             let x = o.x + d.x * distance;
             let on = distance > 0.0 && distance.is_finite() && x.abs() <= self.half;
-            on.then(|| {
-                let normal = DVec2::new(-2.0 * k * x, 1.0).normalize();
-                Crossing { distance, normal: self.axis * normal.x + self.axis.perp() * normal.y }
-            })
+            on.then(|| Crossing { distance, normal: self.normal_at(ray.at(distance)) })
         };
         roots.into_iter().find_map(at)
+    }
+
+    fn normal_at(&self, place: DVec2) -> DVec2 {
+        let x = (place - self.vertex).dot(self.axis);
+        let normal = DVec2::new(-2.0 * self.curvature * x, 1.0).normalize();
+        self.axis * normal.x + self.axis.perp() * normal.y
     }
 
     /// The point at x.
