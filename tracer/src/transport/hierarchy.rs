@@ -1,30 +1,18 @@
 //! A bounding volume hierarchy over boxes: what a ray may meet, from the nearest box on.
 //!
-//! Built from the top by the surface area heuristic over bins (I. Wald, "On fast construction of SAH-based bounding volume
-//! hierarchies", 2007); in the plane a box is met in proportion to its circumference. Then nodes of two children are folded into
-//! nodes of eight, whose boxes a ray is tried against at once (I. Wald, C. Benthin, S. Boulos, "Getting rid of packets", 2008).
+//! Nodes of a tree of pairs are folded into nodes of eight, whose boxes a ray is tried against at once (I. Wald, C. Benthin, S. Boulos, "Getting rid of packets", 2008).
 
-use super::packets::{LANES, Lanes};
-use geometry::{Bounds, DVec2, Ray};
+use super::pair_tree::{Pair, PairTree};
+use geometry::{Bounds, Ray};
 
-/// Boxes in a leaf.
-const LEAF: usize = LANES;
-/// Bins along an axis.
-const BINS: usize = 16;
-/// Levels of the tree of pairs; boxes in one place end in a larger leaf.
-const MOST_LEVELS: usize = 48;
+/// Children of a node: their boxes are tried at once.
+const LANES: usize = 8;
+
+/// A number for each child.
+type Lanes = [f64; LANES];
+
 /// Nodes that wait in a list of fixed length; what is more waits in one that grows.
 const MOST_WAITING: usize = 48;
-
-/// A node of the tree of pairs: a box, and what is in it.
-#[derive(Clone, Copy, Debug)]
-struct Pair {
-    bounds: Bounds,
-    /// Of a leaf the first of its items; of another node its first child, which its second one follows.
-    first: u32,
-    /// Items of a leaf; 0 of a node with children.
-    count: u32,
-}
 
 /// A node: the boxes of its children.
 #[derive(Clone, Debug)]
@@ -35,6 +23,8 @@ struct Node {
     max: [Lanes; 2],
     /// A child is a node, or a leaf where [`IS_LEAF`] is set.
     children: [u32; LANES],
+    /// A bit for each lane that holds one.
+    used: u32,
 }
 
 /// Says of a child that it is a leaf.
@@ -50,82 +40,19 @@ pub struct Hierarchy {
     leaves: Vec<[u32; 2]>,
 }
 
-/// The tree of pairs in the making.
-struct Builder<'a> {
-    boxes: &'a [Bounds],
-    pairs: Vec<Pair>,
-    items: Vec<u32>,
-}
-
-impl Builder<'_> {
-    /// Splits a leaf where there is more than one place.
-    fn split(&mut self, node: usize) -> bool {
-        let Pair { bounds, first, count } = self.pairs[node];
-        let (first, count) = (first as usize, count as usize);
-        if count <= LEAF {
-            return false;
-        }
-        let items = &mut self.items[first..first + count];
-        let Some((axis, plane, _)) = best_plane(items, self.boxes) else { return false };
-        let mut left = 0;
-        for index in 0..count {
-            if middle(&self.boxes[items[index] as usize])[axis] < plane {
-                items.swap(left, index);
-                left += 1;
-            }
-        }
-        if left == 0 || left == count {
-            return false;
-        }
-        let of = |items: &[u32]| union(items.iter().map(|item| self.boxes[*item as usize]));
-        let children = [(of(&items[..left]), first, left), (of(&items[left..]), first + left, count - left)];
-        self.pairs[node] = Pair { bounds, first: self.pairs.len() as u32, count: 0 };
-        let pairs = children.map(|(bounds, first, count)| Pair { bounds, first: first as u32, count: count as u32 });
-        self.pairs.extend(pairs);
-        true
-    }
-
-    /// The nodes below `pair` that become the children of one: the largest ones are opened until there are enough.
-    fn children(&self, pair: u32) -> Vec<u32> {
-        let mut children = vec![pair];
-        let size = |child: &u32| circumference(&self.pairs[*child as usize].bounds);
-        loop {
-            let open = (0..children.len()).filter(|at| self.pairs[children[*at] as usize].count == 0);
-            let largest = open.max_by(|a, b| size(&children[*a]).total_cmp(&size(&children[*b])));
-            let Some(largest) = largest.filter(|_| children.len() < LANES) else { return children };
-            let first = self.pairs[children[largest] as usize].first;
-            children[largest] = first;
-            children.push(first + 1);
-        }
-    }
-}
-
 impl Hierarchy {
     /// The tree over these boxes, which are finite.
     pub fn new(boxes: &[Bounds]) -> Hierarchy {
-        let mut builder = Builder { boxes, pairs: Vec::new(), items: (0..boxes.len() as u32).collect() };
-        if boxes.is_empty() {
-            return Hierarchy::default();
-        }
-        let root = Pair { bounds: union(boxes.iter().copied()), first: 0, count: boxes.len() as u32 };
-        builder.pairs.push(root);
-        let mut open = vec![(0, 0)];
-        while let Some((pair, level)) = open.pop() {
-            if level < MOST_LEVELS && builder.split(pair) {
-                let first = builder.pairs[pair].first as usize;
-                open.extend([(first, level + 1), (first + 1, level + 1)]);
-            }
-        }
-        Hierarchy::folded(builder)
+        if boxes.is_empty() { Hierarchy::default() } else { Hierarchy::folded(PairTree::new(boxes)) }
     }
 
     /// The tree of eights of a tree of pairs.
-    fn folded(builder: Builder) -> Hierarchy {
+    fn folded(tree: PairTree) -> Hierarchy {
         let (mut nodes, mut leaves) = (vec![Node::EMPTY], Vec::new());
         let mut open = vec![(0, 0)];
         while let Some((node, pair)) = open.pop() {
-            for (lane, child) in builder.children(pair).into_iter().enumerate() {
-                let Pair { bounds, first, count } = builder.pairs[child as usize];
+            for (lane, child) in tree.children(pair, LANES).into_iter().enumerate() {
+                let Pair { bounds, first, count } = tree.pairs[child as usize];
                 let number = if count > 0 {
                     leaves.push([first, first + count]);
                     (leaves.len() - 1) as u32 | IS_LEAF
@@ -137,12 +64,14 @@ impl Hierarchy {
                 nodes[node].set(lane, &bounds, number);
             }
         }
-        Hierarchy { nodes, items: builder.items, leaves }
+        Hierarchy { nodes, items: tree.items, leaves }
     }
 
-    /// The items of each leaf.
-    pub fn leaves(&self) -> impl Iterator<Item = &[u32]> {
-        self.leaves.iter().map(|[from, to]| &self.items[*from as usize..*to as usize])
+    /// The items of a leaf.
+    #[inline(always)]
+    pub fn leaf(&self, leaf: usize) -> &[u32] {
+        let [from, to] = self.leaves[leaf];
+        &self.items[from as usize..to as usize]
     }
 
     /// The leaves that a ray may meet before `farthest`, the nearest boxes first.
@@ -248,9 +177,8 @@ impl Along<'_> {
 }
 
 impl Node {
-    /// No children: nothing enters a box from infinity to minus infinity.
-    const EMPTY: Node =
-        Node { min: [[f64::INFINITY; LANES]; 2], max: [[f64::NEG_INFINITY; LANES]; 2], children: [0; LANES] };
+    /// No children.
+    const EMPTY: Node = Node { min: [[0.0; LANES]; 2], max: [[0.0; LANES]; 2], children: [0; LANES], used: 0 };
 
     /// Puts a child into a lane. Its box is a little larger, for the rounding of where rays enter and leave it.
     fn set(&mut self, lane: usize, bounds: &Bounds, child: u32) {
@@ -260,88 +188,46 @@ impl Node {
             (self.min[axis][lane], self.max[axis][lane]) = (bounds.min[axis], bounds.max[axis]);
         }
         self.children[lane] = child;
+        self.used |= 1 << lane;
     }
 
     /// Where the ray enters each child's box, and a bit for each that it enters, at most `farthest` along it: the slab test.
     #[inline(always)]
     fn entries(&self, slabs: &Slabs, farthest: f64) -> (Lanes, u32) {
-        let [x, y] = [0, 1].map(|axis| {
-            let (min, max) = (&self.min[axis], &self.max[axis]);
-            if slabs.inverse[axis] < 0.0 { (max, min) } else { (min, max) }
-        });
         let ([ox, oy], [ix, iy]) = (slabs.origin, slabs.inverse);
         let (mut entries, mut exits, mut bits) = ([0.0; LANES], [0.0; LANES], [0_u64; LANES]);
         for lane in 0..LANES {
-            let (enters_x, enters_y) = ((x.0[lane] - ox) * ix, (y.0[lane] - oy) * iy);
-            let enters = if enters_x > enters_y { enters_x } else { enters_y };
-            entries[lane] = if enters > 0.0 { enters } else { 0.0 };
-        }
-        for lane in 0..LANES {
-            let (leaves_x, leaves_y) = ((x.1[lane] - ox) * ix, (y.1[lane] - oy) * iy);
-            let leaves = if leaves_x < leaves_y { leaves_x } else { leaves_y };
-            exits[lane] = if leaves < farthest { leaves } else { farthest };
+            let x = [(self.min[0][lane] - ox) * ix, (self.max[0][lane] - ox) * ix];
+            let y = [(self.min[1][lane] - oy) * iy, (self.max[1][lane] - oy) * iy];
+            entries[lane] = greater(greater(less(x[0], x[1]), less(y[0], y[1])), 0.0);
+            exits[lane] = less(less(greater(x[0], x[1]), greater(y[0], y[1])), farthest);
         }
         for lane in 0..LANES {
             // Rounding must not lose a box that the ray touches.
-            let meets = (entries[lane] <= exits[lane] * (1.0 + 4.0 * f64::EPSILON)) & (entries[lane] < f64::INFINITY);
+            let meets = entries[lane] <= exits[lane] * (1.0 + 4.0 * f64::EPSILON);
             bits[lane] = if meets { 1 << lane } else { 0 };
         }
-        (entries, bits.iter().fold(0, |met, bit| met | bit) as u32)
+        (entries, bits.iter().fold(0, |met, bit| met | bit) as u32 & self.used)
     }
 }
 
-/// The axis and the plane of the least cost, and that cost; `None` where all middles are in one place.
-fn best_plane(items: &[u32], boxes: &[Bounds]) -> Option<(usize, f64, f64)> {
-    let middles = union(items.iter().map(|item| {
-        let middle = middle(&boxes[*item as usize]);
-        Bounds::of(middle, middle)
-    }));
-    let mut best: Option<(usize, f64, f64)> = None;
-    for axis in 0..2 {
-        let (low, size) = (middles.min[axis], middles.size()[axis]);
-        if size <= 0.0 {
-            continue;
-        }
-        let mut bins: [(usize, Option<Bounds>); BINS] = [(0, None); BINS];
-        for item in items {
-            let bounds = boxes[*item as usize];
-            let bin = (((middle(&bounds)[axis] - low) / size * BINS as f64) as usize).min(BINS - 1);
-            bins[bin] = (bins[bin].0 + 1, Some(bins[bin].1.map_or(bounds, |other| other.union(bounds))));
-        }
-        let cost = |bins: &[(usize, Option<Bounds>)]| {
-            let count: usize = bins.iter().map(|bin| bin.0).sum();
-            let bounds = bins.iter().filter_map(|bin| bin.1).reduce(Bounds::union);
-            bounds.map_or(0.0, |bounds| circumference(&bounds) * count as f64)
-        };
-        for split in 1..BINS {
-            let cost = cost(&bins[..split]) + cost(&bins[split..]);
-            if best.is_none_or(|best| cost < best.2) {
-                best = Some((axis, low + size * split as f64 / BINS as f64, cost));
-            }
-        }
-    }
-    best
+/// The smaller number, in one instruction: `f64::min` also has to think about what is no number.
+#[inline(always)]
+fn less(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
-fn union(boxes: impl Iterator<Item = Bounds>) -> Bounds {
-    let nothing = Bounds { min: DVec2::splat(f64::INFINITY), max: DVec2::splat(f64::NEG_INFINITY) };
-    boxes.fold(nothing, Bounds::union)
-}
-
-fn middle(bounds: &Bounds) -> DVec2 {
-    (bounds.min + bounds.max) * 0.5
-}
-
-fn circumference(bounds: &Bounds) -> f64 {
-    let size = bounds.size();
-    2.0 * (size.x + size.y)
+/// The larger number, in one instruction.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geometry::Segment;
     use geometry::rng::SplitMix64;
+    use geometry::{DVec2, Segment};
 
     /// Every box that a ray meets is shown, whatever boxes there are: points, lines, one place many times.
     #[test]
@@ -375,7 +261,7 @@ mod tests {
                 let mut shown = vec![false; count];
                 let mut along = tree.along(&ray, f64::INFINITY);
                 while let Some(leaf) = along.next_leaf() {
-                    for item in tree.leaves().nth(leaf).expect("a leaf of the tree") {
+                    for item in tree.leaf(leaf) {
                         assert!(!std::mem::replace(&mut shown[*item as usize], true), "shown twice");
                     }
                 }

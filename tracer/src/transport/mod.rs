@@ -5,6 +5,7 @@
 
 pub mod beams;
 mod body;
+mod contacts;
 mod curve;
 mod film;
 pub mod fresnel;
@@ -13,7 +14,8 @@ mod hierarchy;
 pub mod interaction;
 mod light_source;
 mod material;
-mod packets;
+mod nearest;
+mod pair_tree;
 mod path;
 mod photon;
 mod photons;
@@ -25,6 +27,7 @@ mod splat_queue;
 mod surfaces;
 
 pub use body::{Body, Corner, Edge, arc_through};
+pub use contacts::{BodyId, Contact, Contacts, EdgeId, MOST_TOGETHER, StartsOn};
 pub use curve::{Crossing, Curve, Parabola};
 pub use film::{BEAM_BITS, PACKET_BITS, SplatFilm};
 pub use gamut::{into_gamut, luminance};
@@ -35,4 +38,4 @@ pub use photon::{End, Flight, HEROES, Media, Photon, Step};
 pub use photons::{Counts, MOST_SURFACES, PhotonPicture, PhotonTracer};
 pub use pixel_walk::PixelSegment;
 pub use scene::{Scene, TOLERANCE_MM};
-pub use surfaces::{BodyId, Contact, Contacts, EdgeId, MOST_TOGETHER, StartsOn, Surfaces};
+pub use surfaces::Surfaces;

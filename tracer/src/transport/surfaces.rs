@@ -1,19 +1,11 @@
 //! The surfaces of a scene, ready for rays.
 
+use super::contacts::{BodyId, Contact, Contacts, EdgeId, StartsOn};
 use super::hierarchy::Hierarchy;
-use super::packets::{LANES, Lanes, Leaf, Packets};
+use super::nearest::{Nearest, nearest};
 use super::{Band, Body, Curve, Material};
-use crate::simd::dispatch::{SimdLevel, multiversion};
+use crate::simd::dispatch::SimdLevel;
 use geometry::{Bounds, DVec2, Ray};
-
-/// Edges that one place may hold.
-pub const MOST_TOGETHER: usize = 8;
-
-/// The number of an edge.
-pub type EdgeId = u32;
-
-/// The number of a body: its place in the scene's list.
-pub type BodyId = u32;
 
 /// An edge with what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -58,182 +50,11 @@ impl Facts {
 pub struct Surfaces {
     surfaces: Vec<Surface>,
     bodies: Vec<Facts>,
-    hierarchy: Hierarchy,
-    packets: Packets,
-    /// The packets of the hierarchy's leaves.
-    leaves: Vec<Leaf>,
+    pub(super) hierarchy: Hierarchy,
     simd: SimdLevel,
     bounds: Option<Bounds>,
     /// Edges that are no farther apart along a ray are met together.
     tolerance: f64,
-}
-
-/// One edge that a ray meets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
-    /// Which edge.
-    pub edge: EdgeId,
-    /// Whose.
-    pub body: BodyId,
-    /// How far along the ray.
-    pub distance: f64,
-    /// Where.
-    pub place: DVec2,
-    /// The unit normal on the side from which the ray comes.
-    pub normal: DVec2,
-    /// The ray goes into the body; it says nothing of open lines.
-    pub enters: bool,
-}
-
-/// All edges that a ray meets first: those in one place.
-#[derive(Clone, Copy, Debug)]
-pub struct Contacts {
-    list: [Contact; MOST_TOGETHER],
-    count: usize,
-}
-
-impl PartialEq for Contacts {
-    fn eq(&self, other: &Contacts) -> bool {
-        self.list() == other.list()
-    }
-}
-
-/// The edges on which a ray starts.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StartsOn {
-    edges: [EdgeId; MOST_TOGETHER],
-    count: usize,
-}
-
-impl StartsOn {
-    /// The ray starts in the open.
-    pub const NOTHING: StartsOn = StartsOn { edges: [0; MOST_TOGETHER], count: 0 };
-
-    /// The ray starts on one edge.
-    pub fn one(edge: EdgeId) -> StartsOn {
-        let mut edges = [0; MOST_TOGETHER];
-        edges[0] = edge;
-        StartsOn { edges, count: 1 }
-    }
-
-    /// Those edges.
-    #[inline(always)]
-    pub fn edges(&self) -> &[EdgeId] {
-        &self.edges[..self.count]
-    }
-
-    /// Whether it is one of them.
-    #[inline(always)]
-    pub fn holds(&self, edge: EdgeId) -> bool {
-        self.edges().contains(&edge)
-    }
-}
-
-const NO_CONTACT: Contact =
-    Contact { edge: 0, body: 0, distance: f64::INFINITY, place: DVec2::ZERO, normal: DVec2::ZERO, enters: false };
-
-impl Contacts {
-    /// Nothing is met.
-    pub(super) const NONE: Contacts = Contacts { list: [NO_CONTACT; MOST_TOGETHER], count: 0 };
-
-    /// The edges, the nearest one first.
-    pub fn list(&self) -> &[Contact] {
-        &self.list[..self.count]
-    }
-
-    /// The nearest one.
-    pub fn first(&self) -> &Contact {
-        &self.list[0]
-    }
-
-    /// A ray that goes on from here starts on these.
-    pub fn starts_on(&self) -> StartsOn {
-        StartsOn { edges: self.list.map(|contact| contact.edge), count: self.count }
-    }
-}
-
-/// The nearest edges along a ray, by distance and then by number: those in one place.
-#[derive(Clone, Copy, Debug)]
-struct Nearest {
-    list: [(f64, EdgeId); MOST_TOGETHER],
-    count: usize,
-    tolerance: f64,
-}
-
-impl Nearest {
-    fn none(tolerance: f64) -> Nearest {
-        Nearest { list: [(f64::INFINITY, 0); MOST_TOGETHER], count: 0, tolerance }
-    }
-
-    /// How far an edge may be that is in the place of the nearest one.
-    #[inline(always)]
-    fn farthest(&self) -> f64 {
-        self.list[0].0 + self.tolerance
-    }
-
-    fn add(&mut self, distance: f64, edge: EdgeId) {
-        let mut at = self.count;
-        while at > 0 && (distance, edge) < self.list[at - 1] {
-            at -= 1;
-        }
-        if at == MOST_TOGETHER {
-            return;
-        }
-        self.list.copy_within(at..MOST_TOGETHER - 1, at + 1);
-        self.list[at] = (distance, edge);
-        self.count = (self.count + 1).min(MOST_TOGETHER);
-        let farthest = self.farthest();
-        while self.list[self.count - 1].0 > farthest {
-            self.count -= 1;
-        }
-    }
-
-    /// Adds those of a packet that are near enough.
-    #[inline(always)]
-    fn add_lanes(&mut self, distances: &Lanes, edges: &[EdgeId; LANES]) {
-        let mut least = *distances;
-        for half in [LANES / 2, LANES / 4, LANES / 8] {
-            for lane in 0..half {
-                let (a, b) = (least[lane], least[lane + half]);
-                least[lane] = if a < b { a } else { b };
-            }
-        }
-        if least[0] <= self.farthest() && least[0] < f64::INFINITY {
-            for lane in 0..LANES {
-                if distances[lane] <= self.farthest() && distances[lane] < f64::INFINITY {
-                    self.add(distances[lane], edges[lane]);
-                }
-            }
-        }
-    }
-}
-
-multiversion! {
-    /// What the ray meets first, not beyond `farthest`.
-    fn nearest(surfaces: &Surfaces, ray: &Ray, starts_on: &StartsOn, farthest: f64, nearest: &mut Nearest) = nearest_body;
-}
-
-#[inline(always)]
-fn nearest_body(surfaces: &Surfaces, ray: &Ray, starts_on: &StartsOn, farthest: f64, nearest: &mut Nearest) {
-    let Surfaces { packets, leaves, .. } = surfaces;
-    let mut along = surfaces.hierarchy.along(ray, farthest);
-    while let Some(leaf) = along.next_leaf() {
-        let Leaf { lines, arcs, others } = &leaves[leaf];
-        for packet in &packets.lines[lines[0] as usize..lines[1] as usize] {
-            nearest.add_lanes(&packet.cross(ray, starts_on), &packet.edges);
-        }
-        for packet in &packets.arcs[arcs[0] as usize..arcs[1] as usize] {
-            nearest.add_lanes(&packet.cross(ray, starts_on), &packet.edges);
-        }
-        for edge in &packets.others[others[0] as usize..others[1] as usize] {
-            if let Some(crossing) = surfaces.curve(*edge).cross(ray, starts_on.holds(*edge))
-                && crossing.distance <= nearest.farthest()
-            {
-                nearest.add(crossing.distance, *edge);
-            }
-        }
-        along.farthest = nearest.farthest().min(farthest);
-    }
 }
 
 impl Surfaces {
@@ -247,14 +68,8 @@ impl Surfaces {
             })
             .collect();
         let boxes: Vec<Bounds> = surfaces.iter().map(|surface| surface.curve.bounds()).collect();
-        let hierarchy = Hierarchy::new(&boxes);
-        let mut packets = Packets::default();
-        let curve = |edge: EdgeId| surfaces[edge as usize].curve;
-        let leaves = hierarchy.leaves().map(|edges| packets.pack(edges, curve)).collect();
         Surfaces {
-            hierarchy,
-            packets,
-            leaves,
+            hierarchy: Hierarchy::new(&boxes),
             simd: SimdLevel::best(),
             bounds: boxes.into_iter().reduce(Bounds::union),
             surfaces,
@@ -342,7 +157,7 @@ impl Surfaces {
     pub fn is_blocked(&self, ray: &Ray, starts_on: &StartsOn, distance: f64) -> bool {
         let mut found = Nearest::none(self.tolerance);
         nearest(self.simd, self, ray, starts_on, distance, &mut found);
-        found.list[0].0 < distance
+        found.list().first().is_some_and(|first| first.0 < distance)
     }
 
     /// The dielectrics in which a point lies, by the parity of the edges on a ray from it.
@@ -362,8 +177,8 @@ impl Surfaces {
     }
 
     fn list(&self, ray: &Ray, found: &Nearest, contacts: &mut Contacts) {
-        contacts.count = found.count;
-        for (contact, (distance, edge)) in contacts.list.iter_mut().zip(&found.list[..found.count]) {
+        contacts.count = found.list().len();
+        for (contact, (distance, edge)) in contacts.list.iter_mut().zip(found.list()) {
             *contact = self.contact(ray, *distance, *edge);
         }
     }
