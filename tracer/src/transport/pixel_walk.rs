@@ -222,7 +222,7 @@ mod tests {
         let mut random = SplitMix64::new(4);
         for turn in 0..20_000 {
             let mut point = || DVec2::new(random.uniform(-20.0, 60.0), random.uniform(-20.0, 50.0));
-            let (mut from, mut to) = (point(), point());
+            let (from, mut to) = (point(), point());
             match turn % 8 {
                 0 => to.y = from.y,
                 1 => to.x = from.x,
