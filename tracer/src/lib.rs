@@ -32,7 +32,7 @@ pub use film::srgb;
 pub use film::tone_map;
 pub use integrator::Integrator;
 pub use realtime::stage_timing::RenderStage;
-pub use reference::{flip, monte_carlo, quality};
+pub use reference::{flip, literal_photons, monte_carlo, quality};
 pub use renderer::{Renderer, render};
 pub use scene::id::{ItemId, Revision};
 pub use scene::lamp::{Emitter, Lamp};

@@ -35,6 +35,8 @@ pub enum Bench {
     Table,
     /// How a frame's cost grows with pixels, lamps, occluders and balls, on a generated table.
     Growth,
+    /// Packets of light, traced and laid on a film, against the literal loops.
+    Photons,
     /// Headless play.
     Tick,
     /// What the most work that rules may do in a second takes.

@@ -44,6 +44,11 @@ impl Arc {
         self.half_angle
     }
 
+    /// The cosine of half of the angle that the arc spans.
+    pub fn cos_half_angle(&self) -> f64 {
+        self.cos_half_angle
+    }
+
     /// The unit vector from the centre to the arc's middle.
     pub fn middle(&self) -> DVec2 {
         self.middle

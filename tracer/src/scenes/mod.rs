@@ -7,9 +7,11 @@ use crate::{
 
 mod growth;
 mod jumble;
+mod optical_jumble;
 
 pub use growth::{lift, with_balls, with_lamps, with_posts};
 pub use jumble::{any_shape, floating_jumble, jumble, mixed_jumble};
+pub use optical_jumble::{OPTICAL_JUMBLE_MM, optical_jumble};
 
 use geometry::rng::SplitMix64;
 use geometry::{Arc, Circle, Core, DVec2, Shape, Taper, trig};

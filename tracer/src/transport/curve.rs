@@ -43,11 +43,18 @@ pub struct Crossing {
 impl Curve {
     /// Where the ray first crosses the curve. `starts_on` says that its origin lies on the curve: that place does not count.
     pub fn cross(&self, ray: &Ray, starts_on: bool) -> Option<Crossing> {
+        let distance = self.distance(ray, starts_on);
+        (distance < f64::INFINITY).then(|| Crossing { distance, normal: self.normal_at(ray.at(distance)) })
+    }
+
+    /// How far along the ray that is; infinity where it is not.
+    #[inline(always)]
+    pub fn distance(&self, ray: &Ray, starts_on: bool) -> f64 {
         match self {
-            Curve::Line(_) if starts_on => None,
-            Curve::Line(line) => cross_line(line, ray),
-            Curve::Arc(arc) => cross_arc(arc, ray, starts_on),
-            Curve::Parabola(parabola) => parabola.cross(ray, starts_on),
+            Curve::Line(_) if starts_on => f64::INFINITY,
+            Curve::Line(line) => line_distance(line, ray),
+            Curve::Arc(arc) => arc_distance(arc, ray, starts_on),
+            Curve::Parabola(parabola) => parabola.distance(ray, starts_on),
         }
     }
 
@@ -61,6 +68,15 @@ impl Curve {
             on = true;
         }
         count
+    }
+
+    /// Its normal at one of its points, as a crossing has it.
+    pub fn normal_at(&self, place: DVec2) -> DVec2 {
+        match self {
+            Curve::Line(line) => line.left_normal().unwrap_or(DVec2::ZERO),
+            Curve::Arc(arc) => (place - arc.circle().center).normalize_or_zero(),
+            Curve::Parabola(parabola) => parabola.normal_at(place),
+        }
     }
 
     /// The point in its middle, and its normal there.
@@ -82,48 +98,58 @@ impl Curve {
     }
 }
 
-fn cross_line(line: &Segment, ray: &Ray) -> Option<Crossing> {
+#[inline(always)]
+fn line_distance(line: &Segment, ray: &Ray) -> f64 {
     let along = line.along();
     let denominator = ray.direction.perp_dot(along);
     let to_a = line.a - ray.origin;
-    // A ray along the line does not cross it: the quotients are not numbers or infinite, and fail the comparisons.
-    let distance = to_a.perp_dot(along) / denominator;
-    let part = to_a.perp_dot(ray.direction) / denominator;
-    if !(distance > 0.0 && (0.0..=1.0).contains(&part)) {
-        return None;
+    let part = to_a.perp_dot(ray.direction);
+    let part = if denominator < 0.0 { -part } else { part };
+    if !(part >= 0.0 && part <= denominator.abs()) {
+        return f64::INFINITY;
     }
-    Some(Crossing { distance, normal: line.left_normal()? })
+    // A ray along the line does not cross it: the quotient is not a number, or infinite.
+    let distance = to_a.perp_dot(along) / denominator;
+    if distance > 0.0 { distance } else { f64::INFINITY }
 }
 
-fn cross_arc(arc: &Arc, ray: &Ray, starts_on: bool) -> Option<Crossing> {
+#[inline(always)]
+fn arc_distance(arc: &Arc, ray: &Ray, starts_on: bool) -> f64 {
     let circle = arc.circle();
     let from_center = ray.origin - circle.center;
     // |from_center + t direction|^2 = r^2. The one root from the sum that does not cancel, the other from the product.
     let half = from_center.dot(ray.direction);
     let nearest = from_center - ray.direction * half;
     let square = circle.radius * circle.radius - nearest.length_squared();
-    let roots = if starts_on {
+    if !(square >= 0.0 || starts_on) {
+        return f64::INFINITY;
+    }
+    let root = (if square > 0.0 { square } else { 0.0 }).sqrt();
+    let outer = if half > 0.0 { -half - root } else { root - half };
+    let least = least_of_arc(arc);
+    let is_met = |distance: f64| distance > 0.0 && (ray.at(distance) - circle.center).dot(arc.middle()) >= least;
+    if starts_on {
         // One root is the origin itself, but for rounding. The other is found from the circle and not as twice the way to the
         // middle of the chord: that takes the origin's error for the circle's, and it grows tenfold from one reflection to the
         // next. A ray along the tangent has a chord as long as its rounding.
-        let outer = if half > 0.0 { -half - square.max(0.0).sqrt() } else { square.max(0.0).sqrt() - half };
-        [outer, f64::NAN]
+        return if is_met(outer) { outer } else { f64::INFINITY };
+    }
+    let product = from_center.length_squared() - circle.radius * circle.radius;
+    let inner = if outer == 0.0 { 0.0 } else { product / outer };
+    let (near, far) = if inner < outer { (inner, outer) } else { (outer, inner) };
+    if is_met(near) {
+        near
+    } else if is_met(far) {
+        far
     } else {
-        if square < 0.0 {
-            return None;
-        }
-        let root = square.sqrt();
-        let outer = if half > 0.0 { -half - root } else { root - half };
-        let product = from_center.length_squared() - circle.radius * circle.radius;
-        let inner = if outer == 0.0 { 0.0 } else { product / outer };
-        [inner.min(outer), inner.max(outer)]
-    };
-    let at = |distance: f64| {
-        let point = ray.at(distance);
-        let on = distance > 0.0 && (arc.half_angle() == std::f64::consts::PI || arc.spans(point));
-        on.then(|| Crossing { distance, normal: (point - circle.center).normalize_or_zero() })
-    };
-    roots.into_iter().find_map(at)
+        f64::INFINITY
+    }
+}
+
+/// How far a point of the arc's circle lies at least along the arc's middle, from the centre, if it is on the arc.
+pub(super) fn least_of_arc(arc: &Arc) -> f64 {
+    let is_whole = arc.half_angle() == std::f64::consts::PI;
+    if is_whole { f64::NEG_INFINITY } else { arc.circle().radius * arc.cos_half_angle() }
 }
 
 impl Parabola {
@@ -131,7 +157,7 @@ impl Parabola {
         DVec2::new(vector.dot(self.axis), vector.dot(self.axis.perp()))
     }
 
-    fn cross(&self, ray: &Ray, starts_on: bool) -> Option<Crossing> {
+    fn distance(&self, ray: &Ray, starts_on: bool) -> f64 {
         let (o, d) = (self.local(ray.origin - self.vertex), self.local(ray.direction));
         // oy + t dy = k (ox + t dx)^2 is a t^2 + b t + c = 0.
         let k = self.curvature;
@@ -140,7 +166,7 @@ impl Parabola {
         let c = k * o.x * o.x - o.y;
         let square = b * b - 4.0 * a * c;
         if square < 0.0 && !starts_on {
-            return None;
+            return f64::INFINITY;
         }
         // The one root from the sum that does not cancel, the other from the product; a ray along the axis has one.
         let q = -0.5 * (b + square.max(0.0).sqrt().copysign(b));
@@ -151,15 +177,15 @@ impl Parabola {
             false if one < other => [one, other],
             false => [other, one],
         };
-        let at = |distance: f64| {
-            let x = o.x + d.x * distance;
-            let on = distance > 0.0 && distance.is_finite() && x.abs() <= self.half;
-            on.then(|| {
-                let normal = DVec2::new(-2.0 * k * x, 1.0).normalize();
-                Crossing { distance, normal: self.axis * normal.x + self.axis.perp() * normal.y }
-            })
-        };
-        roots.into_iter().find_map(at)
+        let is_met =
+            |distance: &f64| *distance > 0.0 && distance.is_finite() && (o.x + d.x * distance).abs() <= self.half;
+        roots.into_iter().find(is_met).unwrap_or(f64::INFINITY)
+    }
+
+    fn normal_at(&self, place: DVec2) -> DVec2 {
+        let x = (place - self.vertex).dot(self.axis);
+        let normal = DVec2::new(-2.0 * self.curvature * x, 1.0).normalize();
+        self.axis * normal.x + self.axis.perp() * normal.y
     }
 
     /// The point at x.

@@ -3,14 +3,23 @@
 //! A path segment leaves `power * chord / area` in every pixel that it crosses: exactly the mean of the fluence over the pixel.
 //! Whole numbers add up to the same sum in any order, so a picture has the same bytes on any number of threads.
 
+use super::pixel_walk::{PixelSegment, PixelWalk};
 use crate::View;
-use geometry::DVec2;
+use crate::simd::dispatch::{SimdLevel, multiversion};
 
 /// Bits behind the point in the sums of packets: each is about 1, and there may be 10^11 in a pixel.
 pub const PACKET_BITS: u32 = 24;
 
 /// Bits behind the point in the sums of beams: all of them together are about 1, and each may be 10^-8.
 pub const BEAM_BITS: u32 = 48;
+
+/// Red, green, blue, and nothing: a register's four.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(align(32))]
+struct Sums([i64; 4]);
+
+/// Pixels of a block, each way: a way that goes down has them in the same page of memory, not each in another one.
+const BLOCK: usize = 8;
 
 /// The sums of a picture's pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,63 +28,116 @@ pub struct SplatFilm {
     height: usize,
     /// What a unit is in the sums.
     bits: u32,
-    /// Red, green, blue: signed, since single wavelengths are outside a screen's gamut.
-    sums: Vec<[i64; 3]>,
-}
-
-/// A way across the picture, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PixelSegment {
-    /// Where it begins, pixels from the upper left corner.
-    pub from: DVec2,
-    /// Where it ends.
-    pub to: DVec2,
+    simd: SimdLevel,
+    /// What a column, and what a row, adds to the place of its pixels' sums; and those of rows and columns from the other side.
+    /// Two more than there are: the last one again.
+    places: [[Vec<u32>; 2]; 2],
+    /// Signed, since single wavelengths are outside a screen's gamut. Block by block.
+    sums: Vec<Sums>,
 }
 
 impl SplatFilm {
     /// A black film of this view's pixels, whose sums have so many bits behind the point.
     pub fn new(view: &View, bits: u32) -> SplatFilm {
-        SplatFilm { width: view.width, height: view.height, bits, sums: vec![[0; 3]; view.width * view.height] }
+        let View { width, height, .. } = *view;
+        let blocks = [width.div_ceil(BLOCK), height.div_ceil(BLOCK)];
+        let place = |of: usize, block: usize, pixel: usize| (of / BLOCK * block + of % BLOCK * pixel) as u32;
+        let places = |count: usize, block: usize, pixel: usize| {
+            let ahead = |of: usize| place(of.min(count - 1), block, pixel);
+            let back = |of: usize| place((count - 1).saturating_sub(of), block, pixel);
+            [(0..count + 2).map(ahead).collect(), (0..count + 2).map(back).collect()]
+        };
+        let size = BLOCK * BLOCK;
+        SplatFilm {
+            width,
+            height,
+            bits,
+            simd: SimdLevel::best(),
+            places: [places(width, size, 1), places(height, size * blocks[0], BLOCK)],
+            sums: vec![Sums::default(); blocks[0] * blocks[1] * size],
+        }
+    }
+
+    /// The same film, whose inner loop runs at another SIMD level.
+    pub fn with_simd(self, simd: SimdLevel) -> SplatFilm {
+        SplatFilm { simd, ..self }
     }
 
     /// Adds light of one colour along a way.
     pub fn splat(&mut self, segment: &PixelSegment, color: [f32; 3]) {
+        if let Some(walk) = self.walk(segment) {
+            self.splat_walk(&walk, color);
+        }
+    }
+
+    /// The walk of a way across the picture; `None` where it does not cross it.
+    pub(super) fn walk(&self, segment: &PixelSegment) -> Option<PixelWalk> {
+        PixelWalk::new(segment, self.width, self.height)
+    }
+
+    /// Adds light of one colour along a walk.
+    pub(super) fn splat_walk(&mut self, walk: &PixelWalk, color: [f32; 3]) {
         let unit = self.unit();
-        let color = color.map(|channel| f64::from(channel) * unit);
-        let (width, height) = (self.width, self.height);
-        cross(segment, width, height, |pixel, chord, _| {
-            let sums = &mut self.sums[pixel];
-            (0..3).for_each(|channel| sums[channel] += (chord * color[channel]) as i64);
-        });
+        let [r, g, b] = color.map(|channel| f64::from(channel) * unit);
+        if [r, g, b].iter().any(|channel| channel.abs() > MOST_ROUNDED) {
+            return self.splat_varying_walk(walk, |_| color);
+        }
+        let [columns, rows] = self.of_walk(walk);
+        let (columns, rows) = (&self.places[columns.0][columns.1], &self.places[rows.0][rows.1]);
+        splat(self.simd, &mut self.sums, columns, rows, walk, &[r, g, b, 0.0]);
     }
 
     /// The same, where the colour changes on the way: `color` is asked for the pixels from `from`.
     pub fn splat_varying(&mut self, segment: &PixelSegment, color: impl Fn(f64) -> [f32; 3]) {
-        let (width, height, unit) = (self.width, self.height, self.unit());
-        cross(segment, width, height, |pixel, chord, middle| {
-            let color = color(middle);
-            let sums = &mut self.sums[pixel];
-            (0..3).for_each(|channel| sums[channel] += (chord * f64::from(color[channel]) * unit) as i64);
-        });
+        if let Some(walk) = self.walk(segment) {
+            self.splat_varying_walk(&walk, color);
+        }
+    }
+
+    fn splat_varying_walk(&mut self, walk: &PixelWalk, color: impl Fn(f64) -> [f32; 3]) {
+        let unit = self.unit();
+        let [columns, rows] = self.of_walk(walk);
+        let (columns, rows) = (&self.places[columns.0][columns.1], &self.places[rows.0][rows.1]);
+        let mut walked = 0.0;
+        for column in walk.columns() {
+            for (row, chord) in column.rows.into_iter().zip(column.chords) {
+                if chord > 0.0 {
+                    let color = color(walk.distance(walked + 0.5 * chord));
+                    let sums = &mut self.sums[(columns[column.column] + rows[row]) as usize].0;
+                    (0..3).for_each(|of| sums[of] += (chord * f64::from(color[of]) * unit) as i64);
+                    walked += chord;
+                }
+            }
+        }
+    }
+
+    /// The tables of places of a walk's columns, and of the pixels in them: the axis, and whether from the other side.
+    fn of_walk(&self, walk: &PixelWalk) -> [(usize, usize); 2] {
+        [(walk.axis, 0), (1 - walk.axis, usize::from(walk.mirrored))]
     }
 
     /// Adds light to a pixel.
     pub fn deposit(&mut self, x: usize, y: usize, light: [f64; 3]) {
-        let unit = self.unit();
-        let sums = &mut self.sums[y * self.width + x];
+        let (unit, at) = (self.unit(), self.place(x, y));
+        let sums = &mut self.sums[at].0;
         (0..3).for_each(|channel| sums[channel] += (light[channel] * unit) as i64);
     }
 
     /// Adds what another film of the same size holds.
     pub fn add(&mut self, other: &SplatFilm) {
         for (sums, more) in self.sums.iter_mut().zip(&other.sums) {
-            (0..3).for_each(|channel| sums[channel] += more[channel]);
+            (0..3).for_each(|channel| sums.0[channel] += more.0[channel]);
         }
     }
 
     /// The light of a pixel, a unit of colour over a pixel's side being `scale`.
     pub fn pixel(&self, x: usize, y: usize, scale: f64) -> [f64; 3] {
-        self.sums[y * self.width + x].map(|sum| sum as f64 / self.unit() * scale)
+        let [r, g, b, _] = self.sums[self.place(x, y)].0;
+        [r, g, b].map(|sum| sum as f64 / self.unit() * scale)
+    }
+
+    fn place(&self, x: usize, y: usize) -> usize {
+        (self.places[0][0][x] + self.places[1][0][y]) as usize
     }
 
     fn unit(&self) -> f64 {
@@ -93,102 +155,49 @@ impl SplatFilm {
     }
 }
 
-/// Shows `visit` each pixel that the way crosses, the length of its chord and how far from the start its middle is, in pixels:
-/// J. Amanatides and A. Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
-fn cross(segment: &PixelSegment, width: usize, height: usize, mut visit: impl FnMut(usize, f64, f64)) {
-    let way = segment.to - segment.from;
-    let length = way.length();
-    if !(length > 0.0 && length.is_finite()) {
-        return;
-    }
-    let direction = way / length;
-    let size = DVec2::new(width as f64, height as f64);
-    let Some([begin, end]) = clip(segment.from, direction, length, size) else { return };
-    let start = segment.from + direction * begin;
-    let [mut x, mut y] = [0, 1].map(|axis| (start[axis].floor() as i64).clamp(0, size[axis] as i64 - 1));
-    let step = [0, 1].map(|axis| if direction[axis] < 0.0 { -1 } else { 1 });
-    // The distance at which the next line of each axis is crossed, and from one to the next.
-    let per_pixel = [0, 1].map(|axis| 1.0 / direction[axis].abs());
-    let mut next = [(0, x), (1, y)].map(|(axis, cell)| {
-        let line = if step[axis] > 0 { cell + 1 } else { cell } as f64;
-        // A way along the lines never crosses one: infinity, or no number where it starts on one.
-        let to_line = (line - segment.from[axis]) / direction[axis];
-        if to_line.is_nan() { f64::INFINITY } else { to_line }
-    });
-    let mut at = begin;
-    loop {
-        let axis = usize::from(next[1] < next[0]);
-        let leaves = next[axis].min(end);
-        if leaves > at {
-            visit(y as usize * width + x as usize, leaves - at, 0.5 * (leaves + at));
-            at = leaves;
-        }
-        if next[axis] >= end {
-            return;
-        }
-        next[axis] += per_pixel[axis];
-        let cell = if axis == 0 { &mut x } else { &mut y };
-        *cell += step[axis];
-        if *cell < 0 || *cell >= size[axis] as i64 {
-            return;
-        }
-    }
+/// 1.5 * 2^52: the sum with it has no room for a fraction, and the rounded number is in its lowest bits.
+const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// Numbers up to this one are rounded so, times a pixel's longest chord.
+const MOST_ROUNDED: f64 = (1_u64 << 50) as f64;
+
+multiversion! {
+    fn splat(sums: &mut [Sums], columns: &[u32], rows: &[u32], walk: &PixelWalk, color: &[f64; 4]) = splat_body;
 }
 
-/// Where the way is within the picture, from and to, pixels from its start.
-fn clip(from: DVec2, direction: DVec2, length: f64, size: DVec2) -> Option<[f64; 2]> {
-    let (mut begin, mut end) = (0.0_f64, length);
-    for axis in 0..2 {
-        let (start, along) = (from[axis], direction[axis]);
-        if along == 0.0 {
-            if !(0.0..=size[axis]).contains(&start) {
-                return None;
+#[inline(always)]
+fn splat_body(sums: &mut [Sums], columns: &[u32], rows: &[u32], walk: &PixelWalk, color: &[f64; 4]) {
+    for column in walk.columns() {
+        let at = columns[column.column];
+        let [row, next] = column.rows;
+        // Two pixels in any case: what is stored in one is not at once read again.
+        let [before, behind] = column.chords;
+        let chords = if row == next { [before + behind, 0.0] } else { column.chords };
+        for (row, chord) in [row, row + 1].into_iter().zip(chords) {
+            let Sums(sums) = &mut sums[(at + rows[row]) as usize];
+            for lane in 0..4 {
+                let rounded = (chord * color[lane] + ROUNDER).to_bits();
+                sums[lane] += rounded as i64 - ROUNDER.to_bits() as i64;
             }
-            continue;
         }
-        let (low, high) = (-start / along, (size[axis] - start) / along);
-        begin = begin.max(low.min(high));
-        end = end.min(low.max(high));
     }
-    (begin < end).then_some([begin, end])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use geometry::DVec2;
     use geometry::rng::SplitMix64;
 
     fn view() -> View {
-        View { width: 40, height: 30, origin_mm: DVec2::ZERO, mm_per_px: 1.0 }
+        View { width: 43, height: 30, origin_mm: DVec2::ZERO, mm_per_px: 1.0 }
     }
 
-    /// The chords of a way add up to its length within the picture, and each lies in its pixel.
-    #[test]
-    fn chords_add_up_to_the_way_within_the_picture() {
+    /// Random ways through and past the picture.
+    fn ways() -> Vec<PixelSegment> {
         let mut random = SplitMix64::new(4);
-        let size = DVec2::new(40.0, 30.0);
-        for turn in 0..20_000 {
-            let mut point = || DVec2::new(random.uniform(-20.0, 60.0), random.uniform(-20.0, 50.0));
-            let (mut from, mut to) = (point(), point());
-            match turn % 5 {
-                0 => to.y = from.y,
-                1 => (from.x, to.x) = (from.x.round(), from.x.round()),
-                2 => (from, to) = (from.round(), to.round()),
-                _ => {}
-            }
-            let (length, direction) = (from.distance(to), (to - from).normalize_or_zero());
-            let expected = clip(from, direction, length, size).map_or(0.0, |[begin, end]| end - begin);
-            let mut sum = 0.0;
-            cross(&PixelSegment { from, to }, 40, 30, |pixel, chord, middle| {
-                sum += chord;
-                let at = from + direction * middle;
-                let cell = DVec2::new((pixel % 40) as f64, (pixel / 40) as f64);
-                let slack = 1e-9;
-                assert!(at.cmpge(cell - slack).all() && at.cmple(cell + 1.0 + slack).all(), "{from} {to}");
-                assert!(chord <= std::f64::consts::SQRT_2 + 1e-9);
-            });
-            assert!((sum - expected).abs() < 1e-7, "{from} {to}: {sum} {expected}");
-        }
+        let mut point = || DVec2::new(random.uniform(-20.0, 60.0), random.uniform(-20.0, 50.0));
+        (0..500).map(|_| PixelSegment { from: point(), to: point() }).collect()
     }
 
     #[test]
@@ -206,5 +215,35 @@ mod tests {
         };
         assert_eq!(sum([0, 1, 2]), sum([2, 0, 1]));
         assert!((sum([0, 1, 2]).pixel(20, 15, 2.0)[0] - 0.6).abs() < 0.7);
+    }
+
+    /// Every SIMD level leaves the same bits.
+    #[test]
+    fn films_are_the_same_at_every_simd_level() {
+        let film = |simd: SimdLevel| {
+            let mut film = SplatFilm::new(&view(), PACKET_BITS).with_simd(simd);
+            ways().iter().for_each(|way| film.splat(way, [0.3, -0.1, 7.5]));
+            film.with_simd(SimdLevel::best())
+        };
+        let films: Vec<SplatFilm> = SimdLevel::available().into_iter().map(film).collect();
+        assert!(films.windows(2).all(|two| two[0] == two[1]));
+    }
+
+    /// A colour that does not change may be told either way: a sum's unit for each way is the difference, since one rounds and the
+    /// other one cuts. A picture's size is no multiple of a block's.
+    #[test]
+    fn a_colour_that_changes_nowhere_is_one_colour() {
+        let (mut plain, mut varying) = (SplatFilm::new(&view(), PACKET_BITS), SplatFilm::new(&view(), PACKET_BITS));
+        let color = [0.3, -0.1, 7.5];
+        for way in ways() {
+            plain.splat(&way, color);
+            varying.splat_varying(&way, |_| color);
+        }
+        let unit = f64::from(1_u32 << PACKET_BITS);
+        for (x, y) in (0..43).flat_map(|x| (0..30).map(move |y| (x, y))) {
+            let [one, other] = [&plain, &varying].map(|film| film.pixel(x, y, 1.0));
+            assert!((0..3).all(|of| (one[of] - other[of]).abs() <= 2.0 * 500.0 / unit), "{x} {y} {one:?} {other:?}");
+        }
+        assert!(plain.pixel(20, 15, 1.0)[2] > 1.0);
     }
 }

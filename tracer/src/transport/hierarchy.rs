@@ -1,26 +1,34 @@
 //! A bounding volume hierarchy over boxes: what a ray may meet, from the nearest box on.
 //!
-//! Built from the top by the surface area heuristic over bins (I. Wald, "On fast construction of SAH-based bounding volume
-//! hierarchies", 2007); in the plane a box is met in proportion to its circumference.
+//! Nodes of a tree of pairs are folded into nodes of eight, whose boxes a ray is tried against at once (I. Wald, C. Benthin, S. Boulos, "Getting rid of packets", 2008).
 
-use geometry::{Bounds, DVec2, Ray};
+use super::pair_tree::{Pair, PairTree};
+use geometry::{Bounds, Ray};
 
-/// Boxes in a leaf.
-const LEAF: usize = 4;
-/// Bins along an axis.
-const BINS: usize = 16;
-/// Levels of a tree; boxes in one place end in a larger leaf.
-const MOST_LEVELS: usize = 48;
+/// Children of a node: their boxes are tried at once.
+const LANES: usize = 8;
 
-/// A node: a box, and what is in it.
-#[derive(Clone, Copy, Debug)]
+/// A number for each child.
+type Lanes = [f64; LANES];
+
+/// Nodes that wait in a list of fixed length; what is more waits in one that grows.
+const MOST_WAITING: usize = 48;
+
+/// A node: the boxes of its children.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
 struct Node {
-    bounds: Bounds,
-    /// Of a leaf the first of its items; of another node its first child, which its second one follows.
-    first: u32,
-    /// Items of a leaf; 0 of a node with children.
-    count: u32,
+    /// For x and y.
+    min: [Lanes; 2],
+    max: [Lanes; 2],
+    /// A child is a node, or a leaf where [`IS_LEAF`] is set.
+    children: [u32; LANES],
+    /// A bit for each lane that holds one.
+    used: u32,
 }
+
+/// Says of a child that it is a leaf.
+const IS_LEAF: u32 = 1 << 31;
 
 /// A tree of boxes.
 #[derive(Clone, Debug, Default)]
@@ -28,157 +36,198 @@ pub struct Hierarchy {
     nodes: Vec<Node>,
     /// The items in the order of the leaves.
     items: Vec<u32>,
+    /// From and to among the items, for each leaf.
+    leaves: Vec<[u32; 2]>,
 }
 
 impl Hierarchy {
     /// The tree over these boxes, which are finite.
     pub fn new(boxes: &[Bounds]) -> Hierarchy {
-        let mut tree = Hierarchy { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
-        if boxes.is_empty() {
-            return tree;
-        }
-        tree.nodes.push(Node { bounds: union(boxes.iter().copied()), first: 0, count: boxes.len() as u32 });
+        if boxes.is_empty() { Hierarchy::default() } else { Hierarchy::folded(PairTree::new(boxes)) }
+    }
+
+    /// The tree of eights of a tree of pairs.
+    fn folded(tree: PairTree) -> Hierarchy {
+        let (mut nodes, mut leaves) = (vec![Node::EMPTY], Vec::new());
         let mut open = vec![(0, 0)];
-        while let Some((node, level)) = open.pop() {
-            if level < MOST_LEVELS && tree.split(node, boxes) {
-                let first = tree.nodes[node].first as usize;
-                open.extend([(first, level + 1), (first + 1, level + 1)]);
+        while let Some((node, pair)) = open.pop() {
+            for (lane, child) in tree.children(pair, LANES).into_iter().enumerate() {
+                let Pair { bounds, first, count } = tree.pairs[child as usize];
+                let number = if count > 0 {
+                    leaves.push([first, first + count]);
+                    (leaves.len() - 1) as u32 | IS_LEAF
+                } else {
+                    nodes.push(Node::EMPTY);
+                    open.push((nodes.len() - 1, child));
+                    (nodes.len() - 1) as u32
+                };
+                nodes[node].set(lane, &bounds, number);
             }
         }
-        tree
+        Hierarchy { nodes, items: tree.items, leaves }
     }
 
-    /// Splits a leaf where that is worth it.
-    fn split(&mut self, node: usize, boxes: &[Bounds]) -> bool {
-        let Node { bounds, first, count } = self.nodes[node];
-        let (first, count) = (first as usize, count as usize);
-        if count <= LEAF {
-            return false;
-        }
-        let items = &mut self.items[first..first + count];
-        let Some((axis, plane, cost)) = best_plane(items, boxes) else { return false };
-        if cost >= circumference(&bounds) * count as f64 && count <= 4 * LEAF {
-            return false;
-        }
-        let mut left = 0;
-        for index in 0..count {
-            if middle(&boxes[items[index] as usize])[axis] < plane {
-                items.swap(left, index);
-                left += 1;
-            }
-        }
-        if left == 0 || left == count {
-            return false;
-        }
-        let of = |items: &[u32]| union(items.iter().map(|item| boxes[*item as usize]));
-        let children = [(of(&items[..left]), first, left), (of(&items[left..]), first + left, count - left)];
-        self.nodes[node] = Node { bounds, first: self.nodes.len() as u32, count: 0 };
-        let nodes = children.map(|(bounds, first, count)| Node { bounds, first: first as u32, count: count as u32 });
-        self.nodes.extend(nodes);
-        true
+    /// The items of a leaf.
+    #[inline(always)]
+    pub fn leaf(&self, leaf: usize) -> &[u32] {
+        let [from, to] = self.leaves[leaf];
+        &self.items[from as usize..to as usize]
     }
 
-    /// Shows `visit` every item whose box the ray may meet before `farthest`; the visit says how far the ray goes from then
-    /// on.
-    pub fn visit(&self, ray: &Ray, mut farthest: f64, mut visit: impl FnMut(u32) -> f64) {
-        let inverse = DVec2::ONE / ray.direction;
-        let Some(root) = self.nodes.first() else { return };
-        let Some(enters) = entry(&root.bounds, ray, inverse, farthest) else { return };
-        let mut stack = [(0_u32, 0.0_f64); MOST_LEVELS + 2];
-        let mut depth = 1;
-        stack[0] = (0, enters);
-        while depth > 0 {
-            depth -= 1;
-            let (node, enters) = stack[depth];
-            if enters > farthest {
-                continue;
-            }
-            let Node { first, count, .. } = self.nodes[node as usize];
-            if count > 0 {
-                for item in &self.items[first as usize..(first + count) as usize] {
-                    farthest = visit(*item).min(farthest);
-                }
-                continue;
-            }
-            let near = |child: u32| entry(&self.nodes[child as usize].bounds, ray, inverse, farthest);
-            let mut children = [(first, near(first)), (first + 1, near(first + 1))];
-            // The nearer one comes last on the stack, so it is first.
-            if children[0].1.unwrap_or(f64::INFINITY) < children[1].1.unwrap_or(f64::INFINITY) {
-                children.swap(0, 1);
-            }
-            for (child, enters) in children {
-                if let Some(enters) = enters {
-                    stack[depth] = (child, enters);
-                    depth += 1;
-                }
-            }
-        }
-    }
-}
-
-/// Where the ray enters the box, at most `farthest` along it: the slab test. A ray along an edge of the box is in it.
-#[inline]
-fn entry(bounds: &Bounds, ray: &Ray, inverse: DVec2, farthest: f64) -> Option<f64> {
-    let to_min = (bounds.min - ray.origin) * inverse;
-    let to_max = (bounds.max - ray.origin) * inverse;
-    // 0 times infinity is no number, and `min` and `max` leave it out: the ray is within that slab for ever.
-    let enters = to_min.x.min(to_max.x).max(to_min.y.min(to_max.y)).max(0.0);
-    let leaves = to_min.x.max(to_max.x).min(to_min.y.max(to_max.y)).min(farthest);
-    // Rounding must not lose a box that the ray touches.
-    (enters <= leaves * (1.0 + 4.0 * f64::EPSILON)).then_some(enters)
-}
-
-/// The axis and the plane of the least cost, and that cost; `None` where all middles are in one place.
-fn best_plane(items: &[u32], boxes: &[Bounds]) -> Option<(usize, f64, f64)> {
-    let middles = union(items.iter().map(|item| {
-        let middle = middle(&boxes[*item as usize]);
-        Bounds::of(middle, middle)
-    }));
-    let mut best: Option<(usize, f64, f64)> = None;
-    for axis in 0..2 {
-        let (low, size) = (middles.min[axis], middles.size()[axis]);
-        if size <= 0.0 {
-            continue;
-        }
-        let mut bins: [(usize, Option<Bounds>); BINS] = [(0, None); BINS];
-        for item in items {
-            let bounds = boxes[*item as usize];
-            let bin = (((middle(&bounds)[axis] - low) / size * BINS as f64) as usize).min(BINS - 1);
-            bins[bin] = (bins[bin].0 + 1, Some(bins[bin].1.map_or(bounds, |other| other.union(bounds))));
-        }
-        let cost = |bins: &[(usize, Option<Bounds>)]| {
-            let count: usize = bins.iter().map(|bin| bin.0).sum();
-            let bounds = bins.iter().filter_map(|bin| bin.1).reduce(Bounds::union);
-            bounds.map_or(0.0, |bounds| circumference(&bounds) * count as f64)
+    /// The leaves that a ray may meet before `farthest`, the nearest boxes first.
+    #[inline(always)]
+    pub fn along(&self, ray: &Ray, farthest: f64) -> Along<'_> {
+        let mut along = Along {
+            nodes: &self.nodes,
+            slabs: Slabs::of(ray),
+            farthest,
+            children: [0; MOST_WAITING],
+            entries: [0.0; MOST_WAITING],
+            count: 0,
+            more: Vec::new(),
         };
-        for split in 1..BINS {
-            let cost = cost(&bins[..split]) + cost(&bins[split..]);
-            if best.is_none_or(|best| cost < best.2) {
-                best = Some((axis, low + size * split as f64 / BINS as f64, cost));
+        if !self.nodes.is_empty() {
+            along.push(0, 0.0);
+        }
+        along
+    }
+}
+
+/// A ray, ready for boxes.
+struct Slabs {
+    origin: [f64; 2],
+    /// 1 over the direction; where that is 0 not infinity, which times 0 is no number.
+    inverse: [f64; 2],
+}
+
+impl Slabs {
+    #[inline(always)]
+    fn of(ray: &Ray) -> Slabs {
+        let inverse = |along: f64| if along == 0.0 { f64::MAX } else { 1.0 / along };
+        Slabs { origin: ray.origin.to_array(), inverse: ray.direction.to_array().map(inverse) }
+    }
+}
+
+/// Leaves along a ray.
+pub struct Along<'a> {
+    nodes: &'a [Node],
+    slabs: Slabs,
+    /// What lies beyond is left out; who asks may bring it nearer.
+    pub farthest: f64,
+    /// Nodes and leaves, and where the ray enters them.
+    children: [u32; MOST_WAITING],
+    entries: [f64; MOST_WAITING],
+    count: usize,
+    more: Vec<(u32, f64)>,
+}
+
+impl Along<'_> {
+    /// The next leaf.
+    #[inline(always)]
+    pub fn next_leaf(&mut self) -> Option<usize> {
+        loop {
+            let (child, enters) = self.pop()?;
+            if enters > self.farthest {
+                continue;
             }
+            if child & IS_LEAF != 0 {
+                return Some((child ^ IS_LEAF) as usize);
+            }
+            let node = &self.nodes[child as usize];
+            let (entries, mut met) = node.entries(&self.slabs, self.farthest);
+            let (mut order, mut count) = ([0_usize; LANES], 0);
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize % LANES;
+                met &= met - 1;
+                // The nearest one comes last, so it is next.
+                let mut at = count;
+                while at > 0 && entries[order[at - 1]] < entries[lane] {
+                    order[at] = order[at - 1];
+                    at -= 1;
+                }
+                order[at] = lane;
+                count += 1;
+            }
+            order[..count].iter().for_each(|lane| self.push(node.children[*lane], entries[*lane]));
         }
     }
-    best
+
+    #[inline(always)]
+    fn push(&mut self, child: u32, enters: f64) {
+        if self.count == MOST_WAITING {
+            return self.more.push((child, enters));
+        }
+        (self.children[self.count], self.entries[self.count]) = (child, enters);
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<(u32, f64)> {
+        if self.count == 0 {
+            return None;
+        }
+        if self.count == MOST_WAITING
+            && let Some(last) = self.more.pop()
+        {
+            return Some(last);
+        }
+        self.count -= 1;
+        Some((self.children[self.count], self.entries[self.count]))
+    }
 }
 
-fn union(boxes: impl Iterator<Item = Bounds>) -> Bounds {
-    let nothing = Bounds { min: DVec2::splat(f64::INFINITY), max: DVec2::splat(f64::NEG_INFINITY) };
-    boxes.fold(nothing, Bounds::union)
+impl Node {
+    /// No children.
+    const EMPTY: Node = Node { min: [[0.0; LANES]; 2], max: [[0.0; LANES]; 2], children: [0; LANES], used: 0 };
+
+    /// Puts a child into a lane. Its box is a little larger, for the rounding of where rays enter and leave it.
+    fn set(&mut self, lane: usize, bounds: &Bounds, child: u32) {
+        let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        let bounds = bounds.grown(largest * 8.0 * f64::EPSILON + f64::MIN_POSITIVE);
+        for axis in 0..2 {
+            (self.min[axis][lane], self.max[axis][lane]) = (bounds.min[axis], bounds.max[axis]);
+        }
+        self.children[lane] = child;
+        self.used |= 1 << lane;
+    }
+
+    /// Where the ray enters each child's box, and a bit for each that it enters, at most `farthest` along it: the slab test.
+    #[inline(always)]
+    fn entries(&self, slabs: &Slabs, farthest: f64) -> (Lanes, u32) {
+        let ([ox, oy], [ix, iy]) = (slabs.origin, slabs.inverse);
+        let (mut entries, mut exits, mut bits) = ([0.0; LANES], [0.0; LANES], [0_u64; LANES]);
+        for lane in 0..LANES {
+            let x = [(self.min[0][lane] - ox) * ix, (self.max[0][lane] - ox) * ix];
+            let y = [(self.min[1][lane] - oy) * iy, (self.max[1][lane] - oy) * iy];
+            entries[lane] = greater(greater(less(x[0], x[1]), less(y[0], y[1])), 0.0);
+            exits[lane] = less(less(greater(x[0], x[1]), greater(y[0], y[1])), farthest);
+        }
+        for lane in 0..LANES {
+            // Rounding must not lose a box that the ray touches.
+            let meets = entries[lane] <= exits[lane] * (1.0 + 4.0 * f64::EPSILON);
+            bits[lane] = if meets { 1 << lane } else { 0 };
+        }
+        (entries, bits.iter().fold(0, |met, bit| met | bit) as u32 & self.used)
+    }
 }
 
-fn middle(bounds: &Bounds) -> DVec2 {
-    (bounds.min + bounds.max) * 0.5
+/// The smaller number, in one instruction: `f64::min` also has to think about what is no number.
+#[inline(always)]
+fn less(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
-fn circumference(bounds: &Bounds) -> f64 {
-    let size = bounds.size();
-    2.0 * (size.x + size.y)
+/// The larger number, in one instruction.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use geometry::rng::SplitMix64;
+    use geometry::{DVec2, Segment};
 
     /// Every box that a ray meets is shown, whatever boxes there are: points, lines, one place many times.
     #[test]
@@ -210,16 +259,27 @@ mod tests {
                 };
                 let ray = Ray { origin, direction };
                 let mut shown = vec![false; count];
-                tree.visit(&ray, f64::INFINITY, |item| {
-                    assert!(!std::mem::replace(&mut shown[item as usize], true), "shown twice");
-                    f64::INFINITY
-                });
+                let mut along = tree.along(&ray, f64::INFINITY);
+                while let Some(leaf) = along.next_leaf() {
+                    for item in tree.leaf(leaf) {
+                        assert!(!std::mem::replace(&mut shown[*item as usize], true), "shown twice");
+                    }
+                }
                 for (bounds, shown) in boxes.iter().zip(shown) {
-                    let grown = bounds.grown(-1e-9);
-                    let met = entry(&grown, &ray, DVec2::ONE / direction, f64::INFINITY).is_some();
-                    assert!(shown || !met, "{bounds:?} {ray:?}");
+                    assert!(shown || !meets(&bounds.grown(-1e-9), &ray), "{bounds:?} {ray:?}");
                 }
             }
         }
+    }
+
+    /// Whether the ray meets the box, which may be empty: by its sides and its inside, in another way than the tree has.
+    fn meets(bounds: &Bounds, ray: &Ray) -> bool {
+        if bounds.min.cmpgt(bounds.max).any() {
+            return false;
+        }
+        let corners =
+            [bounds.min, DVec2::new(bounds.max.x, bounds.min.y), bounds.max, DVec2::new(bounds.min.x, bounds.max.y)];
+        let side = |at: usize| Segment { a: corners[at], b: corners[(at + 1) % 4] };
+        bounds.contains(ray.origin) || (0..4).any(|at| side(at).cast(ray).is_some())
     }
 }

@@ -53,6 +53,11 @@ pub fn interact(
     wavelength_nm: f64,
     facet: &mut dyn FnMut(DVec2, f64) -> DVec2,
 ) -> Interaction {
+    if let [contact] = contacts.list()
+        && surfaces.is_plain_glass(contact.body)
+    {
+        return refract(surfaces, contacts, direction, wavelength_nm, facet);
+    }
     let acting = || contacts.list().iter().filter(|contact| surfaces.acts(contact.body, wavelength_nm));
     let material = |contact: &Contact| surfaces.material(contact.body);
     if acting().any(|contact| matches!(material(contact), Material::Absorber)) {
@@ -135,14 +140,14 @@ fn refract(
 ) -> Interaction {
     let (mut ratio, mut reflects, mut roughness) = (1.0, false, 0.0_f64);
     let mut normal = None;
-    for contact in crossed(surfaces, contacts, wavelength_nm).into_iter().flatten() {
-        let Material::Dielectric(glass) = surfaces.material(contact.body) else { continue };
+    each_crossed(surfaces, contacts, wavelength_nm, |contact| {
+        let Material::Dielectric(glass) = surfaces.material(contact.body) else { return };
         let index = glass.dispersion.index(wavelength_nm);
         ratio *= if contact.enters { index } else { 1.0 / index };
         reflects |= glass.reflects;
         roughness = roughness.max(glass.roughness);
         normal = normal.or(Some(contact.normal));
-    }
+    });
     let Some(normal) = normal else { return Interaction::pass(direction) };
     if (ratio - 1.0).abs() < 1e-14 {
         return Interaction::pass(direction);
@@ -165,22 +170,27 @@ fn refract(
     }
 }
 
-/// The dielectrics that light goes into or out of at these contacts. A corner of one body is met as two edges: a ray that passes
-/// it goes in and out, which is nothing, and one that goes in through it goes in once.
-pub fn crossed(surfaces: &Surfaces, contacts: &Contacts, wavelength_nm: f64) -> [Option<Contact>; MOST_TOGETHER] {
-    let mut found: [Option<Contact>; MOST_TOGETHER] = [None; MOST_TOGETHER];
-    for (at, contact) in contacts.list().iter().enumerate() {
-        let is_glass = matches!(surfaces.material(contact.body), Material::Dielectric(_));
-        if !is_glass || !surfaces.acts(contact.body, wavelength_nm) {
-            continue;
+/// Shows `visit` the dielectrics that light goes into or out of at these contacts. A corner of one body is met as two edges: a ray
+/// that passes it goes in and out, which is nothing, and one that goes in through it goes in once.
+pub fn each_crossed(surfaces: &Surfaces, contacts: &Contacts, wavelength_nm: f64, mut visit: impl FnMut(&Contact)) {
+    let is_crossed = |contact: &Contact| {
+        matches!(surfaces.material(contact.body), Material::Dielectric(_)) && surfaces.acts(contact.body, wavelength_nm)
+    };
+    if let [contact] = contacts.list() {
+        if is_crossed(contact) {
+            visit(contact);
         }
+        return;
+    }
+    let mut found: [Option<&Contact>; MOST_TOGETHER] = [None; MOST_TOGETHER];
+    for (at, contact) in contacts.list().iter().enumerate().filter(|(_, contact)| is_crossed(contact)) {
         match found.iter().position(|known| known.is_some_and(|known| known.body == contact.body)) {
             Some(known) if found[known].is_some_and(|known| known.enters != contact.enters) => found[known] = None,
             Some(_) => {}
-            None => found[at] = Some(*contact),
+            None => found[at] = Some(contact),
         }
     }
-    found
+    found.into_iter().flatten().for_each(visit);
 }
 
 /// The mirror image of a direction.

@@ -6,7 +6,7 @@
 //! drawn in proportion to its power, carries all. It is polarized s or p, which no surface in the plane mixes; a matt
 //! surface forgets it.
 
-use super::interaction::{Branch, Interaction, crossed, interact};
+use super::interaction::{Branch, Interaction, each_crossed, interact};
 use super::light_source::lambert;
 use super::{BodyId, Contacts, Material, StartsOn, Surfaces};
 use geometry::rng::SplitMix64;
@@ -89,6 +89,11 @@ impl Media {
         media
     }
 
+    /// There are none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
     /// What they absorb of a wavelength, 1/mm.
     pub fn absorption_per_mm(&self, surfaces: &Surfaces, wavelength_nm: f64) -> f64 {
         let in_one = |body: &BodyId| match surfaces.material(*body) {
@@ -100,11 +105,14 @@ impl Media {
 
     /// Goes into and out of the absorbing dielectrics at these contacts.
     pub fn cross(&mut self, surfaces: &Surfaces, contacts: &Contacts, wavelength_nm: f64) {
-        for contact in crossed(surfaces, contacts, wavelength_nm).into_iter().flatten() {
+        if !contacts.list().iter().any(|contact| surfaces.absorbs(contact.body)) {
+            return;
+        }
+        each_crossed(surfaces, contacts, wavelength_nm, |contact| {
             if surfaces.absorbs(contact.body) {
                 if contact.enters { self.enter(contact.body) } else { self.leave(contact.body) }
             }
-        }
+        });
     }
 
     fn list(&self) -> &[BodyId] {
@@ -140,8 +148,9 @@ impl Photon {
         most_surfaces: u32,
         mut fly: impl FnMut(&Flight),
     ) -> End {
+        let mut contacts = Contacts::NONE;
         for _ in 0..most_surfaces {
-            if let Step::Ends(end) = self.step(surfaces, random, &mut fly) {
+            if let Step::Ends(end) = self.step_with(surfaces, random, &mut contacts, &mut fly) {
                 return end;
             }
         }
@@ -150,14 +159,25 @@ impl Photon {
 
     /// Goes to the next surface, and on from there; `fly` sees the way to it.
     pub fn step(&mut self, surfaces: &Surfaces, random: &mut SplitMix64, fly: impl FnOnce(&Flight)) -> Step {
-        let contacts = surfaces.meet(&self.ray, &self.starts_on);
-        let distance = contacts.as_ref().map_or(f64::INFINITY, |contacts| contacts.first().distance);
+        self.step_with(surfaces, random, &mut { Contacts::NONE }, fly)
+    }
+
+    fn step_with(
+        &mut self,
+        surfaces: &Surfaces,
+        random: &mut SplitMix64,
+        contacts: &mut Contacts,
+        fly: impl FnOnce(&Flight),
+    ) -> Step {
+        surfaces.meet_into(&self.ray, &self.starts_on, contacts);
+        let meets = !contacts.list().is_empty();
+        let distance = if meets { contacts.first().distance } else { f64::INFINITY };
         let absorption_per_mm = self.absorption(surfaces);
         fly(&Flight { photon: self, distance, absorption_per_mm });
-        let Some(contacts) = contacts else {
+        if !meets {
             // An endless way in an absorbing medium ends in it.
             return Step::Ends(if absorption_per_mm.is_some() { End::Absorbed } else { End::Gone });
-        };
+        }
         if let Some(absorption) = absorption_per_mm
             && !self.survives(random, |of, _| libm::exp(-absorption[of] * distance))
         {
@@ -165,7 +185,7 @@ impl Photon {
         }
         self.way += distance;
         self.ray.origin = contacts.first().place;
-        self.meet(surfaces, &contacts, random)
+        self.meet(surfaces, contacts, random)
     }
 
     /// How much of each wavelength the media absorb that the packet is in, 1/mm.
@@ -211,6 +231,9 @@ impl Photon {
         if contacts.list().iter().any(|contact| surfaces.parts_wavelengths(contact.body)) {
             self.choose_wavelength(random);
         }
+        // What one wavelength meets is asked once where the others have no power, or meet the same.
+        let alike = self.power[1..] == [0.0; HEROES - 1]
+            || contacts.list().iter().all(|contact| surfaces.fares_alike(contact.body));
         self.starts_on = contacts.starts_on();
         let front = contacts.first().normal;
         for _ in 0..MOST_FACETS {
@@ -218,13 +241,16 @@ impl Photon {
             // All wavelengths meet the same facet.
             let mut met = None;
             let mut facet = |normal, roughness| *met.get_or_insert_with(|| facet(normal, incoming, roughness, random));
-            let all: [Interaction; HEROES] = std::array::from_fn(|of| {
-                if of > 0 && self.power[of] == 0.0 {
-                    return Interaction::Absorbed;
-                }
-                interact(surfaces, contacts, incoming, self.wavelengths_nm[of], &mut facet)
-            });
-            match self.choose(&all, random) {
+            let mut of_wavelength =
+                |of: usize| interact(surfaces, contacts, incoming, self.wavelengths_nm[of], &mut facet);
+            let first = of_wavelength(0);
+            let choice = if alike {
+                self.choose(&first, |_| &first, random)
+            } else {
+                let others: [Interaction; HEROES - 1] = std::array::from_fn(|of| of_wavelength(of + 1));
+                self.choose(&first, |of| if of == 0 { &first } else { &others[of - 1] }, random)
+            };
+            match choice {
                 Choice::Absorbed => return Step::Ends(End::Absorbed),
                 Choice::Scattered(normal) => {
                     self.ray.direction = lambert(normal, random.unit());
@@ -248,23 +274,28 @@ impl Photon {
         Step::Ends(End::GivenUp)
     }
 
-    /// One of the ways on, by chance in proportion to their power.
-    fn choose(&mut self, all: &[Interaction; HEROES], random: &mut SplitMix64) -> Choice {
+    /// One of the ways on, by chance in proportion to their power; `each` is what every wavelength meets.
+    fn choose<'a>(
+        &mut self,
+        first: &Interaction,
+        each: impl Fn(usize) -> &'a Interaction,
+        random: &mut SplitMix64,
+    ) -> Choice {
         let way = self.polarization;
-        match all[0] {
+        match *first {
             Interaction::Absorbed => Choice::Absorbed,
             Interaction::Scattered { normal, .. } => {
-                let part = |of: usize| match all[of] {
-                    Interaction::Scattered { reflectance, .. } => reflectance,
+                let part = |of: usize| match each(of) {
+                    Interaction::Scattered { reflectance, .. } => *reflectance,
                     _ => 0.0,
                 };
                 if self.survives(random, |of, _| part(of)) { Choice::Scattered(normal) } else { Choice::Absorbed }
             }
             Interaction::Split { reflected, transmitted } => {
-                let part = |of: usize, through: bool| match all[of] {
+                let part = |of: usize, through: bool| match each(of) {
                     Interaction::Split { reflected, transmitted } => {
                         let branch = if through { transmitted } else { reflected };
-                        branch.map_or(0.0, |branch: Branch| branch.power[way])
+                        branch.as_ref().map_or(0.0, |branch: &Branch| branch.power[way])
                     }
                     _ => 0.0,
                 };

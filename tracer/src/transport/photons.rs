@@ -4,10 +4,12 @@
 //! its later decisions come from a stream of the number's own. So a picture is the same in any order and on any number of
 //! threads, and the first half of its packets is a picture too.
 
-use super::film::{PACKET_BITS, PixelSegment, SplatFilm};
+use super::film::{PACKET_BITS, SplatFilm};
 use super::photon::{End, Flight, HEROES, Media, Photon};
+use super::pixel_walk::PixelSegment;
 use super::scene::{Scene, TOLERANCE_MM};
 use super::spectrum::{WavelengthSampler, Weights};
+use super::splat_queue::SplatQueue;
 use super::{Falloff, LightSource, StartsOn, Surfaces};
 use crate::View;
 use geometry::DVec2;
@@ -123,7 +125,7 @@ impl<'a> PhotonTracer<'a> {
     }
 
     /// The packet of a number at its source, and its stream of chance.
-    fn emit(&self, number: u64) -> (Photon, &LightSource, SplitMix64) {
+    pub fn emit(&self, number: u64) -> (Photon, &LightSource, SplitMix64) {
         let [which, u, v] = evenly(number, self.seed);
         let after = self.sources.partition_point(|source| source.begins <= which);
         let Prepared { source, wavelengths, media, begins, part } = &self.sources[after.saturating_sub(1)];
@@ -131,14 +133,19 @@ impl<'a> PhotonTracer<'a> {
         let unit = ((which - begins) / part).clamp(0.0, 1.0);
         let samples: [_; HEROES] = std::array::from_fn(|hero| {
             let turned = unit + hero as f64 / HEROES as f64;
-            wavelengths.sample(turned - turned.floor())
+            wavelengths.sample(if turned < 1.0 { turned } else { turned - 1.0 })
         });
+        let power = match wavelengths.is_one_line() {
+            // Of wavelengths that are one the first carries all.
+            true => std::array::from_fn(|hero| if hero == 0 { samples[0].weight } else { 0.0 }),
+            false => samples.map(|sample| sample.weight / HEROES as f64),
+        };
         let mut random = SplitMix64::new(mix64(self.seed ^ mix64(number)));
         let photon = Photon {
             ray: source.form.emit([u, v]),
             starts_on: StartsOn::NOTHING,
             wavelengths_nm: samples.map(|sample| sample.nm),
-            power: samples.map(|sample| sample.weight / HEROES as f64),
+            power,
             polarization: (random.next_u64() >> 63) as usize,
             way: 0.0,
             media: *media,
@@ -147,7 +154,7 @@ impl<'a> PhotonTracer<'a> {
     }
 
     /// Adds the light of the packets of these numbers to a film.
-    fn expose_on(&self, numbers: Range<u64>, view: &View, film: &mut SplatFilm) -> Counts {
+    fn expose_on(&self, numbers: Range<u64>, view: &View, Exposed { film, queue }: &mut Exposed) -> Counts {
         let far = Far::of(view);
         self.trace(numbers, |flight, source| {
             let Flight { photon, distance, absorption_per_mm } = flight;
@@ -155,7 +162,7 @@ impl<'a> PhotonTracer<'a> {
             let from = view.screen_from_table(photon.ray.origin);
             let segment = PixelSegment { from, to: view.screen_from_table(photon.ray.at(distance)) };
             match (absorption_per_mm, source.falloff) {
-                (None, Falloff::Plane) => film.splat(&segment, self.color(photon, |_| 1.0)),
+                (None, Falloff::Plane) => queue.splat(&segment, self.color(photon, |_| 1.0), film),
                 (absorption, falloff) => film.splat_varying(&segment, |pixels| {
                     let gone = pixels * view.mm_per_px;
                     let weight = falloff.weight(photon.way + gone);
@@ -198,20 +205,32 @@ impl Far {
     }
 }
 
+/// A film, and the light that waits for it.
+struct Exposed {
+    film: SplatFilm,
+    queue: SplatQueue,
+}
+
+impl Exposed {
+    fn new(view: &View) -> Exposed {
+        let film = SplatFilm::new(view, PACKET_BITS);
+        Exposed { queue: SplatQueue::new(&film), film }
+    }
+}
+
 /// A photon picture in the making.
 pub struct PhotonPicture<'a> {
     tracer: PhotonTracer<'a>,
     view: View,
     /// One for each thread.
-    films: Vec<Mutex<SplatFilm>>,
+    films: Vec<Mutex<Exposed>>,
     counts: Counts,
 }
 
 impl<'a> PhotonPicture<'a> {
     /// An empty picture; `threads` films are kept.
     pub fn new(tracer: PhotonTracer<'a>, view: View) -> PhotonPicture<'a> {
-        let films =
-            (0..rayon::current_num_threads().max(1)).map(|_| Mutex::new(SplatFilm::new(&view, PACKET_BITS))).collect();
+        let films = (0..rayon::current_num_threads().max(1)).map(|_| Mutex::new(Exposed::new(&view))).collect();
         PhotonPicture { tracer, view, films, counts: Counts::default() }
     }
 
@@ -231,6 +250,10 @@ impl<'a> PhotonPicture<'a> {
             sum += more;
             sum
         });
+        self.films.par_iter_mut().for_each(|exposed| {
+            let Exposed { film, queue } = exposed.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner);
+            queue.flush(film);
+        });
         self.counts += counts;
         // A scene without power sends none, and yet they are done.
         self.counts.sent = first + packets;
@@ -245,7 +268,7 @@ impl<'a> PhotonPicture<'a> {
     pub fn fluence(&self) -> Vec<[f64; 3]> {
         let mut sum = SplatFilm::new(&self.view, PACKET_BITS);
         for film in &self.films {
-            sum.add(&film.lock().unwrap_or_else(std::sync::PoisonError::into_inner));
+            sum.add(&film.lock().unwrap_or_else(std::sync::PoisonError::into_inner).film);
         }
         let scale = self.tracer.power / (self.counts.sent.max(1) as f64 * self.view.mm_per_px);
         let (width, height) = (sum.width(), sum.height());

@@ -1,17 +1,11 @@
 //! The surfaces of a scene, ready for rays.
 
+use super::contacts::{BodyId, Contact, Contacts, EdgeId, StartsOn};
 use super::hierarchy::Hierarchy;
+use super::nearest::{Nearest, nearest};
 use super::{Band, Body, Curve, Material};
+use crate::simd::dispatch::SimdLevel;
 use geometry::{Bounds, DVec2, Ray};
-
-/// Edges that one place may hold.
-pub const MOST_TOGETHER: usize = 8;
-
-/// The number of an edge.
-pub type EdgeId = u32;
-
-/// The number of a body: its place in the scene's list.
-pub type BodyId = u32;
 
 /// An edge with what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -21,100 +15,46 @@ struct Surface {
     inward: bool,
 }
 
+/// What is asked of a body wherever light meets it.
+#[derive(Clone, Copy, Debug)]
+struct Facts {
+    material: Material,
+    band: Option<Band>,
+    /// Light of different wavelengths goes different ways.
+    parts: bool,
+    /// Light of all wavelengths fares alike.
+    alike: bool,
+    /// It absorbs light on its way within.
+    absorbs: bool,
+}
+
+impl Facts {
+    fn of(body: &Body) -> Facts {
+        let Body { material, band, .. } = *body;
+        let is_grey = |[r, g, b]: [f64; 3]| r == g && g == b;
+        let alike = match material {
+            Material::Diffuse { reflectance } | Material::Mirror { reflectance, .. } => is_grey(reflectance),
+            Material::Metal { .. } => false,
+            Material::Dielectric(glass) => glass.dispersion.is_constant(),
+            Material::Absorber | Material::BeamSplitter { .. } => true,
+            Material::IdealLens { .. } | Material::IdealMirror { .. } => true,
+        };
+        let parts = matches!(material, Material::Dielectric(glass) if !glass.dispersion.is_constant());
+        let absorbs = matches!(material, Material::Dielectric(glass) if glass.transmittance_per_mm != [1.0; 3]);
+        Facts { material, band, parts: parts || band.is_some(), alike: alike && band.is_none(), absorbs }
+    }
+}
+
 /// All edges of a scene's bodies.
 #[derive(Clone, Debug)]
 pub struct Surfaces {
     surfaces: Vec<Surface>,
-    materials: Vec<(Material, Option<Band>)>,
-    hierarchy: Hierarchy,
+    bodies: Vec<Facts>,
+    pub(super) hierarchy: Hierarchy,
+    simd: SimdLevel,
     bounds: Option<Bounds>,
     /// Edges that are no farther apart along a ray are met together.
     tolerance: f64,
-}
-
-/// One edge that a ray meets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
-    /// Which edge.
-    pub edge: EdgeId,
-    /// Whose.
-    pub body: BodyId,
-    /// How far along the ray.
-    pub distance: f64,
-    /// Where.
-    pub place: DVec2,
-    /// The unit normal on the side from which the ray comes.
-    pub normal: DVec2,
-    /// The ray goes into the body; it says nothing of open lines.
-    pub enters: bool,
-}
-
-/// All edges that a ray meets first: those in one place.
-#[derive(Clone, Copy, Debug)]
-pub struct Contacts {
-    list: [Contact; MOST_TOGETHER],
-    count: usize,
-}
-
-impl PartialEq for Contacts {
-    fn eq(&self, other: &Contacts) -> bool {
-        self.list() == other.list()
-    }
-}
-
-/// The edges on which a ray starts.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StartsOn {
-    edges: [EdgeId; MOST_TOGETHER],
-    count: usize,
-}
-
-impl StartsOn {
-    /// The ray starts in the open.
-    pub const NOTHING: StartsOn = StartsOn { edges: [0; MOST_TOGETHER], count: 0 };
-
-    fn holds(&self, edge: EdgeId) -> bool {
-        self.edges[..self.count].contains(&edge)
-    }
-}
-
-const NO_CONTACT: Contact =
-    Contact { edge: 0, body: 0, distance: f64::INFINITY, place: DVec2::ZERO, normal: DVec2::ZERO, enters: false };
-
-impl Contacts {
-    const NONE: Contacts = Contacts { list: [NO_CONTACT; MOST_TOGETHER], count: 0 };
-
-    /// The edges, the nearest one first.
-    pub fn list(&self) -> &[Contact] {
-        &self.list[..self.count]
-    }
-
-    /// The nearest one.
-    pub fn first(&self) -> &Contact {
-        &self.list[0]
-    }
-
-    /// A ray that goes on from here starts on these.
-    pub fn starts_on(&self) -> StartsOn {
-        StartsOn { edges: self.list.map(|contact| contact.edge), count: self.count }
-    }
-
-    fn add(&mut self, contact: Contact, tolerance: f64) {
-        let mut at = 0;
-        while at < self.count && self.list[at].distance <= contact.distance {
-            at += 1;
-        }
-        if at == MOST_TOGETHER {
-            return;
-        }
-        self.list.copy_within(at..MOST_TOGETHER - 1, at + 1);
-        self.list[at] = contact;
-        self.count = (self.count + 1).min(MOST_TOGETHER);
-        let farthest = self.list[0].distance + tolerance;
-        while self.list[self.count - 1].distance > farthest {
-            self.count -= 1;
-        }
-    }
 }
 
 impl Surfaces {
@@ -130,9 +70,10 @@ impl Surfaces {
         let boxes: Vec<Bounds> = surfaces.iter().map(|surface| surface.curve.bounds()).collect();
         Surfaces {
             hierarchy: Hierarchy::new(&boxes),
+            simd: SimdLevel::best(),
             bounds: boxes.into_iter().reduce(Bounds::union),
             surfaces,
-            materials: bodies.iter().map(|body| (body.material, body.band)).collect(),
+            bodies: bodies.iter().map(Facts::of).collect(),
             tolerance,
         }
     }
@@ -149,51 +90,74 @@ impl Surfaces {
 
     /// What a body is made of.
     pub fn material(&self, body: BodyId) -> &Material {
-        &self.materials[body as usize].0
+        &self.bodies[body as usize].material
     }
 
     /// Whether light of different wavelengths goes different ways at a body.
     pub fn parts_wavelengths(&self, body: BodyId) -> bool {
-        let (material, band) = &self.materials[body as usize];
-        band.is_some() || matches!(material, Material::Dielectric(glass) if !glass.dispersion.is_constant())
+        self.bodies[body as usize].parts
+    }
+
+    /// Whether a body is a dielectric that acts on all wavelengths.
+    pub fn is_plain_glass(&self, body: BodyId) -> bool {
+        let Facts { material, band, .. } = &self.bodies[body as usize];
+        band.is_none() && matches!(material, Material::Dielectric(_))
+    }
+
+    /// Whether light of all wavelengths goes the same ways at a body, the same parts of it on each.
+    pub fn fares_alike(&self, body: BodyId) -> bool {
+        self.bodies[body as usize].alike
     }
 
     /// Whether light is absorbed inside of a body.
     pub fn absorbs(&self, body: BodyId) -> bool {
-        matches!(self.material(body), Material::Dielectric(glass) if glass.transmittance_per_mm != [1.0; 3])
+        self.bodies[body as usize].absorbs
     }
 
     /// Whether a body acts on a wavelength.
     pub fn acts(&self, body: BodyId, wavelength_nm: f64) -> bool {
-        self.materials[body as usize].1.is_none_or(|band| band.holds(wavelength_nm))
+        self.bodies[body as usize].band.is_none_or(|band| band.holds(wavelength_nm))
+    }
+
+    /// The same, whose inner loops run at another SIMD level.
+    pub fn with_simd(self, simd: SimdLevel) -> Surfaces {
+        Surfaces { simd, ..self }
     }
 
     /// What the ray meets first.
     pub fn meet(&self, ray: &Ray, starts_on: &StartsOn) -> Option<Contacts> {
         let mut contacts = Contacts::NONE;
-        self.hierarchy.visit(ray, f64::INFINITY, |edge| {
-            self.look(edge, ray, starts_on, &mut contacts);
-            contacts.first().distance + self.tolerance
-        });
+        self.meet_into(ray, starts_on, &mut contacts);
         (contacts.count > 0).then_some(contacts)
+    }
+
+    /// The same into a list that is there: a list of eight takes as long to copy as many a ray to trace.
+    pub(super) fn meet_into(&self, ray: &Ray, starts_on: &StartsOn, contacts: &mut Contacts) {
+        let mut found = Nearest::none(self.tolerance);
+        nearest(self.simd, self, ray, starts_on, f64::INFINITY, &mut found);
+        self.list(ray, &found, contacts);
     }
 
     /// [`Surfaces::meet`], literally: every edge is looked at.
     pub fn meet_literally(&self, ray: &Ray, starts_on: &StartsOn) -> Option<Contacts> {
+        let mut found = Nearest::none(self.tolerance);
+        for (edge, surface) in (0..).zip(&self.surfaces) {
+            if let Some(crossing) = surface.curve.cross(ray, starts_on.holds(edge))
+                && crossing.distance <= found.farthest()
+            {
+                found.add(crossing.distance, edge);
+            }
+        }
         let mut contacts = Contacts::NONE;
-        (0..self.surfaces.len() as EdgeId).for_each(|edge| self.look(edge, ray, starts_on, &mut contacts));
+        self.list(ray, &found, &mut contacts);
         (contacts.count > 0).then_some(contacts)
     }
 
     /// Whether anything lies on the way from the ray's origin to `distance` along it.
     pub fn is_blocked(&self, ray: &Ray, starts_on: &StartsOn, distance: f64) -> bool {
-        let mut blocked = false;
-        self.hierarchy.visit(ray, distance, |edge| {
-            let crossing = self.surfaces[edge as usize].curve.cross(ray, starts_on.holds(edge));
-            blocked |= crossing.is_some_and(|crossing| crossing.distance < distance);
-            if blocked { 0.0 } else { distance }
-        });
-        blocked
+        let mut found = Nearest::none(self.tolerance);
+        nearest(self.simd, self, ray, starts_on, distance, &mut found);
+        found.list().first().is_some_and(|first| first.0 < distance)
     }
 
     /// The dielectrics in which a point lies, by the parity of the edges on a ray from it.
@@ -212,22 +176,26 @@ impl Surfaces {
         inside
     }
 
-    fn look(&self, edge: EdgeId, ray: &Ray, starts_on: &StartsOn, contacts: &mut Contacts) {
-        let surface = &self.surfaces[edge as usize];
-        let Some(crossing) = surface.curve.cross(ray, starts_on.holds(edge)) else { return };
-        if crossing.distance > contacts.first().distance + self.tolerance {
-            return;
+    fn list(&self, ray: &Ray, found: &Nearest, contacts: &mut Contacts) {
+        contacts.count = found.list().len();
+        for (contact, (distance, edge)) in contacts.list.iter_mut().zip(found.list()) {
+            *contact = self.contact(ray, *distance, *edge);
         }
-        let along = crossing.normal.dot(ray.direction);
-        let contact = Contact {
+    }
+
+    fn contact(&self, ray: &Ray, distance: f64, edge: EdgeId) -> Contact {
+        let surface = &self.surfaces[edge as usize];
+        let place = ray.at(distance);
+        let normal = surface.curve.normal_at(place);
+        let along = normal.dot(ray.direction);
+        Contact {
             edge,
             body: surface.body,
-            distance: crossing.distance,
-            place: ray.at(crossing.distance),
-            normal: if along > 0.0 { -crossing.normal } else { crossing.normal },
+            distance,
+            place,
+            normal: if along > 0.0 { -normal } else { normal },
             enters: (along < 0.0) != surface.inward,
-        };
-        contacts.add(contact, self.tolerance);
+        }
     }
 }
 
@@ -283,6 +251,20 @@ mod tests {
             }
         }
         assert!(met > 10_000, "{met}");
+    }
+
+    /// The same contacts, to the bit, at every SIMD level.
+    #[test]
+    fn every_simd_level_meets_the_same() {
+        let scene = crate::scenes::optical_jumble(60, 3);
+        let mut random = SplitMix64::new(6);
+        for _ in 0..2_000 {
+            let direction = trig::direction(random.uniform(0.0, 6.3));
+            let ray = Ray { origin: random.point_within(DVec2::new(540.0, 1080.0)), direction };
+            let at = |simd| Surfaces::new(&scene.bodies, 1e-6).with_simd(simd).meet(&ray, &StartsOn::NOTHING);
+            let met: Vec<_> = SimdLevel::available().into_iter().map(at).collect();
+            assert!(met.windows(2).all(|two| two[0] == two[1]));
+        }
     }
 
     #[test]

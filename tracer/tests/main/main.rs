@@ -17,6 +17,7 @@ mod tile_cache;
 mod transmission;
 mod transport_agreement;
 mod transport_beams;
+mod transport_contract;
 mod transport_cup;
 mod transport_known_answers;
 mod tube_lamps;

@@ -7,6 +7,7 @@ mod clock;
 mod friction_cone;
 mod growth;
 mod heap;
+mod photons;
 mod physics;
 mod quality;
 mod room;
@@ -49,6 +50,12 @@ pub struct Row {
     /// Million operations that were estimated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mops: Option<f64>,
+    /// Straight pieces of ways of light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub million_segments_a_second: Option<f64>,
+    /// How many times as many as the literal way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times_literal: Option<f64>,
     /// The largest difference from the literal way's pictures, in levels of 255.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub most_levels_off: Option<u8>,
@@ -75,6 +82,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if matches!(args.bench, Bench::Growth | Bench::All) {
         rows.extend(growth::rows(args.size, args.threads)?);
     }
+    if matches!(args.bench, Bench::Photons | Bench::All) {
+        rows.extend(photons::rows(args.size, args.threads)?);
+    }
     if args.bench == Bench::Physics {
         rows.extend(physics::rows(args.shots, args.threads)?);
     }
@@ -96,7 +106,7 @@ fn json(rows: &[Row]) -> String {
 }
 
 fn table(rows: &[Row]) -> String {
-    let mut text = format!("{:6} {:44} {:>10} {:>7} {:>10}\n", "bench", "variant", "size", "threads", "ms");
+    let mut text = format!("{:7} {:44} {:>10} {:>7} {:>10}\n", "bench", "variant", "size", "threads", "ms");
     for row in rows {
         let size = row.size.as_deref().unwrap_or("");
         let mut more = Vec::new();
@@ -107,12 +117,14 @@ fn table(rows: &[Row]) -> String {
         more.extend(
             row.mops.map(|mops| format!("{mops:.0} million operations estimated, {:.3} ns each", row.ms / mops)),
         );
+        more.extend(row.million_segments_a_second.map(|rate| format!("{rate:.3} million segments a second")));
+        more.extend(row.times_literal.map(|times| format!("{times:.1} x literal")));
         if let (Some(pixels), Some(levels)) = (row.pixels_off, row.most_levels_off) {
             more.push(format!("{pixels} pixels off by more than 1 level (most {levels})"));
         }
         let more = more.join(", ");
         let line =
-            format!("{:6} {:44} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
+            format!("{:7} {:44} {size:>10} {:>7} {:>10.4}   {more}", row.bench, row.variant, row.threads, row.ms);
         text += line.trim_end();
         text.push('\n');
     }
