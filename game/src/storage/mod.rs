@@ -11,6 +11,7 @@ mod limited_read;
 pub mod new_file;
 pub mod picture_file;
 mod png_file;
+pub mod recording_file;
 pub mod recordings;
 mod retention;
 mod table_search;
