@@ -92,7 +92,8 @@ impl OpticsScene {
         for (number, object) in objects.iter().enumerate() {
             corners += object.get("path").and_then(Value::as_array).map_or(0, Vec::len);
             if corners > MOST_CORNERS {
-                let what = format!("the outlines of all objects have more than {MOST_CORNERS} corners; draw some coarser");
+                let what =
+                    format!("the outlines of all objects have more than {MOST_CORNERS} corners; draw some coarser");
                 return Err(one(format!("{name}: object {number}: {what}")));
             }
             if let Err(what) = scene.read_object(name, number, object, &density, colors) {

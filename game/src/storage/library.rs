@@ -1,6 +1,6 @@
 //! The player's own folder: the games that were played, recorded without being asked.
 
-use super::file_failure::file_failure;
+use super::file_failure::{file_failure, folder_failure};
 use super::late_file::LateFile;
 use super::recording_file::{unfinished, unwritable};
 use super::retention::{self, KEPT_BYTES};
@@ -78,7 +78,7 @@ impl LibraryRecording {
     fn make_file(&mut self) -> Result<(), Failure> {
         let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
         let folder = &self.folder;
-        fs::create_dir_all(folder).map_err(|error| unrecorded(file_failure("make the folder", folder, &error)))?;
+        fs::create_dir_all(folder).map_err(|error| unrecorded(folder_failure(folder, &error)))?;
         let first = retention::next_number(folder);
         for number in first.. {
             let path = folder.join(format!("{number:06} {}.caustic", self.label));
@@ -206,6 +206,24 @@ mod tests {
         recording.finish(&last).unwrap();
         let kept = crate::storage::recordings::read(&recordings(&place)[0]).unwrap();
         assert_eq!((kept.ticks(), kept.end.unwrap().hash), (3000, last.hash()));
+    }
+
+    /// A link that led nowhere was "already one of that name".
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_that_is_a_link_to_nothing_is_told_as_such() {
+        let folder = Scratch::new("links");
+        for (name, target) in [("dangling", "nowhere"), ("loop", "loop")] {
+            let place = folder.path().join(name);
+            std::os::unix::fs::symlink(folder.path().join(target), &place).unwrap();
+            let mut recording = LibraryRecording::new(&place, &simulation(), 7, 0).unwrap();
+            let mut simulation = simulation();
+            simulation.tick(Buttons::NONE);
+            recording.record(&simulation, Buttons::NONE, true);
+            let (told, place) = (recording.behind().unwrap().to_string(), place.display().to_string());
+            let cause = format!("{place} is a link that leads nowhere; make the folder that it names, or remove it");
+            assert_eq!(told, format!("the game is not recorded: cannot make the folder {place}: {cause}"));
+        }
     }
 
     /// The program ended with 0 though the game was not kept.

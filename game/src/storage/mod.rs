@@ -21,6 +21,6 @@ mod tests;
 pub mod text_file;
 mod watch;
 
-pub use file_failure::{because, file_failure};
+pub use file_failure::{because, file_failure, folder_failure};
 pub use png_file::{check_place, save_png};
 pub use watch::TableWatch;

@@ -28,12 +28,8 @@ const BALLS: usize = 5;
 const FALL_MS: usize = 5000;
 
 /// The plots, and how their files are called.
-const PLOTS: [(Plot, &str); 4] = [
-    (Plot::Flipper, "flipper"),
-    (Plot::Shots, "shots"),
-    (Plot::Restitution, "restitution"),
-    (Plot::Energy, "energy"),
-];
+const PLOTS: [(Plot, &str); 4] =
+    [(Plot::Flipper, "flipper"), (Plot::Shots, "shots"), (Plot::Restitution, "restitution"), (Plot::Energy, "energy")];
 
 /// A plot.
 pub struct Drawn {
