@@ -146,7 +146,7 @@ fn a_game_whose_look_is_damaged_is_kept_as_far_as_play_confirms_it() {
         Some((game.ticks(), game.end.is_some()))
     };
     assert_eq!(salvaged(&[at(b'l')]), Some((2450, true)));
-    let in_the_second_second = at(b'P') + 300;
+    let in_the_second_second = at(b'P') + 110;
     let (ticks, ended) = salvaged(&[at(b'l'), in_the_second_second]).unwrap();
     assert!(ticks < 2450 && ticks.is_multiple_of(100) && !ended, "{ticks}");
     assert_eq!(Recording::salvage_game(&whole), None, "nothing of it is damaged");
