@@ -60,11 +60,19 @@ fn every_plot_is_written_and_says_what_it_found() {
 fn sizes_of_every_shape_can_be_drawn() {
     let out = folder("sizes");
     for size in ["64x64", "64x900", "900x64"] {
-        let done = plot("flipper", &out, &["--size", size]);
+        let done = plot("flipper", &out, &["--size", size, "--overwrite"]);
         assert_eq!(done.status.code(), Some(0), "{size}: {}", String::from_utf8_lossy(&done.stderr));
         let (width, height, _) = colors(&out.join("flipper.png"));
         assert_eq!(format!("{width}x{height}"), size);
     }
+    // What was there was written over without a word.
+    let again = plot("flipper", &out, &["--size", "64x64"]);
+    let told = String::from_utf8_lossy(&again.stderr);
+    assert_eq!(again.status.code(), Some(1), "{told}");
+    assert!(
+        told.contains("flipper.png is there already: name another folder, or write over it with --overwrite"),
+        "{told}"
+    );
     fs::remove_dir_all(&out).expect("the folder goes");
 }
 

@@ -119,6 +119,39 @@ fn a_damaged_recording_is_cut_to_its_sound_part() {
     assert_eq!(Recording::salvage(&longer), Some(whole));
 }
 
+/// One bit in the chunk of how the table looks, which does not decide the game, lost all of it.
+#[test]
+fn a_game_whose_look_is_damaged_is_kept_as_far_as_play_confirms_it() {
+    let table = Arc::new(tables::load("spectrum").unwrap());
+    let mut simulation = Simulation::new(table.clone(), 7).unwrap();
+    let mut recorder = Recorder::new(Cursor::new(Vec::new()), &simulation, 7).unwrap();
+    for tick in 0..2450 {
+        simulation.tick(pressed(tick, 130));
+        recorder.record(&simulation, pressed(tick, 130)).unwrap();
+    }
+    let whole = recorder.finish(&simulation).unwrap().into_inner();
+    let at = |tag: u8| {
+        let before: Vec<_> = chunks(&whole).into_iter().take_while(|chunk| chunk.0 != tag).collect();
+        sealed(&before).len() + 40
+    };
+    let salvaged = |places: &[usize]| {
+        let mut bytes = whole.clone();
+        places.iter().for_each(|place| bytes[*place] ^= 1);
+        assert_eq!(Recording::salvage(&bytes), None, "no check confirms any of it");
+        let game = Recording::salvage_game(&bytes)?.confirmed_by_play(table.clone()).unwrap()?;
+        let again = Recording::parse(&game.to_bytes().unwrap()).unwrap();
+        assert_eq!(again, game);
+        assert_eq!(again.table.as_ref().unwrap().look, None);
+        assert!((0..game.ticks()).all(|tick| game.buttons(tick) == pressed(tick, 130)));
+        Some((game.ticks(), game.end.is_some()))
+    };
+    assert_eq!(salvaged(&[at(b'l')]), Some((2450, true)));
+    let in_the_second_second = at(b'P') + 110;
+    let (ticks, ended) = salvaged(&[at(b'l'), in_the_second_second]).unwrap();
+    assert!(ticks < 2450 && ticks.is_multiple_of(100) && !ended, "{ticks}");
+    assert_eq!(Recording::salvage_game(&whole), None, "nothing of it is damaged");
+}
+
 /// The ticks of a chunk that was refused counted, and its end too: what was salvaged had no ticks, or a seal without an end.
 #[test]
 fn nothing_counts_of_a_chunk_that_is_refused() {

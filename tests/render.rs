@@ -110,6 +110,28 @@ fn a_place_that_cannot_be_is_refused_before_anything_is_made() {
     }
 }
 
+/// Two scenes of one name from two folders overwrote each other's picture, and the same line was printed twice.
+#[test]
+fn no_two_scenes_are_rendered_to_one_file() {
+    let folder = Folder::new("render-same-name");
+    let (a, b, pictures) = (folder.path("a/x.svg"), folder.path("b/x.json"), folder.path("pics"));
+    let file = folder.path("o.png");
+    fs::write(&file, "mine").expect("a file");
+    let twice = "would both be rendered to";
+    for (words, expected) in [
+        (vec![&a[..], &b, "--out", &pictures], twice),
+        (vec![&a, &b], twice),
+        (vec![&a, &a], twice),
+        (vec![&a, &a, "--out", &file], "o.png is a file, and several scenes are rendered into a folder: name one"),
+    ] {
+        let done = render(&words);
+        let told = complaint(&done);
+        assert_eq!(done.status.code(), Some(2), "{words:?}: {told}");
+        assert!(told.contains(expected) && told.lines().count() == 1, "{words:?}: {told}");
+    }
+    assert_eq!(folder.names(), ["o.png"], "nothing was rendered");
+}
+
 /// A round mirror that keeps all of its light had beams without end, and neither time nor signals ended them.
 #[test]
 fn a_scene_of_endless_reflections_ends_in_time() {

@@ -60,6 +60,9 @@ pub struct PlotArgs {
     /// A folder for the PNG files, one a plot
     #[arg(long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
     pub out: PathBuf,
+    /// Write over plots that are in the folder already
+    #[arg(long)]
+    pub overwrite: bool,
     /// A table's name, or the folder of one
     #[arg(long, default_value = "spectrum", value_name = "NAME|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub table: String,

@@ -4,7 +4,8 @@ use super::values::{picture_file, positive_seconds, threads, whole};
 use crate::rendering::Integrator;
 use crate::screen::Size;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 /// `caustic render`
 #[derive(Args, Debug, Clone)]
@@ -89,7 +90,38 @@ impl RenderArgs {
         }
         match &self.out {
             Some(out) if self.scenes.len() == 1 && !out.is_dir() => picture_file(out),
-            _ => Ok(()),
+            Some(out) if self.scenes.len() > 1 && out.exists() && !out.is_dir() => Err(format!(
+                "--out {} is a file, and several scenes are rendered into a folder: name one",
+                out.display()
+            )),
+            _ => self.check_places(),
+        }
+    }
+
+    /// No two pictures may be one file.
+    fn check_places(&self) -> Result<(), String> {
+        let mut places = BTreeMap::new();
+        for scene in &self.scenes {
+            let place = self.place(scene);
+            if let Some(other) = places.insert(place.clone(), scene) {
+                return Err(format!(
+                    "{} and {} would both be rendered to {}: render one of them alone, with another --out",
+                    other.display(),
+                    scene.display(),
+                    place.display()
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Where a scene's picture is to be.
+    pub fn place(&self, scene: &Path) -> PathBuf {
+        let name = PathBuf::from(scene.file_name().unwrap_or(scene.as_os_str())).with_extension("png");
+        match &self.out {
+            None => name,
+            Some(out) if self.scenes.len() > 1 || out.is_dir() => out.join(name),
+            Some(out) => out.clone(),
         }
     }
 }

@@ -33,9 +33,13 @@ pub(super) fn picture_file(path: &Path) -> Result<(), String> {
     }
 }
 
-/// A folder: no stream.
+/// A folder: no stream, and not the one that nobody has named.
 pub(super) fn folder(name: OsString) -> Result<PathBuf, String> {
-    if name == "-" { Err("files are written into a folder: name one".to_string()) } else { Ok(PathBuf::from(name)) }
+    if name == "-" || name.is_empty() {
+        Err("files are written into a folder: name one".to_string())
+    } else {
+        Ok(PathBuf::from(name))
+    }
 }
 
 /// Seconds, over 0.

@@ -3,7 +3,7 @@
 
 use crate::Failure;
 use crate::simulation::Digest;
-use crate::storage::file_failure;
+use crate::storage::folder_failure;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -40,8 +40,7 @@ pub fn digest_line(games: &[(u64, Digest)]) -> String {
 /// If it cannot be made.
 pub fn make_folder(dir: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(dir).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => Failure::new(format!("{} is a file; name a folder", dir.display())),
         ErrorKind::NotFound => Failure::new(format!("cannot make the folder {}: the system refuses it", dir.display())),
-        _ => file_failure("make the folder", dir, &error),
+        _ => folder_failure(dir, &error),
     })
 }

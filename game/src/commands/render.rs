@@ -12,7 +12,7 @@ use crate::storage::picture_file::{self, LinearPicture};
 use crate::storage::text_file;
 use crate::{Failure, art, interrupt, tell};
 use geometry::DVec2;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 use tracer::View;
 use tracer::transport::{Counts, Scene};
@@ -39,7 +39,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     interrupt::listen_while_working()?;
     let mut failures = Vec::new();
     for scene in &args.scenes {
-        let out = place(args, scene);
+        let out = args.place(scene);
         if let Err(failure) = pool.install(|| render(args, scene, &out)) {
             failures.push(failure);
         }
@@ -55,16 +55,6 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
             failures.push(Failure::new(format!("{count} of {all} scenes could not be rendered")));
             Err(Failure::of_many(failures))
         }
-    }
-}
-
-/// Where a scene's picture is to be.
-fn place(args: &RenderArgs, scene: &Path) -> PathBuf {
-    let name = PathBuf::from(scene.file_name().unwrap_or(scene.as_os_str())).with_extension("png");
-    match &args.out {
-        None => name,
-        Some(out) if args.scenes.len() > 1 || out.is_dir() => out.join(name),
-        Some(out) => out.clone(),
     }
 }
 

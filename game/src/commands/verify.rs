@@ -21,9 +21,7 @@ const PROGRESS_TICKS: u64 = 1000;
 /// If any of them fails: a sentence for each.
 pub fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let (Some(out), [file]) = (&args.salvage, args.files.as_slice()) else { return verify_all(args) };
-    let damage = recordings::salvage(file, out)?;
-    let told = format!("{damage}; the sound part is in {}", out.display());
-    tell(&Failure::new(told).in_file(file.display()));
+    tell(&recordings::salvage(file, out)?);
     verify_all(&VerifyArgs { files: vec![out.clone()], ..args.clone() })
 }
 

@@ -3,8 +3,11 @@
 use geometry::{Ray, Segment};
 use tracer::transport::Curve;
 
-/// Bins of a detector at most.
+/// Bins of all detectors together at most.
 pub const MOST_BINS: f64 = 1e6;
+
+/// Detectors at most.
+pub const MOST_DETECTORS: usize = 1_000;
 
 /// A line that measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +36,12 @@ pub struct Measured {
 impl Detector {
     /// A detector that has measured nothing yet.
     pub fn start(&self) -> Measured {
-        let bins = self.bin.map_or(0.0, |bin| (self.line.length() / bin).ceil()) as usize;
-        Measured { bins: vec![0.0; bins], ..Measured::default() }
+        Measured { bins: vec![0.0; self.bins() as usize], ..Measured::default() }
+    }
+
+    /// How many bins it has.
+    pub fn bins(&self) -> f64 {
+        self.bin.map_or(0.0, |bin| (self.line.length() / bin).ceil())
     }
 
     /// Counts a ray of this power that goes so far.

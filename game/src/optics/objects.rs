@@ -1,6 +1,6 @@
 //! Objects of a scene: each type by name, as a source, a body or a detector.
 
-use super::detector::{Detector, MOST_BINS};
+use super::detector::Detector;
 use super::fields::{Fields, point};
 use super::sources::Source;
 use geometry::{DVec2, Ray, Segment, Shape};
@@ -21,6 +21,9 @@ pub enum Object {
 /// The types that change nothing.
 const DECORATIONS: [&str; 6] = ["Ruler", "Protractor", "LineArrow", "TextLabel", "Drawing", "PointLabel"];
 
+/// Corners of all outlines together at most: whether two edges of one cross is asked of each pair.
+pub const MOST_CORNERS: usize = 20_000;
+
 /// How a half plane's edge is drawn: a line this long, in units.
 const ENDLESS: f64 = 1e7;
 
@@ -36,8 +39,8 @@ pub fn read(kind: &str, fields: &Fields, colors: bool) -> Result<Object, String>
             let line = line(fields)?;
             let bin = fields.number("binSize", 1.0)?;
             let has_map = fields.flag("irradMap", false)?;
-            if has_map && !(bin > 0.0 && line.length() / bin <= MOST_BINS) {
-                return Err("\"binSize\" must be over 0, with a million bins at most".to_string());
+            if has_map && bin <= 0.0 {
+                return Err("\"binSize\" must be over 0".to_string());
             }
             let two_sided = fields.flag("twoSided", true)?;
             Ok(Object::Detector(Detector { line, two_sided, bin: has_map.then_some(bin) }))

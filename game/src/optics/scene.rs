@@ -1,8 +1,8 @@
 //! A scene of ray-optics: its JSON, as sources, bodies and detectors.
 
-use super::detector::Detector;
+use super::detector::{Detector, MOST_BINS, MOST_DETECTORS};
 use super::fields::Fields;
-use super::objects::{self, Object};
+use super::objects::{self, MOST_CORNERS, Object};
 use super::sources::{MOST_RAYS, RayDensity, SourceRay};
 use crate::Failure;
 use serde_json::Value;
@@ -10,6 +10,9 @@ use tracer::transport::Body;
 
 /// Objects at most.
 const MOST_OBJECTS: usize = 100_000;
+
+/// Pairs of a ray and a detector at most: some ten seconds, if no ray divides.
+const MOST_PAIRS: usize = 200_000_000;
 
 /// What a scene says that matters to its light.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +70,7 @@ impl OpticsScene {
     /// One sentence for each thing that is wrong or cannot be read.
     pub fn parse(name: &str, text: &str) -> Result<OpticsScene, Vec<Failure>> {
         let one = |what: String| vec![Failure::new(what)];
-        let value: Value = serde_json::from_str(text).map_err(|error| {
+        let value: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|error| {
             let (line, column) = (error.line(), error.column());
             one(format!("{name}:{line}:{column}: this is not JSON, of which ray-optics scenes are made"))
         })?;
@@ -85,14 +88,45 @@ impl OpticsScene {
             return Err(one(format!("{name}: there are {} objects; at most {MOST_OBJECTS} are read", objects.len())));
         }
         let mut failures = Vec::new();
+        let mut corners = 0;
         for (number, object) in objects.iter().enumerate() {
+            corners += object.get("path").and_then(Value::as_array).map_or(0, Vec::len);
+            if corners > MOST_CORNERS {
+                let what =
+                    format!("the outlines of all objects have more than {MOST_CORNERS} corners; draw some coarser");
+                return Err(one(format!("{name}: object {number}: {what}")));
+            }
             if let Err(what) = scene.read_object(name, number, object, &density, colors) {
                 failures.push(Failure::new(what));
             }
         }
         let unread = top.unread().into_iter().map(|field| format!("{name}: \"{field}\" is not read"));
         scene.warnings.splice(0..0, unread);
+        failures.extend(scene.check_sums().err().map(|what| Failure::new(format!("{name}: {what}"))));
         if failures.is_empty() { Ok(scene) } else { Err(failures) }
+    }
+
+    /// What all objects together may not be.
+    fn check_sums(&self) -> Result<(), String> {
+        let (detectors, rays) = (self.detectors.len(), self.rays.len());
+        if detectors > MOST_DETECTORS {
+            return Err(format!("there are {detectors} detectors; at most {MOST_DETECTORS} are read"));
+        }
+        let bins: f64 = self.detectors.iter().map(Detector::bins).sum();
+        if bins > MOST_BINS {
+            return Err(format!(
+                "the irradiance maps of all detectors have {bins:.0} bins; at most {MOST_BINS:.0} are measured: give a \
+                 larger \"binSize\""
+            ));
+        }
+        if detectors * rays > MOST_PAIRS {
+            return Err(format!(
+                "{rays} rays and {detectors} detectors are {} pairs to measure; at most {MOST_PAIRS} are: give fewer \
+                 detectors, or a lower density of rays",
+                detectors * rays
+            ));
+        }
+        Ok(())
     }
 
     /// What the top of the file says.

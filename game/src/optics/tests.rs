@@ -87,3 +87,30 @@ fn too_many_rays_are_refused() {
     let dark = r#"{"objs": [{"type": "PointSource", "x": 0, "y": 0, "brightness": 0}]}"#;
     assert!(refused(dark)[0].contains("\"brightness\" must be over 0"));
 }
+
+/// Each detector kept within its million bins, and 150 of them took over a gigabyte and no end. So it is with all that is
+/// limited for one object and not for their sum.
+#[test]
+fn what_all_objects_together_are_is_limited() {
+    let of = |objects: &[String]| refused(&format!("{{\"objs\": [{}]}}", objects.join(",")));
+    let fine = line("Detector", [0.0, 0.0, 0.0, 100.0], r#", "irradMap": true, "binSize": 0.0002"#);
+    let expected = "scene.json: the irradiance maps of all detectors have 1500000 bins; at most 1000000 are measured: give \
+                    a larger \"binSize\"";
+    assert_eq!(of(&vec![fine; 3]), [expected]);
+    let plain = line("Detector", [0.0, 0.0, 0.0, 100.0], "");
+    assert_eq!(of(&vec![plain.clone(); 1001]), ["scene.json: there are 1001 detectors; at most 1000 are read"]);
+    let dense = r#"{"rayModeDensity": 1000, "objs": [{"type": "PointSource", "x": 0, "y": 0}, "#;
+    let pairs = refused(&format!("{dense}{}]}}", vec![plain; 500].join(",")));
+    assert!(pairs[0].contains("500 detectors are 250000000 pairs to measure; at most 200000000 are"), "{pairs:?}");
+    let corners = (0..300).map(|x| format!(r#"{{"x": {x}, "y": {}}}"#, x % 2)).collect::<Vec<_>>().join(",");
+    let jagged = format!(r#"{{"type": "Glass", "path": [{corners}]}}"#);
+    let jagged = of(&vec![jagged; 70]);
+    assert!(jagged.last().is_some_and(|last| last.contains("more than 20000 corners")), "{jagged:?}");
+}
+
+/// A file of an editor that begins with a mark of its encoding was no JSON.
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    let text = format!("\u{feff}{{\"objs\": [{}]}}", detector(60.0));
+    assert_eq!(OpticsScene::parse("scene.json", &text).map(|scene| scene.detectors.len()).ok(), Some(1));
+}

@@ -16,8 +16,11 @@ const MOST_SURFACES: u32 = 1_000;
 /// Branches of one ray at most.
 const MOST_BRANCHES: u32 = 100_000;
 
-/// Branches of all rays together at most: some ten seconds.
+/// Branches of all rays together at most: some ten seconds, if there are no more detectors than [`FEW_DETECTORS`].
 const MOST_BRANCHES_IN_ALL: u32 = 10_000_000;
+
+/// Detectors that cost less than following a ray does; with more of them there are fewer branches.
+const FEW_DETECTORS: usize = 16;
 
 /// Branches of one ray that are followed all the same.
 const LEAST_BRANCHES: u32 = 16;
@@ -56,10 +59,12 @@ pub fn follow_all(
     mut fly: impl FnMut(&PoweredRay, f64),
 ) -> GivenUp {
     let surfaces = Surfaces::new(&scene.bodies, TOGETHER * scene.length_scale);
+    let work = scene.rays.len().max(1) * scene.detectors.len().div_ceil(FEW_DETECTORS).max(1);
+    let shared = MOST_BRANCHES_IN_ALL as usize / work;
     let limits = SplitLimits {
         least_power: LEAST_POWER,
         most_surfaces: scene.most_surfaces.unwrap_or(MOST_SURFACES),
-        most_branches: MOST_BRANCHES.min(MOST_BRANCHES_IN_ALL / scene.rays.len().max(1) as u32).max(LEAST_BRANCHES),
+        most_branches: (shared as u32).clamp(LEAST_BRANCHES, MOST_BRANCHES),
     };
     let mut given_up = GivenUp::default();
     for source in &scene.rays {

@@ -20,6 +20,7 @@ use geometry::{DVec2, Shape};
 use ids::FirstIds;
 use physics::{Kind, Leg};
 use solid_motion::SolidMotion;
+use std::collections::HashMap;
 use tracer::{
     Finish, Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
 };
@@ -108,8 +109,11 @@ impl SceneBuilder {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
         let mut ids = FirstIds::default();
         let rods = rod::Rod::all(&table.layout, Group(free_group), &mut ids);
-        let solids = 0..table.solids.len();
-        let mut actors: Vec<Actor> = solids.filter_map(|index| Actor::new(table, index, &mut ids)).collect();
+        let mut highest = HashMap::new();
+        highest.extend(table.solids.iter().enumerate().map(|(index, solid)| (solid.group, index)));
+        let is_highest = |index: usize| highest.get(&table.solids[index].group) == Some(&index);
+        let actor = |index| Actor::new(table, index, is_highest(index), &mut ids);
+        let mut actors: Vec<Actor> = (0..table.solids.len()).filter_map(actor).collect();
         let mut free_group = free_group;
         for actor in actors.iter_mut().filter(|actor| actor.material != Material::Opaque) {
             // A group of its own: what it belongs to may be as opaque as ever.
@@ -161,11 +165,10 @@ impl SceneBuilder {
 }
 
 impl Actor {
-    /// `None` for what is not drawn from its solid.
-    fn new(table: &Table, index: usize, ids: &mut FirstIds) -> Option<Actor> {
+    /// `None` for what is not drawn from its solid; `highest` says that it is the last of its group.
+    fn new(table: &Table, index: usize, highest: bool, ids: &mut FirstIds) -> Option<Actor> {
         let solid = table.solids[index].clone();
         let motion = SolidMotion::of(&table.layout, &solid)?;
-        let highest = table.solids[index + 1..].iter().all(|other| other.group != solid.group);
         let inside =
             |lamp: &Lamp| matches!(lamp.kind, LampKind::Bulb { inside: Some(group), .. } if group == solid.group);
         let within = table.lamps.iter().position(inside);

@@ -1,7 +1,7 @@
 //! The recordings of a game in play: one in the player's own folder, and one in a file that was asked for.
 
 use crate::storage::library::{self, LibraryRecording};
-use crate::storage::recordings::RecordingFile;
+use crate::storage::recording_file::RecordingFile;
 use crate::{Buttons, Failure, Simulation, tell};
 use std::path::Path;
 use std::time::SystemTime;
@@ -13,8 +13,8 @@ pub struct GameRecordings {
     library: Option<LibraryRecording>,
     /// In the file that was asked for.
     asked: Option<RecordingFile>,
-    /// Why that one was given up: told when the game is ended.
-    broken_off: Option<Failure>,
+    /// Why one of them lacks something of what was played.
+    behind: Option<Failure>,
 }
 
 impl GameRecordings {
@@ -31,7 +31,7 @@ impl GameRecordings {
     ) -> Result<GameRecordings, Failure> {
         let asked = asked.map(|path| RecordingFile::create(path, simulation, seed)).transpose()?;
         let library = begin_in_library(simulation, seed, complaints);
-        Ok(GameRecordings { library, asked, broken_off: None })
+        Ok(GameRecordings { library, asked, behind: None })
     }
 
     /// Whether the player asked for a recording.
@@ -39,39 +39,47 @@ impl GameRecordings {
         self.asked.is_some()
     }
 
-    /// Records a tick, which somebody `played` or nobody did; gives a recording up when that fails, and says why.
+    /// Records a tick, which somebody `played` or nobody did. A recording that falls behind what is played, and one that has
+    /// caught up with it, is told once.
     pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, played: bool, complaints: &mut Vec<String>) {
-        if let Some(recording) = &mut self.library
-            && let Err(failure) = recording.record(simulation, buttons, played)
-        {
-            self.library = None;
-            tell(&failure);
-            complaints.push(failure.to_string());
+        if let Some(recording) = &mut self.library {
+            recording.record(simulation, buttons, played);
         }
-        if let Some(recording) = &mut self.asked
-            && let Err(failure) = recording.record(simulation, buttons)
-        {
-            self.asked = None;
-            complaints.push(failure.to_string());
-            self.broken_off = Some(failure);
+        if let Some(recording) = &mut self.asked {
+            recording.record(simulation, buttons);
         }
+        let asked = self.asked.as_ref().and_then(RecordingFile::behind);
+        let behind = asked.or_else(|| self.library.as_ref().and_then(LibraryRecording::behind));
+        let news = match (&self.behind, &behind) {
+            (None, Some(failure)) => Some(failure.clone()),
+            (Some(_), None) => Some(Failure::new("the recording goes on, and nothing of the game is missing in it")),
+            _ => None,
+        };
+        if let Some(news) = news {
+            tell(&news);
+            complaints.push(news.to_string());
+        }
+        self.behind = behind;
+    }
+
+    /// Why a recording lacks something of what was played.
+    pub fn behind(&self) -> Option<&Failure> {
+        self.behind.as_ref()
     }
 
     /// Writes the end of the recordings; a game that nobody played leaves none in the player's own folder.
     ///
     /// # Errors
-    /// If the recording that was asked for is not whole.
+    /// If a recording is not whole.
     pub fn finish(&mut self, simulation: &Simulation) -> Result<(), Failure> {
-        if let Some(recording) = self.library.take()
-            && let Err(failure) = recording.finish(simulation)
-        {
-            tell(&failure);
-        }
-        match self.asked.take() {
+        let library = self.library.take().map_or(Ok(()), |recording| recording.finish(simulation));
+        let asked = match self.asked.take() {
             Some(recording) if recording.ticks() == 0 => recording.discard(),
             Some(recording) => recording.finish(simulation),
-            None => self.broken_off.take().map_or(Ok(()), Err),
-        }
+            None => Ok(()),
+        };
+        let failures: Vec<Failure> = [asked, library].into_iter().filter_map(Result::err).collect();
+        if failures.is_empty() { Ok(()) } else { Err(Failure::of_many(failures)) }
     }
 }
 

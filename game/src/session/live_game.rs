@@ -112,6 +112,11 @@ impl LiveGame {
         std::mem::take(&mut self.play.complaints)
     }
 
+    /// What stands in the window for as long as it is so: why a recording lacks something of the game.
+    pub fn notice(&self) -> Option<String> {
+        self.play.recordings.behind().map(ToString::to_string)
+    }
+
     /// Shows the last ball again; `false` if there has been none.
     pub fn watch_last_ball(&mut self) -> bool {
         self.rerun = self.play.last_ball.rerun();

@@ -57,7 +57,7 @@ impl Session {
     /// What the application adds to the snapshots; `times` is what the last frames cost, if the debug overlay is on.
     pub fn ui_state(&self, modal: Modal, notice: Option<String>, times: Option<FrameTimes>) -> UiState {
         let (badge, replay, standing) = match self {
-            Session::Live(game) => (game.badge(), None, None),
+            Session::Live(game) => (game.badge(), None, game.notice()),
             Session::Replay(replay) => (Some(Badge::Replay), Some(replay.progress()), replay.notice()),
         };
         let notice = notice.or(standing);

@@ -9,6 +9,22 @@ pub fn file_failure(doing: &str, path: &Path, error: &io::Error) -> Failure {
     Failure::new(format!("cannot {doing} {}: {}", path.display(), because(error)))
 }
 
+/// The folder `path`, and those that it is in, cannot be made.
+pub fn folder_failure(path: &Path, error: &io::Error) -> Failure {
+    if error.kind() != ErrorKind::AlreadyExists {
+        return file_failure("make the folder", path, error);
+    }
+    // What is there already and is no folder is a file, or a link that leads to none.
+    let there = path.ancestors().find(|place| place.symlink_metadata().is_ok()).unwrap_or(path);
+    let what = match there.symlink_metadata() {
+        Ok(found) if found.is_symlink() && !there.exists() => {
+            "is a link that leads nowhere; make the folder that it names, or remove it"
+        }
+        _ => "is a file; name a folder",
+    };
+    Failure::new(format!("cannot make the folder {}: {} {what}", path.display(), there.display()))
+}
+
 /// What the system says, in plain words and with what to do.
 pub fn because(error: &io::Error) -> String {
     let plain = match error.kind() {

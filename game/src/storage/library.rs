@@ -1,13 +1,13 @@
 //! The player's own folder: the games that were played, recorded without being asked.
 
-use super::file_failure::file_failure;
+use super::file_failure::{file_failure, folder_failure};
 use super::late_file::LateFile;
-use super::recordings::unwritable;
+use super::recording_file::{unfinished, unwritable};
 use super::retention::{self, KEPT_BYTES};
-use crate::recording::Recorder;
+use crate::recording::{FLUSH_TICKS, Recorder};
 use crate::{Buttons, Failure, Simulation, tell};
 use std::fs::{self, File};
-use std::io::{self, ErrorKind};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 pub use super::retention::recordings;
@@ -26,6 +26,8 @@ pub struct LibraryRecording {
     label: String,
     /// The file, once there is one.
     path: Option<PathBuf>,
+    /// Why there is none, though somebody has played.
+    unmade: Option<Failure>,
 }
 
 impl LibraryRecording {
@@ -37,39 +39,46 @@ impl LibraryRecording {
         let label = format!("{} {}", moment(unix_s), simulation.table().name);
         let recorder = Recorder::new(LateFile::new(), simulation, seed)
             .map_err(|error| Failure::new(format!("the game is not recorded: {error}")))?;
-        Ok(LibraryRecording { recorder, folder: folder.to_path_buf(), label, path: None })
+        Ok(LibraryRecording { recorder, folder: folder.to_path_buf(), label, path: None, unmade: None })
     }
 
     /// Records the tick that `simulation` has just played with `buttons`. With the first tick that somebody `played`
     /// there is a file, and the oldest recordings that there is no room for any more are removed, which is told.
-    ///
-    /// # Errors
-    /// If the file cannot be made or written; give up recording then, not the game.
-    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, played: bool) -> Result<(), Failure> {
-        if played && self.path.is_none() {
-            self.make_file()?;
-            for removed in retention::prune(&self.folder, KEPT_BYTES) {
+    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons, played: bool) {
+        let again = self.unmade.is_some() && self.recorder.ticks().is_multiple_of(FLUSH_TICKS);
+        if self.path.is_none() && (again || played && self.unmade.is_none()) {
+            self.unmade = self.make_file().err();
+            for removed in self.path.iter().flat_map(|_| retention::prune(&self.folder, KEPT_BYTES)) {
                 let why =
                     "removed, because the recordings in its folder took more than 50 MB; one that is renamed stays";
                 tell(&Failure::new(why).in_file(removed.display()));
             }
         }
-        self.recorder.record(simulation, buttons).map_err(|error| self.unwritable(&error))
+        // It is written to memory, which takes everything.
+        self.recorder.record(simulation, buttons).unwrap_or_else(|error| self.unmade = Some(self.unwritable(&error)));
+    }
+
+    /// Why the file lacks something of what somebody played: it is tried again with every second of play.
+    pub fn behind(&self) -> Option<Failure> {
+        self.unmade.clone().or_else(|| self.recorder.get_ref().failure().map(|error| self.unwritable(error)))
     }
 
     /// Writes the end of the recording, if there is one.
     ///
     /// # Errors
-    /// If the file cannot be written.
-    pub fn finish(self, simulation: &Simulation) -> Result<(), Failure> {
+    /// If somebody has played and the file cannot be written.
+    pub fn finish(mut self, simulation: &Simulation) -> Result<(), Failure> {
+        if self.unmade.is_some() {
+            self.make_file()?;
+        }
         let Some(path) = self.path else { return Ok(()) };
-        self.recorder.finish(simulation).map(|_| ()).map_err(|error| unwritable(&path, &error))
+        self.recorder.finish(simulation).map(|_| ()).map_err(|error| unfinished(&path, &error))
     }
 
     fn make_file(&mut self) -> Result<(), Failure> {
         let unrecorded = |failure: Failure| Failure::new(format!("the game is not recorded: {failure}"));
         let folder = &self.folder;
-        fs::create_dir_all(folder).map_err(|error| unrecorded(file_failure("make the folder", folder, &error)))?;
+        fs::create_dir_all(folder).map_err(|error| unrecorded(folder_failure(folder, &error)))?;
         let first = retention::next_number(folder);
         for number in first.. {
             let path = folder.join(format!("{number:06} {}.caustic", self.label));
@@ -91,7 +100,7 @@ impl LibraryRecording {
         Err(Failure::new(format!("the game is not recorded: {} is full", folder.display())))
     }
 
-    fn unwritable(&self, error: &io::Error) -> Failure {
+    fn unwritable(&self, error: &std::io::Error) -> Failure {
         unwritable(self.path.as_deref().unwrap_or(&self.folder), error)
     }
 }
@@ -129,7 +138,8 @@ mod tests {
     fn play(recording: &mut LibraryRecording, simulation: &mut Simulation, ticks: u64, played: bool) {
         for _ in 0..ticks {
             simulation.tick(Buttons::NONE);
-            recording.record(simulation, Buttons::NONE, played).unwrap();
+            recording.record(simulation, Buttons::NONE, played);
+            assert!(recording.behind().is_none());
         }
     }
 
@@ -171,6 +181,62 @@ mod tests {
         recording.finish(&simulation).unwrap();
         let finished = crate::storage::recordings::read(&path).unwrap();
         assert_eq!((finished.ticks(), finished.end.unwrap().hash), (2235, simulation.hash()));
+    }
+
+    /// A game whose file could not be made at the first key was lost, though there was a place for it a moment later.
+    #[test]
+    fn a_file_that_cannot_be_made_is_made_when_it_can_and_the_game_is_whole() {
+        let folder = Scratch::new("late");
+        let place = folder.path().join("recordings");
+        fs::write(&place, "a file where the folder is to be").unwrap();
+        let mut recording = LibraryRecording::new(&place, &simulation(), 7, 0).unwrap();
+        let mut simulation = simulation();
+        let mut record = |recording: &mut LibraryRecording, ticks: u64| {
+            for _ in 0..ticks {
+                simulation.tick(Buttons::NONE);
+                recording.record(&simulation, Buttons::NONE, true);
+            }
+            simulation.clone()
+        };
+        record(&mut recording, 1500);
+        assert!(recording.behind().is_some_and(|why| why.to_string().starts_with("the game is not recorded: ")));
+        fs::remove_file(&place).unwrap();
+        let last = record(&mut recording, 1500);
+        assert!(recording.behind().is_none());
+        recording.finish(&last).unwrap();
+        let kept = crate::storage::recordings::read(&recordings(&place)[0]).unwrap();
+        assert_eq!((kept.ticks(), kept.end.unwrap().hash), (3000, last.hash()));
+    }
+
+    /// A link that led nowhere was "already one of that name".
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_that_is_a_link_to_nothing_is_told_as_such() {
+        let folder = Scratch::new("links");
+        for (name, target) in [("dangling", "nowhere"), ("loop", "loop")] {
+            let place = folder.path().join(name);
+            std::os::unix::fs::symlink(folder.path().join(target), &place).unwrap();
+            let mut recording = LibraryRecording::new(&place, &simulation(), 7, 0).unwrap();
+            let mut simulation = simulation();
+            simulation.tick(Buttons::NONE);
+            recording.record(&simulation, Buttons::NONE, true);
+            let (told, place) = (recording.behind().unwrap().to_string(), place.display().to_string());
+            let cause = format!("{place} is a link that leads nowhere; make the folder that it names, or remove it");
+            assert_eq!(told, format!("the game is not recorded: cannot make the folder {place}: {cause}"));
+        }
+    }
+
+    /// The program ended with 0 though the game was not kept.
+    #[test]
+    fn a_played_game_without_a_file_is_a_failure_at_the_end() {
+        let folder = Scratch::new("never");
+        let place = folder.path().join("recordings");
+        fs::write(&place, "a file where the folder is to be").unwrap();
+        let mut recording = LibraryRecording::new(&place, &simulation(), 7, 0).unwrap();
+        let mut simulation = simulation();
+        simulation.tick(Buttons::NONE);
+        recording.record(&simulation, Buttons::NONE, true);
+        assert!(recording.finish(&simulation).is_err());
     }
 
     #[test]

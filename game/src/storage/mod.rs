@@ -11,6 +11,7 @@ mod limited_read;
 pub mod new_file;
 pub mod picture_file;
 mod png_file;
+pub mod recording_file;
 pub mod recordings;
 mod retention;
 mod table_search;
@@ -20,6 +21,6 @@ mod tests;
 pub mod text_file;
 mod watch;
 
-pub use file_failure::{because, file_failure};
+pub use file_failure::{because, file_failure, folder_failure};
 pub use png_file::{check_place, save_png};
 pub use watch::FileWatch;

@@ -1,14 +1,14 @@
-//! Recordings as files: read, matched with their table, and written while a game is played.
+//! Recordings as files: read, matched with their table, and salvaged.
 
 use super::file_failure::file_failure;
 use super::limited_read::{self, RECORDING_LIMIT_BYTES};
-use super::retention::{hold_shown, hold_written};
+use super::retention::hold_shown;
 use super::{new_file, table_search};
-use crate::recording::{Damage, Recorder, Recording, Replay};
-use crate::{Buttons, Failure, Simulation, Table, tell};
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use crate::recording::{Damage, Recording, Replay};
+use crate::{Failure, Simulation, Table, tell};
+use std::fs::File;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Reads the recording in the file `path`.
@@ -18,7 +18,8 @@ use std::sync::Arc;
 pub fn read(path: &Path) -> Result<Recording, Failure> {
     let bytes = read_bytes(path)?;
     Recording::parse(&bytes).map_err(|damage| {
-        let is_sound_in_part = !is_whole(&damage) && Recording::salvage(&bytes).is_some();
+        let is_sound_in_part = || Recording::salvage(&bytes).is_some() || Recording::salvage_game(&bytes).is_some();
+        let is_sound_in_part = !is_whole(&damage) && is_sound_in_part();
         let cure = if is_sound_in_part { "; `caustic verify --salvage OUT` keeps what is sound" } else { "" };
         Failure::new(format!("{damage}{cure}")).in_file(path.display())
     })
@@ -33,11 +34,12 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     limited_read::read(path, RECORDING_LIMIT_BYTES).map_err(|error| file_failure("read the recording", path, &error))
 }
 
-/// A damaged recording in the file `path`, cut to its sound part and put into the new file `out`.
+/// A damaged recording in the file `path`, cut to its sound part and put into the new file `out`: what was wrong, and what
+/// has been kept, as a sentence to warn with.
 ///
 /// # Errors
 /// If it is not damaged, if nothing of it is sound, or if a file cannot be read or written.
-pub fn salvage(path: &Path, out: &Path) -> Result<Damage, Failure> {
+pub fn salvage(path: &Path, out: &Path) -> Result<Failure, Failure> {
     let bytes = read_bytes(path)?;
     let in_file = |what: String| Failure::new(what).in_file(path.display());
     let Err(damage) = Recording::parse(&bytes) else {
@@ -46,14 +48,29 @@ pub fn salvage(path: &Path, out: &Path) -> Result<Damage, Failure> {
     if is_whole(&damage) {
         return Err(in_file(damage.to_string()));
     }
-    let sound = Recording::salvage(&bytes).ok_or_else(|| in_file(format!("{damage}; no part of the game is sound")))?;
+    let nothing = || in_file(format!("{damage}; no part of the game is sound"));
+    let (sound, kept) = match Recording::salvage(&bytes) {
+        Some(sound) => (sound, "the sound part is".to_string()),
+        None => {
+            let game = Recording::salvage_game(&bytes).ok_or_else(nothing)?;
+            let all = game.ticks();
+            let table = game_table(&game, Some(path)).map_err(|failure| failure.in_file(path.display()))?;
+            let game = game.confirmed_by_play(table).map_err(|failure| failure.in_file(path.display()))?;
+            let game = game.ok_or_else(nothing)?;
+            let kept = format!(
+                "how its table looks is lost, {} of the {all} ticks of its game came out again in play and are",
+                game.ticks()
+            );
+            (game.to_bytes().map_err(|error| in_file(error.to_string()))?, kept)
+        }
+    };
     Recording::parse(&sound).map_err(|damage| in_file(damage.to_string()))?;
     let doing = "write the salvaged recording";
     if out.exists() {
         return Err(file_failure(doing, out, &ErrorKind::AlreadyExists.into()));
     }
     new_file::write(out, |file| file.write_all(&sound)).map_err(|error| file_failure(doing, out, &error))?;
-    Ok(damage)
+    Ok(in_file(format!("{damage}; {kept} in {}", out.display())))
 }
 
 /// The simulation as it was when the recording began, on a table without art.
@@ -110,8 +127,13 @@ pub fn open_to_show(path: &Path) -> Result<ShownRecording, Failure> {
         },
     };
     let missing_art = missing.map(|why| {
-        tell(&in_file(Failure::new(format!("{why}: its game is shown without its art"))));
-        format!("The art of {} was not found: this is its game without it.", table.title)
+        // A look that was damaged was left out when the game was salvaged.
+        let (lost, was) = match recording.table.as_ref().is_some_and(|carried| carried.look.is_none()) {
+            true => ("art and without its look, which is lost", "was not found, and its look is lost"),
+            false => ("art", "was not found"),
+        };
+        tell(&in_file(Failure::new(format!("{why}: its game is shown without its {lost}"))));
+        format!("The art of {} {was}: this is its game without it.", table.title)
     });
     let replay = Replay::new(recording, Arc::new(table)).map_err(in_file)?;
     Ok(ShownRecording { replay, missing_art, _held: held })
@@ -122,76 +144,4 @@ fn game_table(recording: &Recording, path: Option<&Path>) -> Result<Arc<Table>, 
     recording.header.check_version()?;
     let table = recording.embedded_table()?.map_or_else(|| table_search::find(&recording.header, path), Ok)?;
     Ok(Arc::new(table))
-}
-
-/// A recording file that is written while a game is played: call [`RecordingFile::record`] after every tick.
-pub struct RecordingFile {
-    recorder: Recorder<File>,
-    path: PathBuf,
-}
-
-impl RecordingFile {
-    /// Begins to record, in the new file `path`, a simulation that was just started with `seed`.
-    ///
-    /// # Errors
-    /// If there is already such a file, which stays as it is, or it cannot be created.
-    pub fn create(path: &Path, simulation: &Simulation, seed: u64) -> Result<RecordingFile, Failure> {
-        let doing = "make the recording";
-        if path.is_dir() {
-            return Err(file_failure(doing, path, &ErrorKind::IsADirectory.into()));
-        }
-        let file = new_file::make_parents(path).and_then(|()| File::create_new(path));
-        let file = file.map_err(|error| file_failure(doing, path, &error))?;
-        hold_written(&file);
-        match Recorder::new(file, simulation, seed) {
-            Ok(recorder) => Ok(RecordingFile { recorder, path: path.to_path_buf() }),
-            Err(error) => {
-                // An empty file is no recording; if it cannot be removed either, the first error is the one to tell.
-                let _ = fs::remove_file(path);
-                Err(unwritable(path, &error))
-            }
-        }
-    }
-
-    /// The file that is written.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    /// Ticks recorded so far.
-    pub fn ticks(&self) -> u64 {
-        self.recorder.ticks()
-    }
-
-    /// Records the tick that `simulation` has just played with `buttons`.
-    ///
-    /// # Errors
-    /// If the file cannot be written; give up recording then, not the game.
-    pub fn record(&mut self, simulation: &Simulation, buttons: Buttons) -> Result<(), Failure> {
-        self.recorder.record(simulation, buttons).map_err(|error| unwritable(&self.path, &error))
-    }
-
-    /// Writes the end of the recording.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn finish(self, simulation: &Simulation) -> Result<(), Failure> {
-        let RecordingFile { recorder, path } = self;
-        recorder.finish(simulation).map(|_| ()).map_err(|error| unwritable(&path, &error))
-    }
-
-    /// Removes the file: there was nothing to record.
-    ///
-    /// # Errors
-    /// If it cannot be removed.
-    pub fn discard(self) -> Result<(), Failure> {
-        let RecordingFile { recorder, path } = self;
-        drop(recorder);
-        fs::remove_file(&path).map_err(|error| file_failure("remove", &path, &error))
-    }
-}
-
-/// What to say when a recording that was begun cannot be written on.
-pub(super) fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    file_failure("go on with the recording", path, error)
 }

@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 /// How much the folder's own recordings may take, bytes.
 pub const KEPT_BYTES: u64 = 50_000_000;
 
+/// The last number that is counted to; a name with a larger one is not the folder's own.
+const LAST_NUMBER: u64 = 999_999_999;
+
 /// When a recording was played: its number, 0 if it has none, and then its name.
 pub(super) type PlayOrder = (u64, String);
 
@@ -22,13 +25,15 @@ pub(super) fn play_order(path: &Path) -> Option<PlayOrder> {
     }
     let (number, rest) = name.split_once(' ')?;
     let is_number = number.bytes().all(|byte| byte.is_ascii_digit());
-    let number = number.parse().ok().filter(|_| is_number && begins_with_moment(rest))?;
+    let is_own = |number: &u64| is_number && *number <= LAST_NUMBER && begins_with_moment(rest);
+    let number = number.parse().ok().filter(is_own)?;
     Some((number, rest.to_string()))
 }
 
-/// The number of the next game in `folder`.
+/// The number of the next game in `folder`; after the last number there is that one again, and the moments tell the order.
 pub(super) fn next_number(folder: &Path) -> u64 {
-    recordings(folder).iter().filter_map(|path| play_order(path)).map(|(number, _)| number).max().unwrap_or(0) + 1
+    let last = recordings(folder).iter().filter_map(|path| play_order(path)).map(|(number, _)| number).max();
+    (last.unwrap_or(0) + 1).min(LAST_NUMBER)
 }
 
 /// The recordings in `folder` in the order in which they were played, after those that have names of their own.
@@ -123,11 +128,36 @@ mod tests {
 
     #[test]
     fn a_name_that_somebody_gave_is_not_the_folders_own() {
-        for name in
-            ["best game", "12", "12 best", "12a 2026-11-20 10.00.00 a", "2026-11-20", "+1 2026-11-20 10.00.00 a"]
-        {
+        for name in [
+            "best game",
+            "12",
+            "12 best",
+            "12a 2026-11-20 10.00.00 a",
+            "2026-11-20",
+            "+1 2026-11-20 10.00.00 a",
+            "1000000000 2026-11-20 10.00.00 a",
+            "99999999999999999999 2026-11-20 10.00.00 a",
+        ] {
             assert_eq!(play_order(Path::new(&format!("{name}.caustic"))), None, "{name}");
         }
+    }
+
+    /// After the largest number of all came 0, and the new game counted as the oldest.
+    #[test]
+    fn no_number_in_a_name_makes_the_next_game_the_oldest() {
+        let folder = Scratch::new("numbers");
+        write(&folder, "18446744073709551615 2026-11-29 10.00.00 a.caustic", 10);
+        assert_eq!(next_number(folder.path()), 1);
+        write(&folder, "999999999 2026-11-29 10.00.00 a.caustic", 10);
+        assert_eq!(next_number(folder.path()), 999_999_999);
+        write(&folder, "999999999 2026-11-30 10.00.00 a.caustic", 10);
+        let names = ["999999999 2026-11-29 10.00.00 a", "999999999 2026-11-30 10.00.00 a"];
+        assert_eq!(names_of_own(&folder), names);
+    }
+
+    fn names_of_own(folder: &Scratch) -> Vec<String> {
+        let own = recordings(folder.path()).into_iter().filter(|path| play_order(path).is_some());
+        own.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect()
     }
 
     #[cfg(unix)]

@@ -111,3 +111,15 @@ fn a_watch_tells_what_was_saved_once_and_waits_until_it_is_whole() {
     assert!(at(2400).is_empty());
     assert_eq!(at(2700), ["table.toml"]);
 }
+
+/// A drawing that is a loop of links was told as none: "has no table.svg".
+#[cfg(unix)]
+#[test]
+fn a_drawing_that_is_a_loop_of_links_is_told_as_that() {
+    let folder = Scratch::new("loop");
+    let drawing = folder.path().join("table.svg");
+    std::os::unix::fs::symlink(&drawing, &drawing).unwrap();
+    let failures = tables::load(&folder.path().display().to_string()).unwrap_err();
+    let told = failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    assert!(told.contains("table.svg: it cannot be read: ") && told.contains("symbolic links"), "{told}");
+}

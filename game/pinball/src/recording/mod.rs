@@ -14,6 +14,7 @@ mod packed_text;
 mod reader;
 mod recorder;
 mod replay;
+mod salvage;
 mod writer;
 
 pub use damage::Damage;
@@ -79,15 +80,6 @@ impl Recording {
     /// What is wrong with them.
     pub fn parse(bytes: &[u8]) -> Result<Recording, Damage> {
         reader::parse(bytes)
-    }
-
-    /// A damaged recording cut to its sound part: a recording of its own, with the end of the game if that is sound;
-    /// `None` if nothing was played in what is sound.
-    pub fn salvage(bytes: &[u8]) -> Option<Vec<u8>> {
-        let (length, ended) = reader::sound_part(bytes)?;
-        let mut sound = bytes[..length].to_vec();
-        sound[format::SEAL].copy_from_slice(&if ended { format::seal(length as u64) } else { [0; 16] });
-        Some(sound)
     }
 
     /// The table that it carries, without its art; `None` in format 1.

@@ -26,6 +26,35 @@ pub(super) fn sound_part(bytes: &[u8]) -> Option<(usize, bool)> {
     (reader.ticks > 0).then_some(sound)
 }
 
+/// The game of a recording in which only chunks that do not decide it are damaged: without them, and as far as what comes
+/// behind makes sense. Nothing confirms that, for every check is of all bytes before it.
+pub(super) fn game(bytes: &[u8]) -> Option<Recording> {
+    let version = format::read_version(bytes).ok()?;
+    let mut reader = Reader::open(bytes, version, format::read_seal(bytes).unwrap_or(false)).ok()?;
+    while reader.game.is_none() {
+        reader.chunk().ok().filter(|more| *more)?;
+    }
+    let mut is_damaged = false;
+    while !reader.ended
+        && let Some(chunk) = take_chunk(&mut reader.rest, version)
+    {
+        let confirmed = reader.confirms(&chunk);
+        if format::may_be_skipped(chunk.tag) && !confirmed {
+            is_damaged = true;
+            continue;
+        }
+        let before = (reader.ticks, reader.changes.len(), reader.checkpoints.len());
+        if reader.accept(&chunk).is_err() {
+            reader.ticks = before.0;
+            reader.changes.truncate(before.1);
+            reader.checkpoints.truncate(before.2);
+            break;
+        }
+    }
+    reader.sealed = false; // what its end says is taken by now, and nothing more is asked of it
+    reader.close().ok().filter(|recording| is_damaged && recording.ticks > 0)
+}
+
 /// A file that is being read.
 struct Reader<'a> {
     bytes: &'a [u8],
@@ -110,8 +139,7 @@ impl<'a> Reader<'a> {
             // A file that was never sealed may end in the middle of a write.
             return if self.sealed { Err(self.rest_changed(first)) } else { Ok(false) };
         };
-        self.hasher.update(chunk.hashed);
-        let confirmed = chunk.check == &self.hasher.digest().to_le_bytes()[..chunk.check.len()] && !self.ended;
+        let confirmed = self.confirms(&chunk) && !self.ended;
         let before = (self.ticks, self.ended);
         let accepted = confirmed.then(|| self.accept(&chunk));
         if !matches!(accepted, Some(Ok(()))) {
@@ -122,6 +150,12 @@ impl<'a> Reader<'a> {
             Some(Err(Refusal::Unknown)) => Err(Damage::UnknownChunk(chunk.tag.into())),
             Some(Err(Refusal::Nonsense)) | None => Err(self.changed(first, self.at() - 1, "a chunk")),
         }
+    }
+
+    /// Whether a chunk's check is of it and of all before it.
+    fn confirms(&mut self, chunk: &Chunk) -> bool {
+        self.hasher.update(chunk.hashed);
+        chunk.check == &self.hasher.digest().to_le_bytes()[..chunk.check.len()]
     }
 
     fn rest_changed(&self, first: usize) -> Damage {

@@ -27,6 +27,11 @@ impl<W: Write + Seek> Recorder<W> {
     }
 
     /// Where it is written to.
+    pub fn get_ref(&self) -> &W {
+        self.writer.get_ref()
+    }
+
+    /// Where it is written to.
     pub fn get_mut(&mut self) -> &mut W {
         self.writer.get_mut()
     }

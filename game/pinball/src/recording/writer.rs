@@ -66,6 +66,11 @@ impl<W: Write + Seek> Writer<W> {
     }
 
     /// Where it is written to.
+    pub fn get_ref(&self) -> &W {
+        &self.out
+    }
+
+    /// Where it is written to.
     pub fn get_mut(&mut self) -> &mut W {
         &mut self.out
     }

@@ -27,6 +27,10 @@ const BALLS: usize = 5;
 /// How long they are watched, ms.
 const FALL_MS: usize = 5000;
 
+/// The plots, and how their files are called.
+const PLOTS: [(Plot, &str); 4] =
+    [(Plot::Flipper, "flipper"), (Plot::Shots, "shots"), (Plot::Restitution, "restitution"), (Plot::Energy, "energy")];
+
 /// A plot.
 pub struct Drawn {
     /// The picture.
@@ -41,19 +45,21 @@ pub struct Drawn {
 /// If the table cannot be read or has nothing to measure, or a file cannot be written.
 pub fn run(args: &PlotArgs) -> Result<(), Failure> {
     let table = tables::load(&args.table).map_err(Failure::of_many)?;
+    let path = |name: &str| args.out.join(name).with_extension("png");
+    let asked: Vec<(Plot, &str)> =
+        PLOTS.into_iter().filter(|(plot, _)| args.plot == *plot || args.plot == Plot::All).collect();
+    let before = asked.iter().map(|(_, name)| path(name)).find(|path| path.exists());
+    if let Some(before) = before.filter(|_| !args.overwrite) {
+        let before = before.display();
+        return Err(Failure::new(format!(
+            "{before} is there already: name another folder, or write over it with --overwrite"
+        )));
+    }
     parallel::make_folder(&args.out)?;
-    for (plot, name) in [
-        (Plot::Flipper, "flipper"),
-        (Plot::Shots, "shots"),
-        (Plot::Restitution, "restitution"),
-        (Plot::Energy, "energy"),
-    ] {
-        if args.plot == plot || args.plot == Plot::All {
-            let drawn = draw(plot, &table, args)?;
-            let path = args.out.join(name).with_extension("png");
-            save_png(&drawn.frame, &path)?;
-            print(&format!("{}: {}", path.display(), drawn.finding))?;
-        }
+    for (plot, name) in asked {
+        let drawn = draw(plot, &table, args)?;
+        save_png(&drawn.frame, &path(name))?;
+        print(&format!("{}: {}", path(name).display(), drawn.finding))?;
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 const MAX_ENTRIES: usize = 256;
 
 /// Rhai's words for what values are, as they stand in sentences, and a person's.
-const TYPES: [(&str, &str); 7] = [
+const TYPES: [(&str, &str); 9] = [
     ("()", "nothing"),
     ("i64", "a whole number"),
     ("bool", "true or false"),
@@ -20,6 +20,8 @@ const TYPES: [(&str, &str); 7] = [
     ("array", "an array"),
     ("map", "a map"),
     ("Fn", "a function"),
+    ("range=", "a range"),
+    ("range", "a range"),
 ];
 
 /// The failure of a node, with the entry of `this` that it needs and that is not there.
@@ -80,7 +82,10 @@ impl Failed {
     pub fn told(&self, spent: &str, this: &Data) -> String {
         let sentence = self.sentence(spent);
         if self.kind != FailureKind::Catchable {
-            return sentence;
+            return match (&self.what, self.kind) {
+                (_, FailureKind::Spent) | (Data::Text(_) | Data::Int(_), _) => sentence,
+                (other, _) => format!("the script has thrown {}", plain_type(other.type_name())),
+            };
         }
         let sentence = in_plain_words(&sentence);
         match self.unset.as_deref() {
@@ -108,6 +113,11 @@ impl Failed {
     }
 }
 
+/// A person's words for what a value is.
+fn plain_type(own: &str) -> &str {
+    TYPES.iter().find(|(word, _)| *word == own).map_or(own, |found| found.1)
+}
+
 /// A sentence with a person's words for what values are.
 fn in_plain_words(sentence: &str) -> String {
     let mut plain = sentence.to_string();
@@ -120,12 +130,10 @@ fn in_plain_words(sentence: &str) -> String {
     if let Some((before, types)) = sentence.split_once(" cannot be called with (")
         && let Some(types) = types.strip_suffix(')')
     {
-        let plain = |own: &str| {
-            TYPES.iter().find(|(word, _)| *word == own).map_or_else(|| own.to_string(), |found| found.1.to_string())
-        };
-        let types: Vec<String> = types.split(", ").map(plain).collect();
+        let types: Vec<&str> = types.split(", ").map(plain_type).collect();
         let why = match (before, &*types.join(", ")) {
             ("split", "a text, a text") => ": its mark has no letter; `chars` gives each letter by itself",
+            ("pad", "a text, a whole number, a text") => ": the text to fill up with has no letter",
             _ => "",
         };
         return format!("{before} cannot be called with {}{why}", types.join(", "));

@@ -229,6 +229,15 @@ fn what_a_function_does_not_take_is_told_with_why() {
         "split cannot be called with a text, a text: its mark has no letter; `chars` gives each letter by itself";
     for (body, what) in [
         ("let x = \"a,b\".split(\"\");", split),
+        // The empty text alone was wrong, the sentence named what is right as well.
+        (
+            "let s = \"a\"; s.pad(5000, \"\");",
+            "pad cannot be called with a text, a whole number, a text: the text to fill up with has no letter",
+        ),
+        ("throw [1];", "the script has thrown an array"),
+        ("throw #{};", "the script has thrown a map"),
+        ("throw 1..=2;", "the script has thrown a range"),
+        ("let x = #{ a: 1 }; let y = x[1..=2];", "a map cannot be indexed with a range"),
         ("let x = [1]; x.append(2);", "append takes an array; `push` adds one value"),
         ("let x = [1].length;", "an array has no property \"length\"; `len()` counts what is in it"),
     ] {

@@ -42,8 +42,11 @@ impl Transform {
         let (x, y) = (self.table_from_own.matrix2.x_axis, self.table_from_own.matrix2.y_axis);
         let (x_squared, y_squared) = (x.length_squared(), y.length_squared());
         let largest = x_squared.max(y_squared);
-        if largest < 1e-12 || !largest.is_finite() {
+        if largest < 1e-12 {
             return Err("its transforms shrink it to nothing".to_string());
+        }
+        if !largest.is_finite() {
+            return Err("its transforms make it larger than any number".to_string());
         }
         let slack = 1e-6 * largest;
         if (x_squared - y_squared).abs() > slack || x.dot(y).abs() > slack {

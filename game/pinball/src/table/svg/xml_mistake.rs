@@ -54,7 +54,7 @@ fn sentence(source: &Source, error: &Error, at: usize) -> (usize, String) {
         Error::UnknownEntityReference(name, _) => {
             format!("nobody says what `&{name};` is; write the letter itself, and `&amp;` for a plain &")
         }
-        Error::MalformedEntityReference(_) => "a plain & is written `&amp;`".to_string(),
+        Error::MalformedEntityReference(_) => return malformed(text, at),
         Error::InvalidAttributeValue(_) => return swallowing(text, tag_around(text, at)),
         Error::DuplicatedAttribute(name, _) => format!("`{name}` is given twice in one element; take one of them out"),
         Error::UnknownNamespace(prefix, _) => unknown_prefix(prefix),
@@ -85,6 +85,26 @@ fn sentence(source: &Source, error: &Error, at: usize) -> (usize, String) {
         }
     };
     (at, what)
+}
+
+/// An `&` that begins nothing, or the number of a character that XML does not have.
+fn malformed(text: &str, at: usize) -> (usize, String) {
+    let begin = if text[at..].starts_with('&') { at } else { text[..at].rfind('&').unwrap_or(at) };
+    let Some(number) = text[begin..].strip_prefix("&#") else {
+        return (at, "a plain & is written `&amp;`".to_string());
+    };
+    let number = number.find(';').filter(|end| *end <= SHOWN).map(|end| &number[..end]);
+    let code = number.and_then(|number| match number.strip_prefix('x') {
+        Some(hexadecimal) => u32::from_str_radix(hexadecimal, 16).ok(),
+        None => number.parse().ok(),
+    });
+    let what = match (number, code) {
+        (Some(number), Some(code)) => {
+            format!("`&#{number};` is the character U+{code:04X}, which no XML may hold; take it out")
+        }
+        _ => "a letter by its number is written `&#38;` or `&#x26;`, and a plain & is `&amp;`".to_string(),
+    };
+    (begin, what)
 }
 
 /// Which element is still open where another is closed.

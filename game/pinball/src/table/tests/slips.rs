@@ -106,6 +106,10 @@ fn what_is_not_xml_is_told_in_plain_words() {
     assert!(xml("x1=\"150\"", "x1=\"150").starts_with("2: `850\" x2="), "{}", xml("x1=\"150\"", "x1=\"150"));
     assert!(xml("x1=\"150\"", "x1=150").starts_with("2: `150 y1="));
     assert_eq!(xml("<line", "<text>a & b</text><line"), "2: a plain & is written `&amp;`");
+    // What is no character was told as a plain &.
+    let forbidden = "2: `&#27;` is the character U+001B, which no XML may hold; take it out";
+    assert_eq!(xml("<line", "<text>a &#27; b</text><line"), forbidden);
+    assert_eq!(xml("<line", "<text fill=\"&#x0;\"/><line"), forbidden.replace("27", "x0").replace("1B", "00"));
     assert_eq!(xml("x1=\"150\"", "x1=\"150\" x1=\"1\""), "2: `x1` is given twice in one element; take one of them out");
     let open = "6: `</svg>` stands here, and the `<g>` of line 2 is still open; close it with `</g>` first";
     assert_eq!(xml("<line", "<g><line"), open);
@@ -343,4 +347,13 @@ fn a_transform_of_a_group_is_told_once() {
     let things = "<circle class='post' cx='40' cy='40' r='4'/><circle class='post' id='p' cx='90' cy='40' r='4'/>";
     let told = drawn(&format!("\n<g transform='scal(2)'>\n{things}<g>{things}</g></g>").replacen(" id='p'", "", 1));
     assert!(told.starts_with("6: of this g: the transform `scal(2)` cannot be read; write "), "{told}");
+}
+
+/// What was made larger than any number was told as shrunk to nothing.
+#[test]
+fn a_transform_that_is_too_large_and_one_that_is_too_small_are_told_apart() {
+    for (scale, expected) in [("1e300", "make it larger than any number"), ("1e-9", "shrink it to nothing")] {
+        let told = drawn(&format!("<circle class='post' cx='40' cy='40' r='4' transform='scale({scale})'/>"));
+        assert!(told.contains(expected), "{told}");
+    }
 }
