@@ -104,6 +104,34 @@ fn a_message_that_has_no_time_is_told() {
     assert!(complained.contains(expected), "{complained}");
 }
 
+/// A message that the script puts together was shown for half a second, and was too wide for that.
+#[test]
+fn a_message_that_is_built_in_play_and_has_no_time_is_told() {
+    let walls =
+        r#"<path class="wall" d="M10 1060V10H504V1060M464 200V1060M504 90L424 10" fill="none" stroke-width="6"/>"#;
+    let rules = r#"fn on_start() { after(500, "sum"); after(2000, "template"); after(4000, "loop"); }
+fn on_timer(name) {
+    if name == "sum" { message("THE TARGETS ARE HIT FOR " + 250 + " POINTS AND MORE TO COME", 500); }
+    let n = 7;
+    if name == "template" { message(`ONLY ${n} BALLS ARE LEFT AND THE DAY IS OLD AND GREY`, 500); }
+    let s = "A";
+    while s.len < 50 { s += "A"; }
+    if name == "loop" { message(s, 500); }
+}"#;
+    let table = Table::with_rules("built", walls, rules);
+    let (_, _, complained) = told(&run(&["check", &table.0.to_string_lossy()]));
+    let all = [
+        (":3", "THE TARGETS ARE HIT FOR 250 POINTS AND MORE TO COME"),
+        (":5", "ONLY 7 BALLS ARE LEFT AND THE DAY IS OLD AND GREY"),
+        ("", &"A".repeat(50)),
+    ];
+    for (line, text) in all {
+        let expected =
+            format!("rules.rhai{line}: the message `{text}` is wider than the display and hurries past in its 500 ms");
+        assert_eq!(complained.matches(&expected).count(), 1, "{complained}");
+    }
+}
+
 #[test]
 fn a_bad_table_is_told_mistake_by_mistake() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/tables/spectrum");

@@ -14,6 +14,7 @@ mod read;
 #[cfg(test)]
 mod tests;
 mod typefaces;
+mod unnamed;
 
 pub use letters::warning as letters_warning;
 pub use mask::masks;

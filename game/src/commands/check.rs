@@ -53,7 +53,8 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
     report.found.extend(table.warnings.iter().cloned());
     report.found.extend(table.overlaps());
     let review = Review::of(&table);
-    report.found.extend(messages::warnings(&review.messages, &table));
+    let review_messages = review.messages.clone();
+    report.found.extend(messages::warnings(&review_messages, &table));
     let complaints = match Simulation::new(table.clone(), 0) {
         Ok(simulation) => first_ball(simulation).into_iter().map(Failure::new).collect(),
         Err(failure) => failure.into_each().collect(),
@@ -73,6 +74,8 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
         let trial = pool(args.threads)?.install(|| trial::play(&table))?;
         let more = trial.findings.into_iter().filter(|finding| !report.found.contains(finding)).collect::<Vec<_>>();
         report.found.extend(more);
+        let shown = messages::shown(&trial.messages, &review_messages, &table);
+        report.found.extend(shown.into_iter().filter(|one| !report.found.contains(one)).collect::<Vec<_>>());
         report.play = Some((trial.places, trial.bot_score));
     }
     Ok(report)

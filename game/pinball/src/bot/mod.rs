@@ -12,6 +12,7 @@ mod coverage_player;
 mod flipper_zones;
 mod game_result;
 mod input_queue;
+pub mod message_log;
 mod plan_search;
 mod random_player;
 mod rng;

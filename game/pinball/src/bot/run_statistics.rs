@@ -3,6 +3,7 @@
 use super::anomaly::{Anomaly, AnomalyDetector};
 use super::flipper_zones::FlipperZones;
 use super::game_result::GameResult;
+use super::message_log::{MessageLog, ShownMessage};
 use crate::recording::best_score;
 use crate::{Buttons, Simulation, Table};
 use physics::EventKind;
@@ -19,6 +20,7 @@ pub(super) struct RunStatistics {
     zones: FlipperZones,
     anomalies: AnomalyDetector,
     hits: Vec<u64>,
+    messages: MessageLog,
     /// How long each ball was in play; the last one goes on.
     balls: Vec<u64>,
     /// The last one goes on; its ticks are filled in when it does not.
@@ -38,6 +40,7 @@ pub(super) struct RunSummary {
     pub balls: Vec<u64>,
     pub hits: Vec<u64>,
     pub anomalies: Vec<Anomaly>,
+    pub messages: Vec<ShownMessage>,
 }
 
 impl RunStatistics {
@@ -46,6 +49,7 @@ impl RunStatistics {
             zones: FlipperZones::new(&table.layout),
             anomalies: AnomalyDetector::new(&table.layout),
             hits: vec![0; table.layout.parts.len()],
+            messages: MessageLog::default(),
             balls: vec![0],
             games: vec![GameResult::default()],
             began: 0,
@@ -72,6 +76,7 @@ impl RunStatistics {
         if tick.is_multiple_of(DISPLAY_TICKS) {
             self.look_at_display(simulation);
         }
+        self.messages.look(simulation);
         for event in simulation.events().filter(|event| event.kind == EventKind::Closed) {
             if let Some(hits) = event.part.and_then(|part| self.hits.get_mut(usize::from(part.0))) {
                 *hits += 1;
@@ -99,6 +104,7 @@ impl RunStatistics {
             balls: self.balls.into_iter().filter(|ticks| *ticks > 0).collect(),
             hits: self.hits,
             anomalies: self.anomalies.anomalies(),
+            messages: self.messages.shown(),
         }
     }
 

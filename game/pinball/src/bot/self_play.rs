@@ -2,6 +2,7 @@
 
 use super::anomaly::Anomaly;
 use super::game_result::GameResult;
+use super::message_log::ShownMessage;
 use super::run_statistics::RunStatistics;
 use super::{Bot, CoveragePlayer, RandomPlayer};
 use crate::recording::Recorder;
@@ -70,6 +71,8 @@ pub struct SelfPlayRun {
     pub hits: Vec<u64>,
     /// What went wrong.
     pub anomalies: Vec<Anomaly>,
+    /// The messages that were shown for a time.
+    pub messages: Vec<ShownMessage>,
     /// What the rules complained about.
     pub complaints: Vec<String>,
     /// How often a game was begun while a ball of another was in play.
@@ -120,6 +123,7 @@ pub fn play(
         balls: seen.balls,
         hits: seen.hits,
         anomalies: seen.anomalies,
+        messages: seen.messages,
         complaints: simulation.complaints(),
         restarts: simulation.rules_state().restarts,
         digest,

@@ -3,7 +3,7 @@
 use super::finding::{Finding, FindingKind};
 use super::reach::Reach;
 use super::switches::{self, Shot};
-use super::{THROWN_M, farthest, wait};
+use super::{LYING_M_S, THROWN_M, wait};
 use geometry::{DVec2, Taper, trig};
 use physics::{BALL_RADIUS_M, Command, Controls, Flipper, FlipperControl, Kickback, Kind, Machine, PartId, Saucer};
 
@@ -11,8 +11,12 @@ use physics::{BALL_RADIUS_M, Command, Controls, Flipper, FlipperControl, Kickbac
 const GAP_M: f64 = 2e-4;
 /// A captive ball that is farther from where it is drawn has come out, m.
 const CAPTIVE_M: f64 = 0.15;
-/// A ball that lies is no faster, m/s.
-const LYING_M_S: f64 = 0.01;
+/// A ball that is thrown is out of the way, or back, by then, ticks.
+const THROW_TICKS: usize = 4000;
+/// A ball that loses so much of its speed in a tick has met something, m/s.
+const BOUNCE_M_S: f64 = 0.1;
+/// A ball no farther from a kickback's face is on it again, m.
+const FACE_M: f64 = 0.002;
 /// A ball that is flipped is this fast, m/s.
 const FLIPPED_M_S: f64 = 0.5;
 /// Steps of a flipper's stroke, and along it.
@@ -83,8 +87,44 @@ fn try_kickback(mut machine: Machine, part: PartId, kickback: &Kickback) -> Opti
     }
     wait(&mut machine, Controls::NONE, 100);
     machine.tick(Controls::NONE, &[Command::Kick(part)]);
-    let thrown = farthest(&mut machine, Controls::NONE, center, 1000) > THROWN_M;
-    (!thrown).then(|| Finding::of_part(FindingKind::DoesNotKick, part, center))
+    let throw = watch_throw(&mut machine, kickback, center);
+    let kind = match throw {
+        _ if throw.farthest_m <= THROWN_M => FindingKind::DoesNotKick,
+        _ if throw.falls_back => FindingKind::FallsBack,
+        _ => return None,
+    };
+    Some(Finding::of_part(kind, part, center))
+}
+
+/// What a kickback's throw comes to.
+struct Throw {
+    farthest_m: f64,
+    /// The ball is on the face again, and has never come out of its way: so it will be thrown for ever.
+    falls_back: bool,
+}
+
+/// Follows a ball that is thrown from `start` until it is out of the kickback's way, or on its face again.
+fn watch_throw(machine: &mut Machine, kickback: &Kickback, start: DVec2) -> Throw {
+    let mut throw = Throw { farthest_m: 0.0, falls_back: false };
+    let (mut speed_m_s, mut is_out) = (0.0, false);
+    for _ in 0..THROW_TICKS {
+        machine.tick(Controls::NONE, &[]);
+        let balls = machine.balls();
+        let Some(ball) = balls.first() else { return throw };
+        throw.farthest_m = throw.farthest_m.max(ball.center.distance(start));
+        let from_tip = ball.center - kickback.tip;
+        let (along, aside) = (from_tip.dot(kickback.direction), from_tip.dot(kickback.direction.perp()).abs());
+        // What comes back from a wall comes back otherwise the next time.
+        let (before_m_s, is_flying) = (speed_m_s, along > kickback.stroke_m + BALL_RADIUS_M + FACE_M);
+        speed_m_s = ball.velocity.dot(kickback.direction);
+        is_out |= is_flying && before_m_s - speed_m_s > BOUNCE_M_S;
+        is_out |= aside > kickback.half_width_m + BALL_RADIUS_M || ball.above || ball.held;
+        throw.falls_back = !is_out && throw.farthest_m > THROWN_M && along < BALL_RADIUS_M + FACE_M;
+        if throw.falls_back || is_out && throw.farthest_m > THROWN_M {
+            return throw;
+        }
+    }
+    throw
 }
 
 /// A ball on the middle of the flipper is thrown away from it.

@@ -28,6 +28,10 @@ pub enum FindingKind {
     FeedBlocked,
     /// No pull of the plunger brings the ball away from it.
     Unlaunched,
+    /// The plunger is drawn upside down.
+    PointsDown,
+    /// A kickback's ball falls back on it.
+    FallsBack,
     /// A saucer throws its ball back into itself.
     KeepsItsBall,
     /// A kickback does not throw the ball that lies on it.
@@ -93,6 +97,8 @@ impl Finding {
 
     /// What was found of a ball there, about the part that is nearest: of a ball above the playfield the nearest ramp.
     pub(super) fn near(kind: FindingKind, layout: &Layout, place_m: DVec2, is_above: bool) -> Finding {
+        // A ball that has left the table is told where it has left it.
+        let place_m = if place_m.is_finite() { place_m.clamp(DVec2::ZERO, layout.size_m) } else { place_m };
         let ramp = nearest::ramp(layout, place_m).filter(|_| is_above);
         let part = ramp.or_else(|| nearest::part(layout, place_m, None));
         Finding { kind, part, place_mm: place_m * 1000.0, count: 1 }
@@ -199,6 +205,12 @@ impl Finding {
     /// The same of what is said of a part itself, not of a ball beside it.
     fn sentence_of_part(&self, table: &Table) -> String {
         match self.kind {
+            FindingKind::PointsDown => {
+                "it is drawn upside down and shoots down the table: draw it from the tip at rest, x1 y1, down to the tip when \
+                 fully pulled, x2 y2"
+                    .to_string()
+            }
+            FindingKind::FallsBack => self.falls_back(table),
             FindingKind::KeepsItsBall => {
                 "the ball that it throws out falls back into it: throw it faster, or to where the way is free".to_string()
             }
@@ -231,6 +243,17 @@ impl Finding {
         }
     }
 
+    /// Of a kickback that is too slow.
+    fn falls_back(&self, table: &Table) -> String {
+        let part = self.part.and_then(|part| table.layout.parts.get(usize::from(part.0)));
+        let speed = part.and_then(|part| match &part.kind {
+            Kind::Kickback(kickback) => Some(format!(" than its speed_m_s, {},", kickback.speed_m_s)),
+            _ => None,
+        });
+        let speed = speed.unwrap_or_default();
+        format!("the ball that it throws falls back on it: throw it faster{speed} or to where the way is free")
+    }
+
     /// What no ball does, by the kind of the part.
     fn never_closes(&self, table: &Table) -> String {
         let DVec2 { x, y } = self.place_mm;
@@ -252,6 +275,11 @@ impl Finding {
             Some(Kind::Ramp(_)) => {
                 format!(
                     "{balls} that are shot into it none comes onto it; leave its entry free, wider than a ball's 27 mm"
+                )
+            }
+            Some(Kind::CaptiveBall(_)) => {
+                format!(
+                    "{balls} that are shot at it none closes its switch; leave the way to it free, wider than 27 mm"
                 )
             }
             Some(Kind::Rollover(_)) => {

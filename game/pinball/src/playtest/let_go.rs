@@ -1,7 +1,7 @@
 //! A ball that is let go where one can come to: whether it comes away by itself, and stays on the playfield.
 
 use super::finding::{Finding, FindingKind};
-use super::{THROWN_M, USUAL_BURDEN, burden, farthest, wait};
+use super::{THROWN_M, USUAL_BURDEN, burden, farthest, is_on, wait};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, Command, Controls, FlipperControl, Kind, Machine};
 
@@ -64,10 +64,6 @@ pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
         wait(&mut machine, Controls::NONE, STUCK_TICKS);
     }
     freed
-}
-
-fn is_on(machine: &Machine, center: DVec2) -> bool {
-    center.cmpge(DVec2::ZERO).all() && center.cmple(machine.layout().size_m).all()
 }
 
 /// Whether the ball lies on a flipper that has a button, and the player can throw it from there: in a pocket behind the

@@ -17,6 +17,7 @@ mod shaken;
 mod switches;
 #[cfg(test)]
 mod tests;
+mod wedges;
 mod whole_game;
 
 pub use finding::{Finding, FindingKind};
@@ -24,6 +25,7 @@ use nearest::touchable;
 
 use crate::bot::Bot;
 use crate::bot::anomaly::AnomalyKind;
+use crate::bot::message_log::ShownMessage;
 use crate::bot::self_play::{self, Player, SelfPlayOptions};
 use crate::{Failure, Table, simulation};
 use geometry::{DVec2, Shape};
@@ -41,6 +43,11 @@ const USUAL_BURDEN: usize = 12;
 const MOST_TRIALS: usize = 400;
 /// A ball that is thrown has come this far, m.
 const THROWN_M: f64 = 0.05;
+/// A ball that lies is no faster, m/s.
+const LYING_M_S: f64 = 0.01;
+/// Captive balls that have been slow for so long have come to rest, ticks; after so many times as long they are left alone.
+const SETTLED_TICKS: usize = 250;
+const MOST_SETTLING: usize = 20;
 
 /// Where on the table a ball is put that is to stay in play, in parts of the table's size.
 const REFUGE: DVec2 = DVec2::new(0.5, 0.4);
@@ -56,11 +63,14 @@ pub struct Playtest {
 }
 
 /// What a bot has shown of a table.
+#[derive(Default)]
 pub struct BotRun {
     /// What went wrong.
     pub findings: Vec<Finding>,
     /// The best score.
     pub score: i64,
+    /// The messages that were shown for a time.
+    pub messages: Vec<ShownMessage>,
     /// What the rules complained about.
     pub complaints: Vec<String>,
 }
@@ -74,6 +84,7 @@ impl Playtest {
         let machine = Machine::new(Arc::new(table.layout.clone()));
         let mut machine = machine.map_err(|error| simulation::refused(table, &error))?;
         machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
+        settle_captives(&mut machine);
         let launch = plunger::try_it(&machine);
         // Where no ball leaves the plunger, what it could come to is told from the middle of the table.
         let feed = machine.layout().parts.iter().find_map(|part| match &part.kind {
@@ -199,7 +210,12 @@ impl Playtest {
         });
         let anew = Finding { kind: FindingKind::BeginsAnew, part: None, place_mm: DVec2::ZERO, count: 1 };
         let findings = findings.chain((run.restarts > 0).then_some(anew));
-        Ok(BotRun { findings: findings.collect(), score: run.score(), complaints: run.complaints })
+        Ok(BotRun {
+            findings: findings.collect(),
+            score: run.score(),
+            messages: run.messages,
+            complaints: run.complaints,
+        })
     }
 
     /// All that was found, the worst first: the same about the same part once. Where the playfield is open, balls that
@@ -216,6 +232,30 @@ impl Playtest {
         findings.retain(|finding| finding.kind != FindingKind::SwitchNeverCloses || !hidden.contains(&finding.part));
         finding::merged(findings)
     }
+}
+
+/// Lets captive balls that are drawn off their resting places roll there, as they have in any game.
+fn settle_captives(machine: &mut Machine) {
+    let is_rolling =
+        |machine: &Machine| machine.pose().captives.iter().any(|(_, ball)| ball.velocity.length() > LYING_M_S);
+    for _ in 0..MOST_SETTLING {
+        if machine.pose().captives.is_empty() {
+            return;
+        }
+        let mut rolled = false;
+        for _ in 0..SETTLED_TICKS {
+            machine.tick(Controls::NONE, &[]);
+            rolled |= is_rolling(machine);
+        }
+        if !rolled {
+            return;
+        }
+    }
+}
+
+/// Whether a ball there is on the playfield.
+fn is_on(machine: &Machine, center: DVec2) -> bool {
+    center.cmpge(DVec2::ZERO).all() && center.cmple(machine.layout().size_m).all()
 }
 
 fn wait(machine: &mut Machine, controls: Controls, ticks: u32) {

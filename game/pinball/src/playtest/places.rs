@@ -2,10 +2,12 @@
 
 use super::nearest::touchable;
 use super::reach::Reach;
+use super::wedges;
 use geometry::{Core, DVec2, Shape};
 use physics::{BALL_RADIUS_M, Kind, Machine};
 
-/// Of all places no more than one in so many is a pit, and no more than one in so many is beside what moves.
+/// Of all places no more than one in so many is a pit, no more than one in so many is beside what moves, and no more than one
+/// in so many is a wedge.
 const SHARE: usize = 4;
 /// A ball that is let go beside a part is no farther from it, m.
 const BESIDE_M: f64 = 0.003;
@@ -21,6 +23,7 @@ pub fn places(machine: &Machine, reach: &Reach, most: usize) -> Vec<DVec2> {
     let beside = machine.layout().parts.iter().flat_map(|part| beside(reach, &part.kind));
     let mut all = some(reach.pits());
     all.extend(some(beside.collect()));
+    all.extend(some(wedges::places(machine, reach)));
     let left = most.saturating_sub(all.len());
     let flaps: Vec<Shape> = machine.layout().parts.iter().flat_map(|part| flaps(&part.kind)).collect();
     let is_free = |place: &DVec2| flaps.iter().all(|flap| flap.distance(*place).0 >= BALL_RADIUS_M);

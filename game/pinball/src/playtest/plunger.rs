@@ -1,7 +1,7 @@
 //! The plunger's trial: a new ball arrives, the rod is pulled and let go, and the ball must come away.
 
 use super::finding::{Finding, FindingKind};
-use super::wait;
+use super::{is_on, wait};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, Command, Controls, EventKind, Kind, Machine, PartId, Plunger, TICKS_PER_SECOND};
 
@@ -34,7 +34,8 @@ fn try_one(machine: &Machine, part: PartId, plunger: &Plunger) -> Option<Finding
         let place = shot(machine.clone(), plunger, pull).err()?;
         turned_back = if far(&place) > far(&turned_back) { place } else { turned_back };
     }
-    Some(Finding::of_part(FindingKind::Unlaunched, part, turned_back))
+    let kind = if plunger.direction.y > 0.0 { FindingKind::PointsDown } else { FindingKind::Unlaunched };
+    Some(Finding::of_part(kind, part, turned_back))
 }
 
 /// Shoots a ball with this part of a full pull.
@@ -50,7 +51,7 @@ fn shot(mut machine: Machine, plunger: &Plunger, pull: f64) -> Result<(), DVec2>
     for _ in 0..FLIGHT_TICKS {
         machine.tick(Controls::NONE, &[]);
         launched |= machine.events().iter().any(|event| event.kind == EventKind::Launched);
-        let centers = machine.balls().into_iter().map(|ball| ball.center).filter(|center| center.is_finite());
+        let centers = machine.balls().into_iter().map(|ball| ball.center).filter(|center| is_on(&machine, *center));
         farthest =
             centers.fold(
                 farthest,

@@ -70,9 +70,12 @@ pub fn closing_shot(machine: &Machine, reach: &Reach, part: PartId, kind: &Kind)
         Kind::Ramp(ramp) => (shots_onto(reach, ramp), FLIGHT_TICKS),
         _ => {
             let Some(threshold_m_s) = is_hit(kind) else { return Ok(None) };
-            let shapes = touchable(kind);
-            let Some(shape) = shapes.first() else { return Ok(None) };
-            (shots_at(reach, shape, BALL_RADIUS_M, threshold_m_s), FLIGHT_TICKS)
+            // A captive ball lies where it has rolled, not where it is drawn.
+            let captives = machine.pose().captives;
+            let lying = captives.iter().find(|(own, _)| *own == part);
+            let lying = lying.map(|(_, ball)| Shape::disc(ball.center, BALL_RADIUS_M));
+            let Some(shape) = lying.or_else(|| touchable(kind).first().copied()) else { return Ok(None) };
+            (shots_at(reach, &shape, BALL_RADIUS_M, threshold_m_s), FLIGHT_TICKS)
         }
     };
     let (mut tried, mut contact_solves) = (Vec::new(), 0);

@@ -237,3 +237,24 @@ fn a_plunger_that_is_too_slow_is_told_so() {
         "plunger: the ball comes back to it however far it is pulled: its full_speed_m_s, 1.2, carries a ball up to ";
     assert!(told.contains(slow) && told.ends_with(" mm and no farther; give it more in table.toml"), "{told}");
 }
+
+/// A plunger drawn upside down where nothing stands below it shot its ball off the table, and was told by a place 44 m away.
+#[test]
+fn a_plunger_that_shoots_off_the_table_is_told_to_be_upside_down() {
+    let lane = WALLS.replace("M460 200V970H500", "M460 200V1000");
+    let mut table = with_rules(&lane, "");
+    for part in &mut table.layout.parts {
+        if let Kind::Plunger(plunger) = &mut part.kind {
+            (plunger.direction, plunger.feed) = (-plunger.direction, plunger.tip - plunger.direction * 0.015);
+        }
+    }
+    let playtest = playtest_of(table);
+    let [told] = &sentences(&playtest, playtest.launch().to_vec())[..] else { panic!() };
+    assert_eq!(
+        told,
+        "table.svg:4: plunger: it is drawn upside down and shoots down the table: draw it from the tip at rest, x1 y1, down to \
+         the tip when fully pulled, x2 y2"
+    );
+    let far = super::Finding::near(FindingKind::Escaped, playtest.machine.layout(), DVec2::new(0.453, 44.6), false);
+    assert_eq!(far.place_mm, DVec2::new(453.0, 1000.0), "where it has left");
+}

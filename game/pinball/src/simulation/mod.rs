@@ -174,6 +174,13 @@ impl Simulation {
         self.rules.script_state().display()
     }
 
+    /// The message that is shown, unless it stays until another comes, and how long it is shown yet, ms.
+    pub(crate) fn message(&self) -> Option<(&[String], u64)> {
+        let state = self.rules.script_state();
+        let left = state.message.until?.checked_sub(state.now)?;
+        (left > 0).then_some((&state.message.lines, left))
+    }
+
     /// What the rules have decided about this moment.
     pub(crate) fn rules_state(&self) -> SimulationRules {
         let state = self.rules.script_state();

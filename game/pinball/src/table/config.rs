@@ -16,7 +16,7 @@ use super::Profile;
 use super::normal_map::NormalMapInputs;
 use super::svg::element_class::ElementClass;
 use physics::Material;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The configuration of a table.
 #[derive(Debug)]
@@ -62,6 +62,8 @@ pub(super) struct Settings {
     shadow: Option<bool>,
     /// Each with the byte at which the file says it.
     numbers: BTreeMap<&'static str, (f64, usize)>,
+    /// Those that the file says, and that could not be read or are out of range.
+    refused: BTreeSet<&'static str>,
 }
 
 impl Config {
@@ -74,6 +76,11 @@ impl Config {
     /// The number `key` of the element called `name` if the file says it, and the byte at which it does.
     pub fn given(&self, class: ElementClass, name: &str, key: &str) -> Option<(f64, usize)> {
         self.setting(class, name, |settings| settings.numbers.get(key).copied())
+    }
+
+    /// Whether the file says this number of the element and it was told to be wrong, so that nothing follows from it.
+    fn is_refused(&self, class: ElementClass, name: &str, key: &str) -> bool {
+        self.setting(class, name, |settings| settings.refused.contains(key).then_some(())).is_some()
     }
 
     /// Whether a class or a thing is said to be made of this material.

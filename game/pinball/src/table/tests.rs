@@ -11,6 +11,7 @@ mod overlaps;
 mod sheets;
 mod slips;
 mod told;
+mod unread_art;
 mod words;
 
 use super::{Table, TableSources};

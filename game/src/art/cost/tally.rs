@@ -1,6 +1,7 @@
 //! Tally: what has been counted, and whom the most is owed to.
 
 use crate::Failure;
+use crate::art::unnamed;
 use resvg::usvg::roxmltree::Document;
 use std::collections::BTreeMap;
 
@@ -69,6 +70,9 @@ impl Tally {
     /// The element that the walk is in, as far as it has a name.
     fn place(&self) -> String {
         let Some(id) = self.path.last() else { return "an element without an id".to_string() };
+        if let Some(told) = unnamed::told(id) {
+            return told;
+        }
         self.lines.get(id).map_or_else(|| format!("`{id}`"), |line| format!("`{id}` in line {line}"))
     }
 

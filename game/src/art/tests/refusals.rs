@@ -266,3 +266,11 @@ fn nothing_but_a_sentence_comes_of_any_number() {
         }
     }
 }
+
+/// Of 300 blurred shapes without ids the group was named that they are in.
+#[test]
+fn what_takes_too_long_is_told_by_its_line_where_it_has_no_id() {
+    let blurred = r#"<rect width="480" height="900" filter="url(#bl)"/>"#.repeat(300);
+    let filter = r#"<filter id="bl"><feGaussianBlur stdDeviation="80"/></filter>"#;
+    refuses(&format!("<g id=\"layer1\">\n{filter}\n{blurred}</g>"), "the most takes a rect in line 7, ");
+}

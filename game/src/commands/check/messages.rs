@@ -4,6 +4,7 @@ use crate::hud;
 use crate::rules::KnownMessage;
 use crate::table::FILES;
 use crate::{Failure, Table};
+use pinball::bot::message_log::ShownMessage;
 use std::collections::BTreeSet;
 
 /// A warning for each message whose reader would miss something.
@@ -16,6 +17,39 @@ pub fn warnings(messages: &[KnownMessage], table: &Table) -> Vec<Failure> {
     let all: BTreeSet<(usize, String)> = all.collect();
     all.into_iter().map(|(line, what)| Failure::warning(format!("{file}:{line}: {what}"))).collect()
 }
+
+/// The same of what was shown in play, where the script builds it: each place of the script once.
+pub fn shown(messages: &[ShownMessage], known: &[KnownMessage], table: &Table) -> Vec<Failure> {
+    let file = table.file(FILES[2]);
+    let mut told = BTreeSet::new();
+    let mut found = Vec::new();
+    for ShownMessage { lines, ms } in messages {
+        let texts = || lines.iter();
+        // What stands in the script as it is was told with its line.
+        let is_known =
+            |text: &String| known.iter().any(|message| message.lines.iter().flatten().any(|one| one == text));
+        let is_built_of = |message: &&KnownMessage| {
+            let is_in = |piece: &String| texts().any(|text| text.contains(piece.as_str()));
+            !message.pieces.is_empty() && message.pieces.iter().all(is_in)
+        };
+        let line = known.iter().find(is_built_of).map(|message| message.line);
+        let own = lines.iter().map(|text| if is_known(text) { Vec::new() } else { vec![text.clone()] }).collect();
+        let message = KnownMessage { line: 0, lines: own, pieces: Vec::new(), ms: Some(*ms) };
+        for what in hurried(&message) {
+            // Numbers in it are others each time.
+            let gist: String = what.chars().filter(|letter| !letter.is_ascii_digit()).collect();
+            if told.insert(line.map_or((None, gist), |line| (Some(line), String::new()))) {
+                let place = line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"));
+                found.push(Failure::warning(format!("{place}: {what}")));
+            }
+        }
+    }
+    found.truncate(MOST_SHOWN);
+    found
+}
+
+/// Built messages that are told.
+const MOST_SHOWN: usize = 20;
 
 /// Lines that have no time to walk past.
 fn hurried(message: &KnownMessage) -> Vec<String> {

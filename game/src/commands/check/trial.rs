@@ -2,6 +2,7 @@
 
 use super::super::parallel::progress_bar;
 use crate::{Failure, Table};
+use pinball::bot::message_log::ShownMessage;
 use pinball::playtest::{BotRun, Finding, FindingKind, Playtest};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -20,6 +21,8 @@ pub struct Trial {
     pub places: usize,
     /// The bot's score.
     pub bot_score: i64,
+    /// The messages that were shown to it.
+    pub messages: Vec<ShownMessage>,
 }
 
 /// Plays the table.
@@ -47,8 +50,8 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     let first_game = || if plays { playtest.first_game() } else { Ok(Default::default()) };
     let (run, (rules, found)) = rayon::join(bot, || rayon::join(first_game, let_go));
     bar.finish_and_clear();
-    let (played, score, complaints) =
-        run?.map_or_else(Default::default, |BotRun { findings, score, complaints }| (findings, score, complaints));
+    let run = run?.unwrap_or_default();
+    let BotRun { findings: played, score, messages, complaints } = run;
     let (rules, more) = rules?;
     let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played, rules].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
@@ -56,7 +59,7 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     let complaints = complaints.iter().chain(more.iter().filter(|one| !complaints.contains(one)));
     let findings = complaints.map(Failure::new).chain(findings.map(|finding| finding.failure(table)));
     let findings = first_of(findings.collect());
-    Ok(Trial { findings, places: places.len(), bot_score: score })
+    Ok(Trial { findings, places: places.len(), bot_score: score, messages })
 }
 
 /// As many as are worth reading at once.

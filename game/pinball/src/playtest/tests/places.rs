@@ -115,3 +115,20 @@ fn there_are_as_many_places_as_were_asked_for() {
     assert_eq!(playtest.places(500).len(), 500);
     assert!(playtest.places(3).len() <= 5);
 }
+
+/// A ball came to rest between a wall and a post 14 mm from it, in a pocket 0.8 mm deep that no grid has.
+#[test]
+fn a_ball_that_lies_between_a_post_and_a_wall_is_found() {
+    let post = |x: f64| format!(r#"<circle class="post" id="stud" cx="{x}" cy="550" r="5"/>"#);
+    let stuck = |drawn: &str| {
+        let playtest = playtest(drawn);
+        let findings = playtest.places(500).into_iter().filter_map(|place| playtest.let_go(place)).collect();
+        sentences(&playtest, playtest.merged(findings))
+    };
+    let told = stuck(&post(33.0));
+    assert!(
+        told.len() == 1 && told[0].contains(": a ball lies still beside it at 2") && told[0].contains(", 532 mm"),
+        "{told:?}"
+    );
+    assert_eq!(stuck(&post(80.0)), Vec::<String>::new());
+}

@@ -141,3 +141,45 @@ fn a_ramp_whose_entry_is_barred_is_told() {
     assert_eq!(coils(&turned), Vec::<String>::new());
     assert_eq!(coils(&format!("{turned}{}", guide(604.0, 175.0).split_once("/>").unwrap().1)).len(), 1);
 }
+
+/// A captive ball that was drawn some millimetres above where it rests rolled while it was shot at, and was told as dead.
+#[test]
+fn a_captive_ball_rolls_to_its_place_before_it_is_shot_at() {
+    let cage = "M190 398L182 392V372A18 18 0 0 1 218 372V392L210 398";
+    let cage = format!(r#"<path class="wall" id="cage" d="{cage}" fill="none" stroke-width="3"/>"#);
+    let ball = |y: f64| format!(r#"{cage}<circle class="captive-ball" id="cap" cx="200" cy="{y}" r="13.5"/>"#);
+    assert_eq!(coils(&ball(386.7)), Vec::<String>::new());
+    assert_eq!(coils(&ball(380.0)), Vec::<String>::new());
+    let shut = r#"<path class="wall" d="M185 401H215" fill="none" stroke-width="3"/>"#;
+    let told = coils(&format!("{}{shut}", ball(380.0)));
+    assert!(told.iter().all(|told| !told.contains("turn it")), "{told:?}");
+}
+
+/// A kickback of 0.5 m/s threw its ball up, got it back and threw it again, for ever.
+#[test]
+fn a_kickback_whose_ball_falls_back_on_it_is_told() {
+    let lane = r#"<path class="wall" d="M150 300V700M190 300V700" fill="none" stroke-width="6"/>"#;
+    let drawn = format!(
+        r#"{WALLS}{lane}<line class="kickback" id="kb" x1="170" y1="600" x2="170" y2="565" stroke-width="26"/>"#
+    );
+    let told = |speed_m_s: f64| {
+        let mut table = with_rules(&drawn, "");
+        for part in &mut table.layout.parts {
+            if let Kind::Kickback(kickback) = &mut part.kind {
+                kickback.speed_m_s = speed_m_s;
+            }
+        }
+        let playtest = playtest_of(table);
+        sentences(&playtest, playtest.coils())
+    };
+    assert_eq!(told(4.0), Vec::<String>::new());
+    for speed_m_s in [0.5, 0.8] {
+        let all = told(speed_m_s);
+        let [told] = &all[..] else { panic!("{all:?}") };
+        let expected = format!(
+            ": kb: the ball that it throws falls back on it: throw it faster than its speed_m_s, {speed_m_s}, or to where the \
+             way is free"
+        );
+        assert!(told.ends_with(&expected), "{told}");
+    }
+}

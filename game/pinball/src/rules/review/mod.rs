@@ -8,6 +8,7 @@ mod entry_values;
 mod facts;
 mod given;
 mod handlers;
+mod hidden;
 mod known;
 mod literal;
 mod lost_ball;
@@ -65,13 +66,17 @@ impl Review {
             let findings = misspelt.iter().map(|remark| failure(remark, table)).collect();
             return Review { findings, messages: messages::messages(&facts, script) };
         }
+        let hidden = hidden::remarks(script, &table.rules);
+        // What the game's own function was to do is missing for that reason.
+        let missing = |remarks: Vec<Remark>| if hidden.is_empty() { remarks } else { Vec::new() };
         let mut remarks = [
+            hidden.clone(),
             names::remarks(&facts, names, &table.rules),
             timers::remarks(&facts, script, &table.rules),
             memory::remarks(script),
             entry_values::remarks(script),
-            calls::remarks(&facts, names),
-            lost_ball::remarks(&facts, names, script, &table.rules),
+            missing(calls::remarks(&facts, names)),
+            missing(lost_ball::remarks(&facts, names, script, &table.rules)),
             arguments::remarks(&facts, script, context),
             unreached::remarks(script, &table.rules),
             types::remarks(&facts, script, &table.rules),

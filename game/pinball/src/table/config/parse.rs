@@ -226,6 +226,8 @@ impl Reader<'_> {
         for NewMaterial { name, at, missing } in &new {
             let is_idle = is_known && !self.config.is_made_of(name);
             let meant = spelling::near(name, known.iter().map(String::as_str)).filter(|_| is_idle);
+            // Of three letters a third is too much to be one letter off: `foo` is no `wood`.
+            let meant = meant.filter(|meant| name.len() > 3 || meant.len() == name.len());
             if let Some(meant) = meant {
                 self.diagnostic(*at, format!("nothing is made of `{name}`; did you mean `{meant}`?"));
             } else if !missing.is_empty() && self.broken.is_empty() {
@@ -290,11 +292,10 @@ impl Reader<'_> {
                 "finish" if class.has_finish() => settings.finish = self.known_finish(value),
                 "shadow" if class.has_finish() => settings.shadow = self.truth("shadow", value),
                 _ => match class.parameters().iter().find(|known| known.name == word) {
-                    Some(known) => {
-                        if let Some(x) = self.number(known.name, value, known.min..=known.max) {
-                            settings.numbers.insert(known.name, (x, value.span().start));
-                        }
-                    }
+                    Some(known) => match self.number(known.name, value, known.min..=known.max) {
+                        Some(x) => drop(settings.numbers.insert(known.name, (x, value.span().start))),
+                        None => drop(settings.refused.insert(known.name)),
+                    },
                     None => self.unknown(key.span().start, word, &setting_words(class)),
                 },
             }

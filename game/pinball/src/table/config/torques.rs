@@ -20,6 +20,9 @@ fn of(source: &Source, config: &Config, element: &Element) -> Vec<(usize, Diagno
     let number = |key| config.number(element.class, &element.name, key);
     let place = |key| config.given(element.class, &element.name, key).map(|(_, at)| at);
     let spring = number("spring_torque_n_m");
+    if config.is_refused(element.class, &element.name, "spring_torque_n_m") {
+        return Vec::new();
+    }
     let too_weak = |(key, so): &(&'static str, &str)| {
         let torque = number(key);
         let at = place(key).or_else(|| place("spring_torque_n_m")).filter(|_| torque <= spring)?;

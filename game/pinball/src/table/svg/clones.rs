@@ -8,6 +8,7 @@ use super::drawing::{element_class, is_thing};
 use super::page::SVG;
 use super::references::{Links, href, is_use, plain_href};
 use super::text_edit::{escaped, prefix};
+use super::transform::Transform;
 use super::{style, viewport};
 use roxmltree::{Document, Node, NodeId};
 use std::collections::BTreeSet;
@@ -105,11 +106,14 @@ impl Cloner<'_, '_, '_> {
     /// A `<use>`, as it stands or in the copy that another makes; its clone is called `id`.
     fn user(&mut self, node: Node, around: &Copy, id: Option<String>, out: &mut String) -> Result<(), String> {
         let Some(target) = self.links.target(node) else { return Ok(()) };
+        // What is written out is a group, and its maker knows of none.
+        let transform = node.attribute("transform").unwrap_or("");
+        Transform::scaling(1.0).transformed(transform).map_err(|why| format!("of this use: {why}"))?;
         let number = |name: &str| node.attribute(name).map_or(Ok(0.0), |text| style::length(node, text, name));
         let (x, y) = (number("x")?, number("y")?);
         let place = if x == 0.0 && y == 0.0 { String::new() } else { format!("translate({x} {y})") };
         let copy = Copy { root: Some(target.id()), id, prefix: around.prefix };
-        self.open("g", node, around, &OF_USE, &[node.attribute("transform").unwrap_or(""), &place], out);
+        self.open("g", node, around, &OF_USE, &[transform, &place], out);
         if matches!(target.tag_name().name(), "svg" | "symbol") {
             let inner = viewport::transform(target, Some(node))?;
             self.open("g", target, &copy, &OF_VIEWPORT, &[target.attribute("transform").unwrap_or(""), &inner], out);

@@ -61,6 +61,7 @@ impl Cascade {
             sheet::read(source, node, &mut rules, diagnostics);
             classes.extend(class_words(&sheet::text(node)));
         }
+        diagnostics.extend(sheet::foreign(source, document));
         let lines = SheetLines::new();
         let cascade = Cascade { rules, caches: SelectorCaches::default(), written: 0, lines, classes };
         let comparisons = cascade.comparisons(document);

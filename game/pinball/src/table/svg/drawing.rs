@@ -178,6 +178,7 @@ impl Reader<'_> {
         if matches!(name, "image" | "foreignObject") && node.tag_name().namespace() == Some(SVG) {
             self.diagnostic(node, format!("`{name}` cannot be printed on a playfield; draw it with shapes"));
         }
+        self.misspelt_group(node);
         if let Some(data) = element_data(node).filter(|_| !typo) {
             self.diagnostic(
                 node,
@@ -186,7 +187,19 @@ impl Reader<'_> {
         }
     }
 
-    /// A transform, or nothing more to say where what is wrong with it was told: a group's is told once, with its own line.
+    /// Tells what is nearly the `data-group` of a group.
+    fn misspelt_group(&mut self, node: Node) {
+        let own = node.attributes().map(|attribute| attribute.name()).filter(|name| *name != "data-group");
+        let is_meant = |name: &&str| class_typo::nearest(name, ["data-group"]).is_some();
+        let wrong = own.into_iter().find(is_meant).filter(|_| is_container(node) && !node.has_attribute("data-group"));
+        if let Some(wrong) = wrong {
+            let name = node.tag_name().name();
+            self.diagnostic(node, format!("a {name} has no `{wrong}`; did you mean `data-group`?"));
+        }
+    }
+
+    /// A transform, or nothing more to say where what is wrong with it was told: a group's and that of art is told once, with
+    /// its own line; a thing's with its name.
     fn told_once(
         &mut self,
         node: Node,
@@ -194,7 +207,7 @@ impl Reader<'_> {
         transform: Result<Transform, String>,
     ) -> Result<Transform, String> {
         match transform {
-            Err(why) if inherited.transform.is_ok() && is_container(node) && node.parent_element().is_some() => {
+            Err(why) if inherited.transform.is_ok() && is_art(node) && node.parent_element().is_some() => {
                 self.diagnostic(node, format!("of this {}: {why}", node.tag_name().name()));
                 Err(String::new())
             }
@@ -290,6 +303,19 @@ impl Reader<'_> {
         }
         data
     }
+}
+
+/// Whether an element is no thing and may have a transform.
+fn is_art(node: Node) -> bool {
+    let name = node.tag_name().name();
+    let has_transform = SHAPES.contains(&name) || matches!(name, "text" | "clipPath");
+    let is_art = has_transform && node.tag_name().namespace() == Some(SVG) && element_class(node).is_none();
+    is_art || is_container(node)
+}
+
+/// Whether a word of an element's class is nearly a thing's: that is a mistake of its own.
+pub(in crate::table) fn meant_as_thing(node: Node) -> bool {
+    node.attribute("class").unwrap_or("").split_ascii_whitespace().any(|word| class_typo::meant(word).is_some())
 }
 
 /// The `data-` attributes that a thing of this class may have, for a sentence.

@@ -3,6 +3,7 @@
 //! Refuses to know what a thing on a table does.
 
 mod amount;
+mod art_shapes;
 mod biarc;
 mod class_typo;
 mod clones;
@@ -22,6 +23,7 @@ pub(super) mod outline;
 pub(super) mod outline_offset;
 mod outside;
 mod page;
+mod paint_servers;
 mod path_data;
 pub(super) mod path_flattening;
 mod references;

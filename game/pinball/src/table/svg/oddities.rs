@@ -1,11 +1,11 @@
 //! Oddities of a drawing that a browser passes over in silence, and that no maker means: properties that are none, references
 //! to nothing, ids that are given twice, text that nobody draws.
 
-use super::css;
 use super::drawing::element_class;
 use super::page::SVG;
 use super::references::{self, Links, href, is_use, urls};
 use super::sheet_values::READ;
+use super::{art_shapes, css, paint_servers};
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,6 +30,8 @@ pub(in crate::table) fn warnings<'d>(
         }
     }
     reader.found.extend(given_twice(source, document));
+    reader.found.extend(paint_servers::warnings(source, document, links, &style_of));
+    reader.found.extend(art_shapes::warnings(source, document, &style_of));
     reader.found.into_iter().map(Diagnostic::into_warning).collect()
 }
 
@@ -102,6 +104,7 @@ impl Reader<'_> {
             if !references::is_link(name) || has_choice {
                 continue;
             }
+            self.hashless(node, (name, value), is_paint);
             for id in urls(value) {
                 if self.links.named(id).is_some() || !self.told.insert((name.to_string(), id.to_string())) {
                     continue;
@@ -112,6 +115,21 @@ impl Reader<'_> {
                 self.tell(node, what);
             }
         }
+    }
+
+    /// Tells a `url()` that names an element without its `#`.
+    fn hashless(&mut self, node: Node, (name, value): (&str, &str), is_paint: bool) {
+        let Some(inside) = value.trim().strip_prefix("url(").and_then(|rest| rest.split(')').next()) else { return };
+        let id = inside.trim().trim_matches(['"', '\'']).trim();
+        if id.contains('#') || id.is_empty() || !self.told.insert((name.to_string(), value.to_string())) {
+            return;
+        }
+        let so = if is_paint { "nothing is painted" } else { "it is not drawn as it is meant" };
+        let meant = if self.links.named(id).is_some() { id } else { "ID" };
+        let element = node.tag_name().name();
+        let what =
+            format!("the {name} of this {element} is `{value}`, which names a file, so {so}; write url(#{meant})");
+        self.tell(node, what);
     }
 
     /// Tells art that lacks what no maker leaves out; of a thing it is a mistake, and told elsewhere.

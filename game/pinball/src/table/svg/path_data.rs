@@ -14,6 +14,13 @@ pub(in crate::table) fn draw(pen: &mut PathFlattener, data: &str) -> Result<(), 
     Ok(())
 }
 
+/// Why a path cannot be read to its end; none of one without commands.
+pub(in crate::table) fn unread(data: &str) -> Option<String> {
+    let is_said = !matches!(data.trim(), "" | "none");
+    let mistake = svgtypes::PathParser::from(data).find_map(Result::err).filter(|_| is_said)?;
+    Some(unreadable(data, &mistake))
+}
+
 /// Characters of what stands at a mistake that show where it is.
 const SHOWN: usize = 24;
 

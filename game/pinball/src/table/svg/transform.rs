@@ -57,6 +57,11 @@ impl Transform {
         Ok(self.table_from_own.matrix2.determinant().abs().sqrt())
     }
 
+    /// Nothing of what is in it has an area.
+    pub fn is_flat(&self) -> bool {
+        self.table_from_own.matrix2.determinant() == 0.0
+    }
+
     /// Left and right are swapped.
     pub fn mirrors(&self) -> bool {
         self.table_from_own.matrix2.determinant() < 0.0

@@ -62,7 +62,10 @@ fn what_is_named_and_is_not_there_is_told() {
     );
     assert_eq!(one(warned("<use/>")), "5: this <use> draws nothing: it has no href");
     assert_eq!(warned("<rect width='9' height='9' fill='url(#sea) red'/>"), [""; 0], "a second choice");
-    assert_eq!(warned("<radialGradient id='sea'/><rect width='9' height='9' fill='url(#sea)'/>"), [""; 0]);
+    assert_eq!(
+        warned("<radialGradient id='sea'><stop/></radialGradient><rect width='9' height='9' fill='url(#sea)'/>"),
+        [""; 0]
+    );
 }
 
 /// A lamp that nobody gave a colour is filled with black by SVG, and gives no light.

@@ -224,3 +224,15 @@ fn what_may_be_in_each_other_is_left_alone() {
     assert_eq!(told(&format!("{lane}{gate}{}", line("rollover", "r", [200.5, 250.0, 200.5, 280.0], 2.0))), [""; 0]);
     assert_eq!(spectrum().overlaps(), []);
 }
+
+/// A magnet of 1 m/s^2 held no ball, and check said ok.
+#[test]
+fn a_magnet_that_is_weaker_than_the_slope_is_told() {
+    let magnet = r#"<circle class="magnet" id="mag" cx="200" cy="300" r="40"/>"#;
+    let told = |numbers: &str| super::read(magnet, numbers).unwrap().overlaps();
+    assert_eq!(told(""), []);
+    let weak = told("[part.mag]\npull_m_s2 = 1");
+    let expected = "warning: table.svg:5: mag: its pull_m_s2, 1, is less than what the slope pulls a ball down with, 1.11 m/s^2, \
+                    so it holds none; give it ten times as much as the slope has";
+    assert_eq!(weak.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
+}

@@ -52,3 +52,26 @@ fn a_tilt_that_nothing_mends_is_told() {
         assert_eq!(told, Vec::<String>::new(), "{lost} {bob}");
     }
 }
+
+/// With `fn score(x) {}` in the rules every `score(100)` did nothing, and it was told that no rule calls `score`.
+#[test]
+fn a_function_that_hides_one_of_the_game_is_told() {
+    let game = "fn on_button(name) { if name == \"start\" { start_game(3); flippers(true); add_ball(); } }\n";
+    let game = format!("{game}fn on_switch(name) {{ score(100); flash(\"red\", 9); }}\n");
+    let told = |more: &str| told(&format!("{game}{more}"));
+    let plain = told("");
+    let hidden =
+        |what: &str| format!("warning: 3: the rules' own `{what}, which is never called then; name it otherwise");
+    assert!(
+        told("fn score(x) {}").contains(&hidden("score` hides the game's `score(points)`")),
+        "{:?}",
+        told("fn score(x) {}")
+    );
+    assert!(told("fn score(x) {}").iter().all(|told| !told.contains("no player can score")));
+    let flash = told("fn flash(a, b) {}");
+    assert!(
+        flash.iter().any(|told| told.starts_with("warning: 3: the rules' own `flash` hides the game's `flash(")),
+        "{flash:?}"
+    );
+    assert_eq!(told("fn score(a, b, c) {}").len(), plain.len(), "another function");
+}

@@ -44,12 +44,13 @@ pub(super) fn text(node: Node) -> String {
 /// Adds the rules of a sheet, in their order, and a warning for each that cannot be read.
 pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnostics: &mut Vec<Diagnostic>) {
     let text = text(node);
-    if !is_for_screens(node.attribute("media").unwrap_or("")) {
+    if holds(node.attribute("media").unwrap_or("")) != Some(true) {
         return;
     }
     let mut input = Parser::new(&text);
     let first = first_line(source, node);
-    for rule in StyleSheetParser::new(&mut input, &mut SheetParser) {
+    let mut parser = SheetParser::default();
+    for rule in StyleSheetParser::new(&mut input, &mut parser) {
         match rule {
             Ok(mut read) => {
                 for declaration in read.iter_mut().flat_map(|rule| &mut rule.declarations) {
@@ -63,14 +64,39 @@ pub(super) fn read(source: &Source, node: Node, rules: &mut Vec<Rule>, diagnosti
                 diagnostics.extend(unread.map(|unread| no_declaration(source, first + unread.line, &unread.begin)));
                 rules.extend(read.into_iter().map(|rule| Rule { line: first + rule.line, ..rule }));
             }
-            Err((_, rule, place)) => {
-                let line = first + place.line as usize;
-                let begin: String = rule.trim().chars().take_while(|&c| c != '{' && c != '\n').take(40).collect();
-                let why = format!("the rule `{}` of this sheet is not read", begin.trim_end());
-                diagnostics.push(source.diagnostic_in_line(line, why).into_warning());
-            }
+            Err((_, rule, place)) => diagnostics.push(unread(source, first + place.line as usize, rule)),
         }
     }
+    let inner = parser.unread.into_iter();
+    diagnostics.extend(inner.map(|(rule, line)| unread(source, first + line as usize, &rule)));
+}
+
+/// A warning of a rule that is not read.
+fn unread(source: &Source, line: usize, rule: &str) -> Diagnostic {
+    let begin: String = rule.trim().chars().take_while(|&c| c != '{' && c != '\n').take(40).collect();
+    let begin = begin.trim_end();
+    let is_media = begin.to_ascii_lowercase().starts_with("@media");
+    let why = if is_media { ": a table has no window of a known size; write what is in it without it" } else { "" };
+    source.diagnostic_in_line(line, format!("the rule `{begin}` of this sheet is not read{why}")).into_warning()
+}
+
+/// Warns of the sheets that are of another language than CSS, or for other windows than a table's.
+pub(super) fn foreign(source: &Source, document: &Document) -> Vec<Diagnostic> {
+    let styles = document.descendants().filter(|node| node.has_tag_name((SVG, "style")));
+    let told = styles.filter_map(|node| {
+        let media = node.attribute("media").unwrap_or("");
+        let what = match node.attribute("type") {
+            Some(kind) if !is_sheet(node) => {
+                format!("this sheet is of the type `{kind}`, so nobody reads it; write CSS, and type=\"text/css\" or none")
+            }
+            _ if holds(media).is_none() => {
+                format!("this sheet is for the media `{media}` and is not read: a table has no window of a known size; take `media` out")
+            }
+            _ => return None,
+        };
+        Some(source.diagnostic(node.range().start, what).into_warning())
+    });
+    told.collect()
 }
 
 /// The line in which the text of a sheet begins.
@@ -87,7 +113,13 @@ pub(super) fn misspelt(source: &Source, line: usize, name: &str) -> Option<Diagn
 
 /// A warning of what stands where a declaration should.
 pub(super) fn no_declaration(source: &Source, line: usize, begin: &str) -> Diagnostic {
-    let what = format!("`{begin}` says nothing: write `property: value;`, with a `:` between the two");
+    let what = match begin.split_once('{') {
+        Some((selector, _)) => {
+            let selector = selector.trim_end();
+            format!("the rule `{selector}` inside another is not read: write it behind that, with its whole selector")
+        }
+        None => format!("`{begin}` says nothing: write `property: value;`, with a `:` between the two"),
+    };
     source.diagnostic_in_line(line, what).into_warning()
 }
 
@@ -135,14 +167,32 @@ fn deepest(text: &str) -> usize {
     deepest
 }
 
-/// Whether a list of media holds a screen without conditions: a table is no page and has no window of a known size.
-fn is_for_screens(media: &str) -> bool {
-    let screen =
-        |query: &str| matches!(query.trim().to_ascii_lowercase().as_str(), "" | "all" | "screen" | "only screen");
-    media.split(',').any(screen)
+/// Whether a list of media holds for a table, which is shown on a screen; unknown where it asks for more than that: a table is
+/// no page and has no window of a known size.
+fn holds(media: &str) -> Option<bool> {
+    let query = |query: &str| match query.trim().to_ascii_lowercase().as_str() {
+        "" | "all" | "screen" | "only screen" | "not print" | "not speech" => Some(true),
+        "not all" | "not screen" => Some(false),
+        other if other.split([' ', '(']).next().is_some_and(|first| OTHER_MEDIA.contains(&first)) => Some(false),
+        _ => None,
+    };
+    let all: Vec<Option<bool>> = media.split(',').map(query).collect();
+    if all.contains(&Some(true)) {
+        return Some(true);
+    }
+    if all.contains(&None) { None } else { Some(false) }
 }
 
-struct SheetParser;
+/// Media that are no screen.
+const OTHER_MEDIA: [&str; 9] =
+    ["print", "speech", "aural", "braille", "embossed", "handheld", "projection", "tty", "tv"];
+
+/// Reads rules.
+#[derive(Default)]
+struct SheetParser {
+    /// How rules inside of others begin that are not read, and the lines from 0.
+    unread: Vec<(String, u32)>,
+}
 
 impl<'i> QualifiedRuleParser<'i> for SheetParser {
     type Prelude = Selectors;
@@ -176,7 +226,7 @@ impl<'i> AtRuleParser<'i> for SheetParser {
         let start = input.position();
         while input.next().is_ok() {}
         match name.to_ascii_lowercase().as_str() {
-            "media" => Ok(is_for_screens(input.slice_from(start))),
+            "media" => holds(input.slice_from(start)).ok_or_else(|| ParseError::custom(())),
             // Of no use to a drawing whose fonts are built in and which does not move.
             "font-face" | "keyframes" | "page" | "namespace" | "charset" => Ok(false),
             _ => Err(ParseError::custom(())),
@@ -197,6 +247,16 @@ impl<'i> AtRuleParser<'i> for SheetParser {
             while input.next().is_ok() {}
             return Ok(Vec::new());
         }
-        Ok(StyleSheetParser::new(input, self).flatten().flatten().collect())
+        let mut inner = SheetParser::default();
+        let (mut rules, mut unread) = (Vec::new(), Vec::new());
+        for rule in StyleSheetParser::new(input, &mut inner) {
+            match rule {
+                Ok(read) => rules.extend(read),
+                Err((_, rule, place)) => unread.push((rule.to_string(), place.line)),
+            }
+        }
+        self.unread.extend(unread);
+        self.unread.append(&mut inner.unread);
+        Ok(rules)
     }
 }
