@@ -237,7 +237,7 @@ fn what_a_function_does_not_take_is_told_with_why() {
         ("throw [1];", "the script has thrown an array"),
         ("throw #{};", "the script has thrown a map"),
         ("throw 1..=2;", "the script has thrown a range"),
-        ("let x = #{ a: 1 }; let y = x[1..=2];", "a map cannot be indexed with a range"),
+        ("let x = [1]; let y = x[0..=0];", "an array cannot be indexed with a range"),
         ("let x = [1]; x.append(2);", "append takes an array; `push` adds one value"),
         ("let x = [1].length;", "an array has no property \"length\"; `len()` counts what is in it"),
     ] {
