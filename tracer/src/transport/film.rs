@@ -95,7 +95,7 @@ impl SplatFilm {
 
 /// Shows `visit` each pixel that the way crosses, the length of its chord and how far from the start its middle is, in pixels:
 /// J. Amanatides and A. Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
-fn cross(segment: &PixelSegment, width: usize, height: usize, mut visit: impl FnMut(usize, f64, f64)) {
+pub(super) fn cross(segment: &PixelSegment, width: usize, height: usize, mut visit: impl FnMut(usize, f64, f64)) {
     let way = segment.to - segment.from;
     let length = way.length();
     if !(length > 0.0 && length.is_finite()) {

@@ -3,6 +3,7 @@
 //! The realtime rooms find direct light alone. Here light meets mirrors, glass and matt walls, with its wavelength and its
 //! polarization.
 
+pub mod bake;
 pub mod beams;
 mod body;
 mod curve;
