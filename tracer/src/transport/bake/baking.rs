@@ -33,7 +33,7 @@ pub struct BakeOptions {
 impl BakeOptions {
     /// What is usual for a table, over this region: three walls, cells of four millimetres.
     pub fn over(region: Bounds) -> BakeOptions {
-        BakeOptions { region, cell_mm: 4.0, bounces: 3, packets: 1 << 16, seed: 0 }
+        BakeOptions { region, cell_mm: 4.0, bounces: 3, packets: 1 << 14, seed: 0 }
     }
 }
 
@@ -62,12 +62,9 @@ pub fn bake(
         return None;
     }
     let absorbs = (0..scene.bodies.len() as BodyId).any(|body| surfaces.absorbs(body));
-    let place =
-        Place { surfaces: &surfaces, walls: &walls, cells: &cells, weights, absorbs, bounces: options.bounces };
-    let ways: Vec<WayBasis> = scene.sources.iter().map(|source| WayBasis::new(source.falloff)).collect();
-    let lamps = scene.sources.len();
-    let mut light = WallLight { surfaces: &surfaces, walls: &walls, ways, sent: Vec::new() };
-    light.sent = vec![0.0; walls.pieces() * light.most_ways() * 3 * lamps];
+    let place = Place { surfaces: &surfaces, walls: &walls, cells: &cells, weights, absorbs, bounces: options.bounces };
+    let mut light = WallLight::new(&surfaces, &walls, &scene.sources);
+    let lamps = light.lamps();
     let mut layers = vec![0.0; cells.nodes().len() * lamps * 3];
     for (number, source) in scene.sources.iter().enumerate() {
         let (traces, unit) = traces_of(&place, source, &light.ways[number], options, number, &progress)?;
@@ -94,7 +91,8 @@ fn traces_of(
     number: usize,
     progress: &Progress,
 ) -> Option<(Traces, f64)> {
-    let absorbing = place.surfaces.media_at(source.form.middle()).into_iter().filter(|body| place.surfaces.absorbs(*body));
+    let absorbing =
+        place.surfaces.media_at(source.form.middle()).into_iter().filter(|body| place.surfaces.absorbs(*body));
     let wavelengths = WavelengthSampler::new(&source.emission);
     let unit = source.power * wavelengths.mean() / (UNIT * options.packets.max(1) as f64);
     let seed = mix64(options.seed.wrapping_add(number as u64));

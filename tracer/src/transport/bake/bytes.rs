@@ -35,8 +35,7 @@ impl Bake {
     /// The bake as bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let Bake { options, fingerprint, lamps, light, .. } = self;
-        let kept =
-            Kept { options: *options, fingerprint: *fingerprint, lamps: *lamps as u64, light: light.clone() };
+        let kept = Kept { options: *options, fingerprint: *fingerprint, lamps: *lamps as u64, light: light.clone() };
         // Into memory, of plain numbers: it has no way to fail.
         let body = postcard::to_stdvec(&kept).unwrap_or_default();
         let mut bytes = Vec::with_capacity(HEADER + body.len());

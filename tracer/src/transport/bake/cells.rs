@@ -125,9 +125,11 @@ impl Cells {
             });
         }
         let mut found = false;
-        for (cell, weight) in corners {
+        for (cell, _) in corners {
             if let Some(node) = nearest_seen(surfaces, self.points_of(cell), point) {
-                take(node, weight.max(LEAST_WEIGHT));
+                // In an undivided cell these are the bilinear weights.
+                let near = DVec2::ONE - (point - self.nodes[node].at).abs() / self.cell_mm;
+                take(node, near.x.max(LEAST_NEARNESS) * near.y.max(LEAST_NEARNESS));
                 found = true;
             }
         }
@@ -150,8 +152,8 @@ impl Cells {
     }
 }
 
-/// Where a point lies on the very middle of one cell that it does not see, the others still count.
-const LEAST_WEIGHT: f64 = 1e-6;
+/// Where a point sees no near node, those that it sees still count.
+const LEAST_NEARNESS: f64 = 1e-3;
 
 /// The node of the nearest of these points that is seen.
 fn nearest_seen(surfaces: &Surfaces, points: &[LatticePoint], from: DVec2) -> Option<usize> {
@@ -179,17 +181,21 @@ fn sees(surfaces: &Surfaces, from: DVec2, to: DVec2) -> bool {
 }
 
 fn cell_nodes(surfaces: &Surfaces, corner: DVec2, cell_mm: f64) -> CellNodes {
-    let lattice: [DVec2; POINTS] = std::array::from_fn(|at| lattice_point(corner, cell_mm, at % SIDE, at / SIDE));
     let mut groups: [usize; POINTS] = std::array::from_fn(|at| at);
     let mut is_clear = true;
-    for at in 0..POINTS {
-        let (x, y) = (at % SIDE, at / SIDE);
-        for (to_x, to_y) in [(x + 1, y), (x, y + 1)] {
-            let open = sees(surfaces, lattice[at], lattice_point(corner, cell_mm, to_x, to_y));
-            is_clear &= open;
-            if open && to_x < SIDE && to_y < SIDE {
-                let (one, other) = (groups[at], groups[to_y * SIDE + to_x]);
-                groups.iter_mut().filter(|group| **group == other).for_each(|group| *group = one);
+    let group_at = |x: usize, y: usize| (x < SIDE && y < SIDE).then(|| y * SIDE + x);
+    for line in 0..SIDE {
+        // From the last point of the cell before to the first one of the cell behind: a surface may lie on either margin.
+        for step in 0..=SIDE {
+            for [from, to] in
+                [[(step.wrapping_sub(1), line), (step, line)], [(line, step.wrapping_sub(1)), (line, step)]]
+            {
+                let open = sees(surfaces, lattice_point(corner, cell_mm, from), lattice_point(corner, cell_mm, to));
+                is_clear &= open;
+                if let (true, Some(one), Some(other)) = (open, group_at(from.0, from.1), group_at(to.0, to.1)) {
+                    let (one, other) = (groups[one], groups[other]);
+                    groups.iter_mut().filter(|group| **group == other).for_each(|group| *group = one);
+                }
             }
         }
     }
@@ -203,7 +209,8 @@ fn cell_nodes(surfaces: &Surfaces, corner: DVec2, cell_mm: f64) -> CellNodes {
     }
     let (mut points, mut nodes) = (Vec::new(), Vec::new());
     for group in 0..POINTS {
-        let of = || (0..POINTS).filter(|at| groups[*at] == group).map(|at| lattice[at]);
+        let members = || (0..POINTS).filter(|at| groups[*at] == group);
+        let of = || members().map(|at| lattice_point(corner, cell_mm, (at % SIDE, at / SIDE)));
         let count = of().count();
         if count == 0 {
             continue;
@@ -219,9 +226,10 @@ fn cell_nodes(surfaces: &Surfaces, corner: DVec2, cell_mm: f64) -> CellNodes {
     CellNodes { points, nodes, is_clear }
 }
 
-/// A point of the lattice of a cell, or of the next ones.
-fn lattice_point(corner: DVec2, cell_mm: f64, x: usize, y: usize) -> DVec2 {
-    corner + (DVec2::new(x as f64, y as f64) + 0.5) * (cell_mm / SIDE as f64)
+/// A point of the lattice of a cell; before it (0 less 1, wrapping) or behind it is the next cell's.
+fn lattice_point(corner: DVec2, cell_mm: f64, (x, y): (usize, usize)) -> DVec2 {
+    let place = DVec2::new(x as isize as f64, y as isize as f64);
+    corner + (place + 0.5) * (cell_mm / SIDE as f64)
 }
 
 /// Whether a point lies on no surface: what is gathered there would come from both sides.

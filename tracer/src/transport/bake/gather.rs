@@ -5,8 +5,8 @@
 //! go on, and its M is the mean over the pieces between. Where they meet different walls, the angle is halved a few times.
 
 use super::walls::{WallPoint, Walls};
-use super::way_basis::WayBasis;
-use crate::transport::{StartsOn, Surfaces};
+use super::way_basis::{WAYS, WayBasis, WayWeights};
+use crate::transport::{Falloff, LightSource, StartsOn, Surfaces};
 use geometry::{DVec2, Ray, trig};
 use std::f64::consts::TAU;
 
@@ -21,6 +21,10 @@ pub(super) struct WallLight<'a> {
     pub(super) surfaces: &'a Surfaces,
     pub(super) walls: &'a Walls,
     pub(super) ways: Vec<WayBasis>,
+    /// One for each falloff that there is.
+    falloffs: Vec<WayWeights>,
+    /// By lamps: which.
+    falloff_of: Vec<usize>,
     /// By pieces, ways, channels, lamps: power for each millimetre.
     pub(super) sent: Vec<f32>,
 }
@@ -35,6 +39,13 @@ struct Sum<'a, 'b> {
     weights: Vec<f32>,
 }
 
+/// A ray, and what it meets.
+#[derive(Clone, Copy)]
+struct Cast {
+    direction: DVec2,
+    met: Option<Met>,
+}
+
 /// Where a ray ends on a matt wall.
 #[derive(Clone, Copy)]
 struct Met {
@@ -42,7 +53,24 @@ struct Met {
     distance: f64,
 }
 
-impl WallLight<'_> {
+impl<'a> WallLight<'a> {
+    /// Dark walls.
+    pub(super) fn new(surfaces: &'a Surfaces, walls: &'a Walls, sources: &[LightSource]) -> WallLight<'a> {
+        let mut known: Vec<Falloff> = Vec::new();
+        let number = |source: &LightSource| {
+            known.iter().position(|falloff| *falloff == source.falloff).unwrap_or_else(|| {
+                known.push(source.falloff);
+                known.len() - 1
+            })
+        };
+        let falloff_of = sources.iter().map(number).collect();
+        let falloffs = known.iter().map(|falloff| WayWeights::new(&WayBasis::new(*falloff))).collect();
+        let ways = sources.iter().map(|source| WayBasis::new(source.falloff)).collect();
+        let mut light = WallLight { surfaces, walls, ways, falloffs, falloff_of, sent: Vec::new() };
+        light.sent = vec![0.0; walls.pieces() * light.most_ways() * 3 * light.lamps()];
+        light
+    }
+
     pub(super) fn lamps(&self) -> usize {
         self.ways.len()
     }
@@ -55,12 +83,12 @@ impl WallLight<'_> {
     pub(super) fn gather(&self, at: DVec2, turn: f64) -> Vec<f32> {
         let weights = vec![0.0; self.most_ways() * self.lamps()];
         let mut sum = Sum { light: self, at, sum: vec![0.0; 3 * self.lamps()], weights };
-        let angle = |number: usize| TAU * (number as f64 + turn) / DIRECTIONS as f64;
-        let first = sum.cast(angle(0));
+        let step = trig::direction(TAU / DIRECTIONS as f64);
+        let first = sum.cast(trig::direction(TAU * turn / DIRECTIONS as f64));
         let mut before = first;
         for number in 1..=DIRECTIONS {
-            let next = if number == DIRECTIONS { first } else { sum.cast(angle(number)) };
-            sum.between([angle(number - 1), angle(number)], [before, next], HALVINGS);
+            let next = if number == DIRECTIONS { first } else { sum.cast(step.rotate(before.direction).normalize()) };
+            sum.between(TAU / DIRECTIONS as f64, [before, next], HALVINGS);
             before = next;
         }
         sum.sum
@@ -68,24 +96,24 @@ impl WallLight<'_> {
 }
 
 impl Sum<'_, '_> {
-    fn cast(&self, angle: f64) -> Option<Met> {
-        let ray = Ray { origin: self.at, direction: trig::direction(angle) };
-        let contacts = self.light.surfaces.meet(&ray, &StartsOn::NOTHING)?;
-        let point = self.light.walls.met(self.light.surfaces, &contacts)?;
-        Some(Met { point, distance: contacts.first().distance })
+    fn cast(&self, direction: DVec2) -> Cast {
+        let ray = Ray { origin: self.at, direction };
+        let met = self.light.surfaces.meet(&ray, &StartsOn::NOTHING).and_then(|contacts| {
+            let point = self.light.walls.met(self.light.surfaces, &contacts)?;
+            Some(Met { point, distance: contacts.first().distance })
+        });
+        Cast { direction, met }
     }
 
-    fn between(&mut self, [from, to]: [f64; 2], ends: [Option<Met>; 2], halvings: u32) {
-        let angle = to - from;
-        match ends {
+    fn between(&mut self, angle: f64, ends: [Cast; 2], halvings: u32) {
+        match ends.map(|end| end.met) {
             [None, None] => {}
             [Some(a), Some(b)] if a.point.is_with(&b.point) => self.add(&a, &b, angle),
-            _ if halvings == 0 => ends.into_iter().flatten().for_each(|met| self.add(&met, &met, 0.5 * angle)),
-            [a, b] => {
-                let middle = 0.5 * (from + to);
-                let met = self.cast(middle);
-                self.between([from, middle], [a, met], halvings - 1);
-                self.between([middle, to], [met, b], halvings - 1);
+            met if halvings == 0 => met.into_iter().flatten().for_each(|met| self.add(&met, &met, 0.5 * angle)),
+            _ => {
+                let middle = self.cast((ends[0].direction + ends[1].direction).normalize());
+                self.between(0.5 * angle, [ends[0], middle], halvings - 1);
+                self.between(0.5 * angle, [middle, ends[1]], halvings - 1);
             }
         }
     }
@@ -94,9 +122,12 @@ impl Sum<'_, '_> {
     fn add(&mut self, a: &Met, b: &Met, angle: f64) {
         let lamps = self.light.lamps();
         let distance = 0.5 * (a.distance + b.distance);
-        for (number, weights) in self.weights.chunks_exact_mut(lamps).enumerate() {
-            for (weight, ways) in weights.iter_mut().zip(&self.light.ways) {
-                *weight = (0.5 * angle * ways.weight(number, distance)) as f32;
+        for (falloff, table) in self.light.falloffs.iter().enumerate() {
+            let of_ways: [f32; WAYS] = table.at(distance);
+            let own = self.light.falloff_of.iter().enumerate().filter(|(_, of)| **of == falloff);
+            for (lamp, _) in own {
+                let column = self.weights[lamp..].iter_mut().step_by(lamps);
+                column.zip(of_ways).for_each(|(weight, of_way)| *weight = 0.5 * angle as f32 * of_way);
             }
         }
         let (sent, sum) = (&self.light.sent, &mut self.sum);

@@ -1,7 +1,7 @@
 //! A bake: the layers of all lamps, and the light at a point under lamps of any colours.
 
-use super::cells::Cells;
 use super::BakeOptions;
+use super::cells::Cells;
 use crate::transport::Surfaces;
 use geometry::DVec2;
 

@@ -14,10 +14,12 @@
 mod baking;
 mod bytes;
 mod cells;
+mod cuts;
 mod gather;
 mod layers;
 mod packets;
 mod progress;
+mod wall_curve;
 mod walls;
 mod way_basis;
 

@@ -140,9 +140,8 @@ impl Flight<'_, '_> {
     /// How much of each wavelength is absorbed, 1/mm, if any is.
     fn absorption(&self) -> Option<[f64; HEROES]> {
         let Photon { media, wavelengths_nm, .. } = &self.photon;
-        let found = self.place.absorbs.then(|| {
-            wavelengths_nm.map(|nm| media.absorption_per_mm(self.place.surfaces, nm))
-        });
+        let found =
+            self.place.absorbs.then(|| wavelengths_nm.map(|nm| media.absorption_per_mm(self.place.surfaces, nm)));
         found.filter(|absorption| *absorption != [0.0; HEROES])
     }
 

@@ -1,7 +1,10 @@
 //! Matt walls in short pieces: where light that they send out is counted.
+//!
+//! A piece ends where another surface meets its wall, so that no piece has two rooms on one side.
 
-use crate::transport::{Contact, Contacts, Curve, EdgeId, Material, Parabola, Surfaces};
-use geometry::DVec2;
+use super::cuts::cuts;
+use super::wall_curve::{along, length, normal};
+use crate::transport::{Contact, Contacts, Curve, EdgeId, Material, Surfaces};
 use std::f64::consts::PI;
 
 /// The matt walls of a scene; each has two sides, and each side its pieces.
@@ -13,14 +16,12 @@ pub(super) struct Walls {
 }
 
 /// A matt edge.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Wall {
     /// Of its first side.
     first_piece: usize,
-    /// Of one side.
-    pieces: usize,
-    /// The length of a piece, mm.
-    piece_mm: f64,
+    /// Where pieces begin and end, from the wall's beginning, mm.
+    bounds_mm: Vec<f64>,
     /// A whole circle: its end is its beginning.
     is_round: bool,
 }
@@ -31,8 +32,10 @@ pub(super) struct WallPoint {
     edge: EdgeId,
     /// 0: the side of the curve's normal.
     side: usize,
-    /// From the wall's beginning, pieces.
-    at: f64,
+    /// From the wall's beginning, mm.
+    at_mm: f64,
+    /// On its side.
+    piece: usize,
 }
 
 impl WallPoint {
@@ -42,20 +45,46 @@ impl WallPoint {
     }
 }
 
+impl Wall {
+    /// A wall in pieces of about `piece_mm`.
+    fn new(surfaces: &Surfaces, edges: EdgeId, edge: EdgeId, piece_mm: f64, first_piece: usize) -> Wall {
+        let curve = surfaces.curve(edge);
+        let ends = cuts(surfaces, edges, edge);
+        let mut bounds_mm = vec![0.0];
+        for ends in ends.windows(2) {
+            let count = ((ends[1] - ends[0]) / piece_mm).ceil().max(1.0);
+            let bound = |number: usize| ends[0] + (ends[1] - ends[0]) * (number as f64 / count);
+            bounds_mm.extend((1..=count as usize).map(bound));
+        }
+        let is_round = matches!(curve, Curve::Arc(arc) if arc.half_angle() == PI);
+        Wall { first_piece, bounds_mm, is_round }
+    }
+
+    fn pieces(&self) -> usize {
+        self.bounds_mm.len() - 1
+    }
+
+    fn length_mm(&self) -> f64 {
+        self.bounds_mm[self.pieces()]
+    }
+
+    fn piece_at(&self, at_mm: f64) -> usize {
+        self.bounds_mm[1..self.pieces()].partition_point(|end| *end <= at_mm)
+    }
+}
+
 impl Walls {
-    /// The walls of these edges, in pieces of about `piece_mm`.
+    /// The walls of these edges, of which the bodies are told, in pieces of about `piece_mm`.
     pub(super) fn new(surfaces: &Surfaces, bodies_of_edges: &[u32], piece_mm: f64) -> Walls {
         let mut pieces = 0;
+        let edges = bodies_of_edges.len() as EdgeId;
         let wall = |(edge, body): (EdgeId, &u32)| {
-            if !matches!(surfaces.material(*body), Material::Diffuse { .. }) {
+            let is_wall = matches!(surfaces.material(*body), Material::Diffuse { .. });
+            if !is_wall || length(surfaces.curve(edge)) <= 0.0 {
                 return None;
             }
-            let curve = surfaces.curve(edge);
-            let length = length(curve);
-            let count = (length / piece_mm).ceil().max(1.0) as usize;
-            let is_round = matches!(curve, Curve::Arc(arc) if arc.half_angle() == PI);
-            let wall = Wall { first_piece: pieces, pieces: count, piece_mm: length / count as f64, is_round };
-            pieces += 2 * count;
+            let wall = Wall::new(surfaces, edges, edge, piece_mm, pieces);
+            pieces += 2 * wall.pieces();
             Some(wall)
         };
         let walls = (0..).zip(bodies_of_edges).map(wall).collect();
@@ -77,88 +106,51 @@ impl Walls {
         let wall = self.walls[contact.edge as usize].as_ref()?;
         let curve = surfaces.curve(contact.edge);
         let side = usize::from(normal(curve, contact.place).dot(contact.normal) < 0.0);
-        let at = (along(curve, contact.place) / wall.piece_mm).clamp(0.0, wall.pieces as f64);
-        Some(WallPoint { edge: contact.edge, side, at })
+        let at_mm = along(curve, contact.place).clamp(0.0, wall.length_mm());
+        Some(WallPoint { edge: contact.edge, side, at_mm, piece: wall.piece_at(at_mm) })
     }
 
     /// The piece in which a place lies.
     pub(super) fn piece(&self, point: &WallPoint) -> usize {
         let Some(wall) = &self.walls[point.edge as usize] else { return 0 };
-        wall.first_piece + point.side * wall.pieces + (point.at as usize).min(wall.pieces - 1)
+        wall.first_piece + point.side * wall.pieces() + point.piece
     }
 
     /// The length of each piece, mm.
     pub(super) fn lengths_mm(&self) -> impl Iterator<Item = f64> {
-        self.walls.iter().flatten().flat_map(|wall| std::iter::repeat_n(wall.piece_mm, 2 * wall.pieces))
+        self.walls.iter().flatten().flat_map(|wall| {
+            let side = || wall.bounds_mm.windows(2).map(|ends| ends[1] - ends[0]);
+            side().chain(side())
+        })
     }
 
     /// Shows `visit` the pieces between two places on one side, each with its part of the way between them.
     pub(super) fn between(&self, a: &WallPoint, b: &WallPoint, mut visit: impl FnMut(usize, f64)) {
         let Some(wall) = &self.walls[a.edge as usize] else { return };
-        let first = wall.first_piece + a.side * wall.pieces;
-        let (mut low, mut high) = (a.at.min(b.at), a.at.max(b.at));
-        let around = wall.pieces as f64;
-        if wall.is_round && high - low > 0.5 * around {
-            (low, high) = (high, low + around);
+        let first = wall.first_piece + a.side * wall.pieces();
+        let (low, high) = if a.at_mm <= b.at_mm { (a, b) } else { (b, a) };
+        let way = high.at_mm - low.at_mm;
+        if low.piece == high.piece && way < 0.5 * wall.length_mm() || way < LEAST_WAY_MM {
+            return visit(first + low.piece, 1.0);
         }
-        let piece = |number: usize| first + if number >= wall.pieces { number % wall.pieces } else { number };
-        let last = if wall.is_round { usize::MAX } else { wall.pieces - 1 };
-        let (from, to) = ((low as usize).min(last), (high as usize).min(last));
-        if from == to || high - low < 1e-6 {
-            return visit(piece(from), 1.0);
-        }
-        let inverse = 1.0 / (high - low);
-        for number in from..=to {
-            let part = (high.min(number as f64 + 1.0) - low.max(number as f64)) * inverse;
-            if part > 0.0 {
-                visit(piece(number), part);
+        let mut show = |from: &WallPoint, to: &WallPoint, inverse: f64| {
+            for piece in from.piece..=to.piece {
+                let part = to.at_mm.min(wall.bounds_mm[piece + 1]) - from.at_mm.max(wall.bounds_mm[piece]);
+                if part > 0.0 {
+                    visit(first + piece, part * inverse);
+                }
             }
+        };
+        if !(wall.is_round && way > 0.5 * wall.length_mm()) {
+            return show(low, high, 1.0 / way);
         }
+        // The shorter way round a circle leads over its beginning.
+        let inverse = 1.0 / (wall.length_mm() - way);
+        let last = wall.pieces() - 1;
+        show(high, &WallPoint { at_mm: wall.length_mm(), piece: last, ..*high }, inverse);
+        show(&WallPoint { at_mm: 0.0, piece: 0, ..*low }, low, inverse);
     }
 }
 
-/// The length of a curve, mm.
-fn length(curve: &Curve) -> f64 {
-    match curve {
-        Curve::Line(line) => line.length(),
-        Curve::Arc(arc) => 2.0 * arc.half_angle() * arc.circle().radius,
-        Curve::Parabola(parabola) => 2.0 * from_vertex(parabola, parabola.half),
-    }
-}
-
-/// How far along a curve a place on it is, mm.
-fn along(curve: &Curve, place: DVec2) -> f64 {
-    match curve {
-        Curve::Line(line) => line.a.distance(place),
-        Curve::Arc(arc) => {
-            let (from_center, middle) = (place - arc.circle().center, arc.middle());
-            let turned = libm::atan2(middle.perp_dot(from_center), middle.dot(from_center));
-            (turned + arc.half_angle()) * arc.circle().radius
-        }
-        Curve::Parabola(parabola) => {
-            let x = (place - parabola.vertex).dot(parabola.axis);
-            from_vertex(parabola, parabola.half) + from_vertex(parabola, x)
-        }
-    }
-}
-
-/// The signed length of a parabola from its vertex to x, mm: the integral of `sqrt(1 + (2 k x)^2)`.
-fn from_vertex(parabola: &Parabola, x: f64) -> f64 {
-    let slope = 2.0 * parabola.curvature * x;
-    if slope.abs() < 1e-6 {
-        return x;
-    }
-    0.5 * x * ((1.0 + slope * slope).sqrt() + libm::asinh(slope) / slope)
-}
-
-/// The normal of a curve at a place: of any length for a parabola.
-fn normal(curve: &Curve, place: DVec2) -> DVec2 {
-    match curve {
-        Curve::Line(line) => line.along().perp(),
-        Curve::Arc(arc) => place - arc.circle().center,
-        Curve::Parabola(parabola) => {
-            let x = (place - parabola.vertex).dot(parabola.axis);
-            parabola.axis.perp() - parabola.axis * (2.0 * parabola.curvature * x)
-        }
-    }
-}
+/// Places nearer together than this are one.
+const LEAST_WAY_MM: f64 = 1e-6;
