@@ -65,6 +65,11 @@ pub fn map_pixels(light: &[[f32; 3]], width: usize, exposure: f32) -> Frame {
     Frame { width, height: light.len() / width.max(1), pixels }
 }
 
+/// The same curve and transfer for one light, without dithering: what a screen is told, 0 to 1.
+pub fn displayed(light: [f32; 3]) -> [f32; 3] {
+    filmic_curve(light).map(encode_fast)
+}
+
 /// Copies a tone-mapped tile into rows of pixels `width` wide, as far as they reach.
 pub(crate) fn store_tile(tile: &Pixels, x: usize, width: usize, pixels: &mut [u32]) {
     for (row, line) in pixels.chunks_exact_mut(width).zip(tile) {

@@ -10,9 +10,6 @@ use crate::simd::dispatch::{SimdLevel, multiversion};
 /// Bits behind the point in the sums of packets: each is about 1, and there may be 10^11 in a pixel.
 pub const PACKET_BITS: u32 = 24;
 
-/// Bits behind the point in the sums of beams: all of them together are about 1, and each may be 10^-8.
-pub const BEAM_BITS: u32 = 48;
-
 /// Red, green, blue, and nothing: a register's four.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(align(32))]
@@ -95,20 +92,13 @@ impl SplatFilm {
     }
 
     fn splat_varying_walk(&mut self, walk: &PixelWalk, color: impl Fn(f64) -> [f32; 3]) {
-        let unit = self.unit();
-        let [columns, rows] = self.of_walk(walk);
-        let (columns, rows) = (&self.places[columns.0][columns.1], &self.places[rows.0][rows.1]);
-        let mut walked = 0.0;
-        for column in walk.columns() {
-            for (row, chord) in column.rows.into_iter().zip(column.chords) {
-                if chord > 0.0 {
-                    let color = color(walk.distance(walked + 0.5 * chord));
-                    let sums = &mut self.sums[(columns[column.column] + rows[row]) as usize].0;
-                    (0..3).for_each(|of| sums[of] += (chord * f64::from(color[of]) * unit) as i64);
-                    walked += chord;
-                }
-            }
-        }
+        let (unit, size) = (self.unit(), [self.width, self.height]);
+        walk.visit(size, |[x, y], chord, middle| {
+            let color = color(middle);
+            let at = self.place(x, y);
+            let sums = &mut self.sums[at].0;
+            (0..3).for_each(|of| sums[of] += (chord * f64::from(color[of]) * unit) as i64);
+        });
     }
 
     /// The tables of places of a walk's columns, and of the pixels in them: the axis, and whether from the other side.

@@ -3,6 +3,7 @@
 //! The realtime rooms find direct light alone. Here light meets mirrors, glass and matt walls, with its wavelength and its
 //! polarization.
 
+pub mod bake;
 pub mod beams;
 mod body;
 mod contacts;
@@ -29,7 +30,7 @@ mod surfaces;
 pub use body::{Body, Corner, Edge, arc_through};
 pub use contacts::{BodyId, Contact, Contacts, EdgeId, MOST_TOGETHER, StartsOn};
 pub use curve::{Crossing, Curve, Parabola};
-pub use film::{BEAM_BITS, PACKET_BITS, SplatFilm};
+pub use film::{PACKET_BITS, SplatFilm};
 pub use gamut::{into_gamut, luminance};
 pub use light_source::{Falloff, LightSource, SourceForm, lambert};
 pub use material::{Band, Dielectric, Material};

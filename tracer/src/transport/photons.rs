@@ -278,7 +278,7 @@ impl<'a> PhotonPicture<'a> {
 
 /// The place of a number in a sequence that fills the unit cube evenly: an additive recurrence with the generalized golden ratio
 /// (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), turned by the seed.
-fn evenly(number: u64, seed: u64) -> [f64; 3] {
+pub(super) fn evenly(number: u64, seed: u64) -> [f64; 3] {
     // 2^64 over g, g^2, g^3 with g^4 = g + 1.
     const STEPS: [u64; 3] = [0xd1b5_4a32_d192_ed03, 0xabc9_8388_fb8f_ac03, 0x8cb9_2ba7_2f3d_8dd7];
     std::array::from_fn(|axis| {

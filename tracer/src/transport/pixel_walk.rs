@@ -98,6 +98,24 @@ impl PixelWalk {
         }
     }
 
+    /// Shows `visit` each of its pixels, in a picture of this size: x and y, the chord in it, and how far from the way's beginning that
+    /// chord's middle is, pixels.
+    pub fn visit(&self, size: [usize; 2], mut visit: impl FnMut([usize; 2], f64, f64)) {
+        let (last_column, last_row) = (size[self.axis] - 1, size[1 - self.axis] - 1);
+        let mut walked = 0.0;
+        for column in self.columns() {
+            for (row, chord) in column.rows.into_iter().zip(column.chords).filter(|(_, chord)| *chord > 0.0) {
+                let row = if self.mirrored { last_row.saturating_sub(row) } else { row.min(last_row) };
+                let mut pixel = [column.column.min(last_column), row];
+                if self.axis == 1 {
+                    pixel.reverse();
+                }
+                visit(pixel, chord, self.distance(walked + 0.5 * chord));
+                walked += chord;
+            }
+        }
+    }
+
     /// The part of it from where it begins to the next column whose number is a multiple of `side`, and the rest, if there is one. Both
     /// together have the columns of the whole, bit for bit.
     pub fn cut(&self, side: usize) -> (PixelWalk, Option<PixelWalk>) {

@@ -16,6 +16,7 @@ mod quality;
 mod tile_cache;
 mod transmission;
 mod transport_agreement;
+mod transport_bake;
 mod transport_beams;
 mod transport_contract;
 mod transport_cup;
