@@ -24,6 +24,9 @@ const SAMPLES: u32 = 64;
 /// Beams of a family where nothing is said.
 const BEAMS: u32 = 512;
 
+/// Packets for each cell of a bake where nothing is said.
+const BAKE_PACKETS: u32 = 16;
+
 /// Pieces of beams beyond which photons are taken where nobody has chosen: some ten seconds.
 const MOST_PIECES: u64 = 12_000_000;
 
@@ -175,6 +178,7 @@ fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
         Some(LightIntegrator::Exact) => Integrator::Exact,
         Some(LightIntegrator::Photons) => Integrator::Photons,
         Some(LightIntegrator::Beams) => Integrator::Beams,
+        Some(LightIntegrator::Bake) => Integrator::Bake,
         Some(LightIntegrator::Path) => Integrator::Path,
         Some(LightIntegrator::MonteCarlo) => Integrator::MonteCarlo,
         None if finds_all_by_beams(scene) => Integrator::Beams,
@@ -182,6 +186,7 @@ fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
     };
     let usual = match integrator {
         Integrator::Beams => BEAMS,
+        Integrator::Bake => BAKE_PACKETS,
         Integrator::Exact => 1,
         _ => SAMPLES,
     };
@@ -197,6 +202,7 @@ fn integrator_name(integrator: Integrator) -> &'static str {
         Integrator::Photons => "photons",
         Integrator::Path => "path",
         Integrator::Beams => "beams",
+        Integrator::Bake => "bake",
     }
 }
 
