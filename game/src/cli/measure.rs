@@ -47,7 +47,9 @@ pub enum Bench {
     Quality,
     /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.
     Physics,
-    /// All of them but quality and physics.
+    /// The indirect light of the table, baked: how long it takes, and how far it is from photons.
+    Bake,
+    /// All of them but quality, physics and bake.
     All,
 }
 

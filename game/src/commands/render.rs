@@ -24,6 +24,9 @@ const SAMPLES: u32 = 64;
 /// Beams of a family where nothing is said.
 const BEAMS: u32 = 64;
 
+/// Packets for each cell of a bake where nothing is said.
+const BAKE_PACKETS: u32 = 16;
+
 /// Pieces of beams beyond which photons are taken where nobody has chosen: some ten seconds.
 const MOST_PIECES: u64 = 3_000_000;
 
@@ -171,6 +174,7 @@ fn settings(args: &RenderArgs, scene: &Scene) -> Settings {
     let integrator = args.integrator.map_or_else(fitting, Integrator::from);
     let usual = match integrator {
         Integrator::Beams => BEAMS,
+        Integrator::Bake => BAKE_PACKETS,
         Integrator::Exact => 1,
         _ => SAMPLES,
     };
@@ -187,6 +191,7 @@ fn integrator_name(integrator: Integrator) -> &'static str {
         Integrator::Photons => "photons",
         Integrator::Path => "path",
         Integrator::Beams => "beams",
+        Integrator::Bake => "bake",
     }
 }
 

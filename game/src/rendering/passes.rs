@@ -1,5 +1,6 @@
 //! Passes: an integrator at work, which can be stopped after any whole pass.
 
+use super::baking::Baking;
 use super::direct;
 use tracer::View;
 use tracer::monte_carlo::Sampling;
@@ -30,6 +31,8 @@ pub enum Integrator {
     Path,
     /// Beams between neighbouring rays: caustics without noise.
     Beams,
+    /// Straight light by beams, all other light baked in cells.
+    Bake,
 }
 
 /// What an integrator is told.
@@ -38,7 +41,7 @@ pub struct Settings {
     /// Which.
     pub integrator: Integrator,
     /// Photons: packets for each pixel. Path: directions from each pixel. Beams: beams that each family of rays begins
-    /// with. Monte Carlo: shadow rays for each lamp and pixel. Exact takes none.
+    /// with. Bake: packets for each cell. Monte Carlo: shadow rays for each lamp and pixel. Exact takes none.
     pub samples: u32,
     /// Of chance.
     pub seed: u64,
@@ -77,6 +80,8 @@ enum Work<'a> {
     Path { picture: Box<PathPicture<'a>>, passes: u64 },
     /// All families are one pass: a part of them lacks light. The steps are families.
     Beams { picture: Box<BeamPicture<'a>>, families: u64, done: u64, may_be_cut: bool },
+    /// The steps are the families of the straight light, and then the bake.
+    Bake { straight: Box<BeamPicture<'a>>, families: u64, done: u64, baking: Box<Baking<'a>> },
 }
 
 /// The weights of wavelengths with which the light of a black body of this temperature is white, or that of equal energy.
@@ -130,6 +135,14 @@ impl<'a> Passes<'a> {
                 let picture = Box::new(BeamPicture::new(tracer, view));
                 Work::Beams { picture, families, done: 0, may_be_cut: settings.is_preview }
             }
+            Integrator::Bake => {
+                let options = BeamOptions { most_surfaces: 0, ..BeamOptions::default() };
+                let tracer = BeamTracer::new(scene, &weights, options);
+                let families = tracer.tasks() as u64;
+                let straight = Box::new(BeamPicture::new(tracer, view));
+                let baking = Box::new(Baking::new(scene, view, weights, settings));
+                Work::Bake { straight, families, done: 0, baking }
+            }
         };
         Passes { work }
     }
@@ -160,6 +173,9 @@ impl<'a> Passes<'a> {
                     return Ok(Stopped::TooManyBeams);
                 }
             }
+            if matches!(self.work, Work::Bake { .. }) && is_cancelled() {
+                return Ok(Stopped::Early);
+            }
             done = self.steps().0;
         }
         goes_on(done, all);
@@ -175,6 +191,7 @@ impl<'a> Passes<'a> {
             }
             Work::Path { picture, passes } => (picture.passes(), *passes),
             Work::Beams { families, done, .. } => (*done, *families),
+            Work::Bake { families, done, .. } => (*done, *families + 1),
         }
     }
 
@@ -188,6 +205,7 @@ impl<'a> Passes<'a> {
             }
             Work::Path { picture, .. } => format!("{} directions a pixel", steps * u64::from(picture.directions())),
             Work::Beams { .. } => format!("{steps} families of rays"),
+            Work::Bake { baking, .. } => format!("{} packets from each lamp", baking.packets()),
         }
     }
 
@@ -195,6 +213,7 @@ impl<'a> Passes<'a> {
     pub fn is_whole(&self) -> bool {
         match (&self.work, self.steps()) {
             (Work::Beams { picture, .. }, (done, all)) => done == all && !picture.is_cut(),
+            (Work::Bake { baking, .. }, _) => baking.is_done(),
             (_, (done, _)) => done > 0,
         }
     }
@@ -213,6 +232,14 @@ impl<'a> Passes<'a> {
                 picture.expose(1, &|| !is_cancelled());
                 *done += 1;
             }
+            Work::Bake { straight, families, done, baking } => {
+                if *done < *families {
+                    straight.expose(1, &|| !is_cancelled());
+                } else {
+                    baking.bake(is_cancelled);
+                }
+                *done += 1;
+            }
         }
         Ok(())
     }
@@ -224,6 +251,7 @@ impl<'a> Passes<'a> {
             Work::Photons { picture, .. } => picture.fluence(),
             Work::Path { picture, .. } => picture.fluence(),
             Work::Beams { picture, .. } => picture.fluence(),
+            Work::Bake { straight, baking, .. } => baking.added_to(straight.fluence()),
         }
     }
 

@@ -3,6 +3,7 @@
 //! Every figure is a median of many runs within one process; what is compared is measured in the same run, in turn.
 
 mod art;
+mod bake;
 mod clock;
 mod friction_cone;
 mod growth;
@@ -96,6 +97,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     }
     if matches!(args.bench, Bench::Art | Bench::All) {
         rows.extend(art::rows()?);
+    }
+    if args.bench == Bench::Bake {
+        rows.extend(bake::rows(args.threads)?);
     }
     let text = if args.json { json(&rows) } else { table(&rows) };
     print_lines(text.lines())
