@@ -119,6 +119,14 @@ impl Kind {
         }
     }
 
+    /// The most that it pulls a ball along the playfield, m/s^2; none of what pulls no ball.
+    pub fn pull_m_s2(&self) -> Option<f64> {
+        match self {
+            Kind::Magnet(own) => Some(own.pull_m_s2),
+            _ => None,
+        }
+    }
+
     /// Its switch.
     pub fn switch(&self) -> Switch {
         match self {

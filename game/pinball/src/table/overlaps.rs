@@ -4,10 +4,10 @@
 //! way is in nobody's.
 
 mod drain_gap;
-mod magnet;
 mod plunger;
 mod room;
 mod strokes;
+mod weak_pull;
 
 use super::{FILES, Table};
 use crate::Failure;
@@ -40,7 +40,7 @@ pub(super) fn findings(table: &Table) -> Vec<Failure> {
     found.extend(strokes::findings(table));
     found.extend(drain_gap::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.extend(plunger::findings(table));
-    found.extend(magnet::findings(table));
+    found.extend(weak_pull::findings(table));
     found.extend(room::findings(table).into_iter().filter(|(part, ..)| !told.contains(part)));
     found.sort();
     let failure = |(part, what, is_warning): (usize, String, bool)| {

@@ -1,20 +1,16 @@
-//! Magnets that are weaker than the slope.
+//! Parts that pull balls more weakly than the slope does.
 
 use crate::table::Table;
 use geometry::trig;
-use physics::Kind;
 
 const GRAVITY_M_S2: f64 = 9.81;
 
-/// The magnets that pull less than the slope does, so that a ball rolls through them; each with what to say and that it is a
-/// warning.
+/// The parts that pull less than the slope does, so that a ball rolls through their field; each with what to say and that it
+/// is a warning.
 pub fn findings(table: &Table) -> Vec<(usize, String, bool)> {
     let slope_m_s2 = GRAVITY_M_S2 * trig::direction(table.layout.slope_rad).y;
     let parts = table.layout.parts.iter().enumerate();
-    let weak = parts.filter_map(|(part, placed)| match &placed.kind {
-        Kind::Magnet(magnet) if magnet.pull_m_s2 < slope_m_s2 => Some((part, magnet.pull_m_s2)),
-        _ => None,
-    });
+    let pulls = parts.filter_map(|(part, placed)| Some((part, placed.kind.pull_m_s2()?)));
     let told = |(part, pull_m_s2): (usize, f64)| {
         let what = format!(
             "its pull_m_s2, {pull_m_s2}, is less than what the slope pulls a ball down with, {slope_m_s2:.2} m/s^2, so it holds \
@@ -22,5 +18,5 @@ pub fn findings(table: &Table) -> Vec<(usize, String, bool)> {
         );
         (part, what, true)
     };
-    weak.map(told).collect()
+    pulls.filter(|(_, pull_m_s2)| *pull_m_s2 < slope_m_s2).map(told).collect()
 }
