@@ -315,7 +315,10 @@ impl App for SceneViewer {
         Overlay {
             size,
             picture: self.shown.as_ref().map(|shown| shown.frame.clone()),
-            outline: self.outline().filter(|_| !self.is_bare).map(|shape| overlay::outline(self.document.scene(), shape, &view)),
+            outline: self
+                .outline()
+                .filter(|_| !self.is_bare)
+                .map(|shape| overlay::outline(self.document.scene(), shape, &view)),
             status: if self.is_bare { String::new() } else { self.status() },
             is_help: self.is_help && !self.is_bare,
         }

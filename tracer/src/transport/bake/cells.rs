@@ -94,7 +94,7 @@ impl Cells {
     }
 
     /// A point in cells from the upper left corner.
-    pub(super) fn from_mm(&self, point: DVec2) -> DVec2 {
+    pub(super) fn place_of(&self, point: DVec2) -> DVec2 {
         (point - self.origin) / self.cell_mm
     }
 
@@ -109,7 +109,7 @@ impl Cells {
 
     /// Shows `take` the nodes that a point's light is the weighted mean of.
     pub(super) fn around(&self, surfaces: &Surfaces, point: DVec2, mut take: impl FnMut(usize, f64)) {
-        let place = self.from_mm(point) - 0.5;
+        let place = self.place_of(point) - 0.5;
         let most = DVec2::new((self.width - 1) as f64, (self.height - 1) as f64);
         let place = place.clamp(DVec2::ZERO, most);
         let [x, y] = [place.x.min(most.x - 1.0) as usize, place.y.min(most.y - 1.0) as usize];
