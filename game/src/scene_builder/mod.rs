@@ -20,7 +20,7 @@ use geometry::{DVec2, Shape};
 use ids::FirstIds;
 use physics::{Kind, Leg};
 use solid_motion::SolidMotion;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use tracer::{
     Finish, Floor, Glow, Group, ItemId, Mask, Material, Occluder, Outline, Overhang, Revision, Rgb, Scene, Top, View,
 };
@@ -109,7 +109,7 @@ impl SceneBuilder {
         let free_group = table.solids.iter().map(|solid| solid.group).max().map_or(0, |group| group.saturating_add(1));
         let mut ids = FirstIds::default();
         let rods = rod::Rod::all(&table.layout, Group(free_group), &mut ids);
-        let mut highest = HashMap::new();
+        let mut highest = BTreeMap::new();
         highest.extend(table.solids.iter().enumerate().map(|(index, solid)| (solid.group, index)));
         let is_highest = |index: usize| highest.get(&table.solids[index].group) == Some(&index);
         let actor = |index| Actor::new(table, index, is_highest(index), &mut ids);

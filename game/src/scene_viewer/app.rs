@@ -125,7 +125,7 @@ impl SceneViewer {
                 });
             }
             Pointer::Released => self.end_drag(),
-            Pointer::Wheel(lines) => self.zoom(ZOOM.powf(lines.clamp(-10.0, 10.0)), self.pointer),
+            Pointer::Wheel(lines) => self.zoom(libm::pow(ZOOM, lines.clamp(-10.0, 10.0)), self.pointer),
         }
     }
 

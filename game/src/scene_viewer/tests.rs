@@ -4,6 +4,7 @@ use super::document::Document;
 use crate::desktop::{App, Commands, Event, Pointer};
 use crate::input::Key;
 use crate::screen::Size;
+use crate::storage::text_file;
 use geometry::DVec2;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -65,7 +66,7 @@ impl Viewer {
     }
 
     fn text(&self) -> String {
-        std::fs::read_to_string(&self.file).expect("it is there")
+        text_file::read(&self.file).expect("it is there")
     }
 }
 

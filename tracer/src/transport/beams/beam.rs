@@ -119,7 +119,7 @@ impl Lanes {
         };
         let (own, other) = (self.edges[edge][side], self.edges[1 - edge][side]);
         let part = (x - own.x) / (other.x - own.x);
-        (0.0..=1.0).contains(&part).then(|| own.y + (other.y - own.y) * part)
+        (0.0..=1.0).contains(&part).then_some(own.y + (other.y - own.y) * part)
     }
 }
 

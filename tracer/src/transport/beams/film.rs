@@ -102,7 +102,7 @@ impl BeamFilm {
             let pixel = &mut pixels[y * self.width + x];
             (0..3).for_each(|channel| pixel[channel] = pixel[channel].wrapping_add(light[channel]));
         };
-        sum_twice(&self.rows, self.width, self.height, |x, y, light| put(x, y, light));
+        sum_twice(&self.rows, self.width, self.height, &mut put);
         sum_twice(&self.columns, self.height, self.width, |y, x, light| put(x, y, light));
         let unit = (1_u64 << BITS) as f64;
         pixels.into_iter().map(|sums| sums.map(|sum| sum as f64 / unit)).collect()

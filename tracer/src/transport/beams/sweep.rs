@@ -57,6 +57,7 @@ impl Horizon {
 }
 
 /// Whether a beam is what its edges say.
+#[expect(clippy::large_enum_variant, reason = "it lives for a moment, and an allocation for each halving costs more")]
 enum Form {
     Holds,
     /// It is not, and these are the rays in its middle.

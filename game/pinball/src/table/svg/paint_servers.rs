@@ -42,7 +42,7 @@ pub fn warnings<'d>(
             }
             for (index, node) in chain.into_iter().enumerate() {
                 if (index == 0 && is_new) || looked_at.insert(node.id().get_usize()) {
-                    found.extend(unread(node).into_iter());
+                    found.extend(unread(node));
                 }
             }
         }
