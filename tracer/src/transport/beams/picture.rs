@@ -61,7 +61,7 @@ impl<'a> BeamPicture<'a> {
         self.done < self.tracer.families.len()
     }
 
-    /// Whether some light is left out: a family had [`BeamOptions::most_pieces`].
+    /// Whether some light is left out: a family had [`super::BeamOptions::most_pieces`].
     pub fn is_cut(&self) -> bool {
         self.is_cut.load(Ordering::Relaxed)
     }

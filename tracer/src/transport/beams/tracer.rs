@@ -19,7 +19,7 @@ pub struct BeamOptions {
     /// Of its family's power, what a branch must have to be followed.
     pub least_power: f64,
     /// Straight pieces of beams of one family at most: among many curved glasses beams are halved without end, and photons are
-    /// the better way. What is beyond is left out, and [`BeamPicture::is_cut`] says so.
+    /// the better way. What is beyond is left out, and [`super::BeamPicture::is_cut`] says so.
     pub most_pieces: u64,
 }
 
@@ -70,7 +70,7 @@ impl<'a> BeamTracer<'a> {
         self
     }
 
-    /// How many families there are: tasks for [`BeamPicture::expose`].
+    /// How many families there are: tasks for [`super::BeamPicture::expose`].
     pub fn tasks(&self) -> usize {
         self.families.len()
     }
