@@ -116,7 +116,7 @@ fn on_timer(name) {
     if name == "template" { message(`ONLY ${n} BALLS ARE LEFT AND THE DAY IS OLD AND GREY`, 500); }
     let s = "A";
     while s.len < 50 { s += "A"; }
-    if name == "loop" { message(s, 500); }
+    if name == "loop" { message(s, 500); message("SHORT", 80); }
 }"#;
     let table = Table::with_rules("built", walls, rules);
     let (_, _, complained) = told(&run(&["check", &table.0.to_string_lossy()]));
@@ -130,6 +130,7 @@ fn on_timer(name) {
             format!("rules.rhai{line}: the message `{text}` is wider than the display and hurries past in its 500 ms");
         assert_eq!(complained.matches(&expected).count(), 1, "{complained}");
     }
+    assert!(complained.contains("rules.rhai:8: the message `SHORT` is gone after 80 ms"), "{complained}");
 }
 
 #[test]

@@ -146,8 +146,9 @@ impl Finding {
         match self.kind {
             FindingKind::Stuck => format!(
                 "a ball lies still beside it at {at}, and the ball search does not free it{}: close the pocket, or turn \
-                 its floor so that a ball rolls out",
-                self.times()
+                 its floor so that a ball rolls out{}",
+                self.times(),
+                self.touches_too(table)
             ),
             FindingKind::FreedBySearch => format!(
                 "a ball lies still beside it at {at} until the ball search fires every coil{}; let it roll out",
@@ -310,6 +311,12 @@ impl Finding {
     fn beside(&self, table: &Table) -> String {
         let near = nearest::part(&table.layout, self.place_mm * 0.001, self.part).map(|part| usize::from(part.0));
         near.map_or_else(|| "nothing".to_string(), |part| named(table, part))
+    }
+
+    /// Of a pocket its other wall: the post beside a wall may be what is too near.
+    fn touches_too(&self, table: &Table) -> String {
+        let other = nearest::touching(&table.layout, self.place_mm * 0.001, self.part);
+        other.map_or_else(String::new, |part| format!("; it touches {} too", named(table, usize::from(part.0))))
     }
 
     fn times(&self) -> String {

@@ -8,8 +8,20 @@ const PASSAGE_M: f64 = 2.0 * BALL_RADIUS_M + 0.002;
 /// Steps along a leg of a ramp's path.
 const LEG_STEPS: i32 = 64;
 
+/// Between what a ball touches and what it does not, m.
+const TOUCH_M: f64 = 0.001;
+
 /// The part whose surface is nearest to a ball at `place_m`, if it is not `but`.
 pub fn part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<PartId> {
+    nearest(layout, place_m, but).map(|(part, _)| part)
+}
+
+/// Another part that a ball at `place_m` touches.
+pub fn touching(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<PartId> {
+    nearest(layout, place_m, but).filter(|(_, away)| *away < BALL_RADIUS_M + TOUCH_M).map(|(part, _)| part)
+}
+
+fn nearest(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<(PartId, f64)> {
     let distance = |kind: &Kind| match kind {
         Kind::Ramp(ramp) => to_low_part(ramp, place_m),
         _ => touchable(kind).into_iter().map(|shape| shape.distance(place_m).0).min_by(f64::total_cmp),
@@ -17,7 +29,7 @@ pub fn part(layout: &Layout, place_m: DVec2, but: Option<PartId>) -> Option<Part
     let parts = layout.parts.iter().enumerate().map(|(index, part)| (PartId(index as u16), &part.kind));
     let others = parts.filter(|(part, _)| Some(*part) != but);
     let distances = others.filter_map(|(part, kind)| Some((part, distance(kind)?)));
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(part, _)| part)
+    distances.min_by(|one, other| one.1.total_cmp(&other.1))
 }
 
 /// How far a ball on the playfield is from those sides of a ramp that stand there: where its floor is too low to pass below.

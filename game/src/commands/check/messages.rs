@@ -48,6 +48,10 @@ pub fn shown(messages: &[ShownMessage], known: &[KnownMessage], table: &Table) -
     found
 }
 
+/// No shorter message is read, ms: an eye rests on a word for about a quarter of a second (K. Rayner, "Eye movements in reading and
+/// information processing", Psychological Bulletin 124(3), 1998).
+const LEAST_MS: u64 = 250;
+
 /// Built messages that are told.
 const MOST_SHOWN: usize = 20;
 
@@ -55,6 +59,11 @@ const MOST_SHOWN: usize = 20;
 fn hurried(message: &KnownMessage) -> Vec<String> {
     let Some(ms) = message.ms.filter(|ms| *ms > 0) else { return Vec::new() };
     let line = |(index, text): (usize, &String)| {
+        if ms < LEAST_MS && !text.trim().is_empty() {
+            return Some(format!(
+                "the message `{text}` is gone after {ms} ms, before anybody has read it: give it {LEAST_MS} ms at least"
+            ));
+        }
         let lines: Vec<&str> = std::iter::repeat_n("", index).chain([text.as_str()]).collect();
         let needed = hud::reading_ms(&lines).filter(|needed| ms < *needed)?;
         Some(format!(

@@ -130,5 +130,7 @@ fn a_ball_that_lies_between_a_post_and_a_wall_is_found() {
         told.len() == 1 && told[0].contains(": a ball lies still beside it at 2") && told[0].contains(", 532 mm"),
         "{told:?}"
     );
+    // The wall was told alone, and the post was at fault.
+    assert!(told[0].contains("stud") && told[0].matches("(line ").count() == 1, "{told:?}");
     assert_eq!(stuck(&post(80.0)), Vec::<String>::new());
 }

@@ -58,6 +58,12 @@ impl Ids {
                 Some(hides) => {
                     format!("line {} of the drawing hides it (`display: none`), so it is not there", line(hides))
                 }
+                None if node.tag_name().name() == "use" => {
+                    format!(
+                        "line {} of the drawing is a clone of what is no thing; let its href name a thing",
+                        line(node)
+                    )
+                }
                 None if class.is_empty() => {
                     format!(
                         "line {} of the drawing draws it without a class, so it is art; give it a thing's",

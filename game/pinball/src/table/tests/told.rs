@@ -203,6 +203,10 @@ fn what_is_drawn_and_no_thing_is_told_with_why() {
     };
     told("", "6 of the drawing draws it without a class, so it is art; give it a thing's");
     told("class='bumper' display='none'", "6 of the drawing hides it (`display: none`), so it is not there");
+    let clone = "<use id='pop' href='#nothing'/>";
+    let failure = read(clone, "[part.pop]\nkick_m_s = 1").unwrap_err().join(" ");
+    // It was called art without a class, and with a class it is refused.
+    assert!(failure.contains("is a clone of what is no thing; let its href name a thing"), "{failure}");
     told("class='st0'", "6 of the drawing draws it with the class `st0`, which makes it art");
 }
 
