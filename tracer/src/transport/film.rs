@@ -106,13 +106,6 @@ impl SplatFilm {
         [(walk.axis, 0), (1 - walk.axis, usize::from(walk.mirrored))]
     }
 
-    /// Adds light to a pixel.
-    pub fn deposit(&mut self, x: usize, y: usize, light: [f64; 3]) {
-        let (unit, at) = (self.unit(), self.place(x, y));
-        let sums = &mut self.sums[at].0;
-        (0..3).for_each(|channel| sums[channel] += (light[channel] * unit) as i64);
-    }
-
     /// Adds what another film of the same size holds.
     pub fn add(&mut self, other: &SplatFilm) {
         for (sums, more) in self.sums.iter_mut().zip(&other.sums) {

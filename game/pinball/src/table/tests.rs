@@ -44,6 +44,20 @@ fn table(drawn: &str) -> Table {
     with_rules(drawn, "")
 }
 
+/// The one sentence that is told.
+#[track_caller]
+fn one(told: Vec<String>) -> String {
+    let [told] = &told[..] else { panic!("{told:#?}") };
+    told.clone()
+}
+
+/// The warnings of the small table with `drawn` from its line 5 on, without the file's name.
+#[track_caller]
+fn warned(drawn: &str) -> Vec<String> {
+    let warnings = table(drawn).warnings.into_iter().map(|warning| warning.to_string());
+    warnings.map(|told| told.strip_prefix("warning: table.svg:").expect("the drawing's").to_string()).collect()
+}
+
 /// The small table with `drawn` on it and these rules; its diagnostics fail the test.
 pub(crate) fn with_rules(drawn: &str, rules: &str) -> Table {
     let table = read_files(&SVG.replace("{}", drawn), "", rules);

@@ -1,19 +1,6 @@
 //! What a browser passes over in silence, and a maker wants to know.
 
-use super::{SVG, read, read_files, table};
-
-/// The warnings of the small table with `drawn` from its line 5 on, without the file's name.
-#[track_caller]
-fn warned(drawn: &str) -> Vec<String> {
-    let warnings = table(drawn).warnings.into_iter().map(|warning| warning.to_string());
-    warnings.map(|told| told.strip_prefix("warning: table.svg:").expect("the drawing's").to_string()).collect()
-}
-
-#[track_caller]
-fn one(told: Vec<String>) -> String {
-    let [told] = &told[..] else { panic!("{told:?}") };
-    told.clone()
-}
+use super::{SVG, one, read, read_files, warned};
 
 /// A brace that was forgotten swallowed every rule after it, and all that they style was black.
 #[test]

@@ -1,13 +1,7 @@
 //! Slips of the pen and of the keyboard: each is told once, in words for whoever draws.
 
-use super::{SVG, read, read_files, table};
+use super::{SVG, one, read, read_files, table, warned};
 use crate::table::{FILES, Table, TableSources};
-
-#[track_caller]
-fn one(told: Vec<String>) -> String {
-    let [told] = &told[..] else { panic!("{told:#?}") };
-    told.clone()
-}
 
 #[track_caller]
 fn drawn(drawn: &str) -> String {
@@ -17,11 +11,6 @@ fn drawn(drawn: &str) -> String {
 #[track_caller]
 fn numbers(numbers: &str) -> String {
     one(read("", numbers).unwrap_err()).replacen("table.toml:", "", 1)
-}
-
-#[track_caller]
-fn warned(drawn: &str) -> Vec<String> {
-    table(drawn).warnings.iter().map(|one| one.to_string().replacen("warning: table.svg:", "", 1)).collect()
 }
 
 /// The place that was meant was 0 in silence, and in a clone the fault was told of the clone.

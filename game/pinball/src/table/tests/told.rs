@@ -1,13 +1,7 @@
 //! What is told, and where: the cause by its own line, once, and not what comes of it.
 
-use super::{SVG, read, read_files, table};
+use super::{SVG, one, read, read_files, table};
 use crate::table::{Table, TableSources};
-
-#[track_caller]
-fn one(told: Vec<String>) -> String {
-    let [told] = &told[..] else { panic!("{told:#?}") };
-    told.clone()
-}
 
 #[track_caller]
 fn numbers(numbers: &str) -> String {

@@ -1,18 +1,6 @@
 //! Art that a reader of SVG draws otherwise than it is written: what cannot be read of it is told.
 
-use super::{read, table};
-
-#[track_caller]
-fn warned(drawn: &str) -> Vec<String> {
-    let warnings = table(drawn).warnings.into_iter().map(|warning| warning.to_string());
-    warnings.map(|told| told.strip_prefix("warning: table.svg:").expect("the drawing's").to_string()).collect()
-}
-
-#[track_caller]
-fn one(told: Vec<String>) -> String {
-    let [told] = &told[..] else { panic!("{told:?}") };
-    told.clone()
-}
+use super::{one, read, warned};
 
 /// `rotate(45deg)` on art was passed over, and on a clone it was told of a group that nobody had drawn.
 #[test]
