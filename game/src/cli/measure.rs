@@ -37,6 +37,8 @@ pub enum Bench {
     Growth,
     /// Packets of light, traced and laid on a film, against the literal loops.
     Photons,
+    /// The beam sweep of three caustics: what it takes, and what photons take for a picture as good.
+    Beams,
     /// Headless play.
     Tick,
     /// What the most work that rules may do in a second takes.
@@ -45,11 +47,13 @@ pub enum Bench {
     Art,
     /// How exact the light is, against shadow rays.
     Quality,
+    /// How far the exact light, which measures a lamp by its chord, is from light by its angle, near a lamp.
+    Chord,
     /// Whether a ball gets through anything or rubs too hard, and what a tick with six balls, and with heaps, costs.
     Physics,
     /// The indirect light of the table, baked: how long it takes, and how far it is from photons.
     Bake,
-    /// All of them but quality, physics and bake.
+    /// All of them but quality, chord, physics, beams and bake.
     All,
 }
 

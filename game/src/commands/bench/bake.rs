@@ -2,6 +2,7 @@
 
 use super::Row;
 use super::clock::time_ms;
+use super::levels::{Difference, apart, levels};
 use crate::commands::parallel;
 use crate::rendering::table_scene;
 use crate::scene_builder::{RasterizedArt, SceneBuilder};
@@ -12,7 +13,7 @@ use std::sync::Arc;
 use tracer::View;
 use tracer::transport::bake::{Bake, BakeOptions, bake};
 use tracer::transport::spectrum::Weights;
-use tracer::transport::{PhotonPicture, PhotonTracer, Scene, into_gamut};
+use tracer::transport::{PhotonPicture, PhotonTracer, Scene};
 
 /// Pixels of the pictures that are compared, mm.
 const PIXEL_MM: f64 = 8.0;
@@ -107,14 +108,14 @@ fn compare(light: &TableLight, baked: &Bake, options: &BakeOptions) -> Row {
     let (direct, indirect) = (combined(one, other, mean), combined(a, b, mean));
     let own = picture(baked, &light.colors, &view, POINTS);
     let screen = |indirect: &[[f64; 3]]| levels(&combined(&direct, indirect, |a, b| a + b));
-    let (most, rms, off) = apart(&screen(&own), &screen(&indirect));
-    let (_, noise, _) = apart(&screen(a), &screen(b));
+    let Difference { most, rms, pixels } = apart(&screen(&own), &screen(&indirect));
+    let noise = 0.5 * apart(&screen(a), &screen(b)).rms;
     Row {
         bench: "bake",
-        variant: format!("against photons: rms {rms:.3} levels, noise {:.3}", 0.5 * noise),
+        variant: format!("against photons: rms {rms:.3} levels, noise {noise:.3}"),
         size: Some(format!("{}x{}", view.width, view.height)),
         most_levels_off: Some(most),
-        pixels_off: Some(off),
+        pixels_off: Some(pixels),
         ..Row::default()
     }
 }
@@ -142,23 +143,4 @@ fn picture(baked: &Bake, colors: &[[f64; 3]], view: &View, points: usize) -> Vec
         sum
     };
     (0..view.width * view.height).into_par_iter().map(pixel).collect()
-}
-
-/// Light on a screen without dithering, levels of 255.
-fn levels(light: &[[f64; 3]]) -> Vec<[f32; 3]> {
-    let inside = light.iter().map(|color| into_gamut(*color).map(|channel| channel as f32));
-    inside.map(|color| tracer::tone_map::displayed(color).map(|channel| channel * 255.0)).collect()
-}
-
-/// The most levels between two pictures, their root mean square, and the pixels that differ by more than one.
-fn apart(one: &[[f32; 3]], other: &[[f32; 3]]) -> (u8, f64, usize) {
-    let (mut most, mut square, mut off) = (0.0_f32, 0.0, 0);
-    for (one, other) in one.iter().zip(other) {
-        let apart = [0, 1, 2].map(|channel| (one[channel] - other[channel]).abs());
-        let largest = apart.into_iter().fold(0.0, f32::max);
-        most = most.max(largest);
-        off += usize::from(largest > 1.0);
-        square += apart.iter().map(|apart| f64::from(apart * apart)).sum::<f64>();
-    }
-    (most.ceil() as u8, (square / (3 * one.len()).max(1) as f64).sqrt(), off)
 }

@@ -4,10 +4,13 @@
 
 mod art;
 mod bake;
+mod beams;
+mod chord;
 mod clock;
 mod friction_cone;
 mod growth;
 mod heap;
+mod levels;
 mod photons;
 mod physics;
 mod quality;
@@ -48,6 +51,9 @@ pub struct Row {
     /// How many times longer than a memset of the same bytes on as many threads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub times_memset: Option<f64>,
+    /// How many times longer photons take until their picture is as near to a converged one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times_photons: Option<f64>,
     /// Million operations that were estimated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mops: Option<f64>,
@@ -73,6 +79,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     if args.bench == Bench::Quality {
         return quality::run(args.threads, args.json);
     }
+    if args.bench == Bench::Chord {
+        return chord::run(args.json);
+    }
     let mut rows = Vec::new();
     if matches!(args.bench, Bench::Room | Bench::All) {
         rows.extend(room::rows(args.size, args.threads)?);
@@ -85,6 +94,9 @@ pub fn run(args: &BenchArgs) -> Result<(), Failure> {
     }
     if matches!(args.bench, Bench::Photons | Bench::All) {
         rows.extend(photons::rows(args.size, args.threads)?);
+    }
+    if args.bench == Bench::Beams {
+        rows.extend(beams::rows(args.size, args.threads)?);
     }
     if args.bench == Bench::Physics {
         rows.extend(physics::rows(args.shots, args.threads)?);
@@ -118,6 +130,7 @@ fn table(rows: &[Row]) -> String {
         more.extend(row.ms_99th.map(|ms| format!("99th percentile {ms:.4} ms")));
         more.extend(row.times_real_time.map(|times| format!("{times:.0} x real time")));
         more.extend(row.times_memset.map(|times| format!("{times:.1} x memset")));
+        more.extend(row.times_photons.map(|times| format!("photons take {times:.0} x as long")));
         more.extend(
             row.mops.map(|mops| format!("{mops:.0} million operations estimated, {:.3} ns each", row.ms / mops)),
         );

@@ -58,6 +58,11 @@ impl BeamFilm {
         BeamFilm { width, height, rows, columns }
     }
 
+    /// Its memory, bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.rows[..]) + size_of_val(&self.columns[..])
+    }
+
     /// Pixels across and down.
     pub fn size(&self) -> [usize; 2] {
         [self.width, self.height]

@@ -33,7 +33,7 @@ impl<'a> BeamPicture<'a> {
     /// Sweeps up to `families` more; `false` when all are done. Where `goes_on` says no they are left half done, and
     /// [`BeamPicture::is_cut`] says so.
     pub fn expose(&mut self, families: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> bool {
-        let last = (self.done + families).min(self.tracer.families.len());
+        let last = self.done.saturating_add(families).min(self.tracer.families.len());
         let beams = self.tracer.options.beams as usize;
         let horizon = Horizon::new(&self.view);
         (self.done * PARTS..last * PARTS).into_par_iter().for_each(|task| {
@@ -59,6 +59,11 @@ impl<'a> BeamPicture<'a> {
         });
         self.done = last;
         self.done < self.tracer.families.len()
+    }
+
+    /// The memory of what one thread adds up in, bytes.
+    pub fn film_bytes(&self) -> usize {
+        BeamFilm::new(self.view.width, self.view.height).bytes()
     }
 
     /// Whether some light is left out: a family had [`super::BeamOptions::most_pieces`].
