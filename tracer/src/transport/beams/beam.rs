@@ -1,5 +1,6 @@
 //! A beam: four rays, and the light between them in the pixels that it crosses.
 
+use super::family::Bulge;
 use super::film::{Along, BeamFilm, Trapezoid};
 use crate::View;
 use geometry::DVec2;
@@ -12,6 +13,12 @@ const STRIPS: f64 = 4.0;
 const SLANT_PX: f64 = 1.5;
 const MOST_PARTS: f64 = 16.0;
 
+/// Cells whose widths at v 0 and v 1 differ by more than this part of their sum end at a line where rays part.
+const SLANTED: f64 = 0.05;
+
+/// The edges of a triangle meet at one v, within this part of their distance.
+const ROUNDING: f64 = 1e-6;
+
 /// A straight piece of a beam, in pixels.
 #[derive(Clone)]
 pub struct Piece {
@@ -19,6 +26,17 @@ pub struct Piece {
     pub from: [DVec2; 4],
     /// Where they end.
     pub to: [DVec2; 4],
+    /// Its widths in u at v 0 and at v 1, in any unit: how its light is spread over v.
+    pub widths: [f64; 2],
+    /// Between v 0 and v 1 its rays begin on the rim of a disc.
+    pub bulge: Option<Bulge>,
+}
+
+/// A straight line as y = at + slope x.
+#[derive(Clone, Copy)]
+struct Line {
+    at: f64,
+    slope: f64,
 }
 
 /// A piece, seen along the axis that it crosses more squarely: `x` is that axis, `y` the one across.
@@ -26,10 +44,12 @@ struct Lanes {
     along: Along,
     /// Where its edges begin and end: the middles over v.
     edges: [[DVec2; 2]; 2],
-    /// How far they go along y for each step along x.
-    slopes: [f64; 2],
-    /// The box of its width in v where it begins and where it ends; within a row the beam moves aside, too.
-    blurs: [f64; 2],
+    /// By edges: the line that is the mean over v.
+    lines: [Line; 2],
+    /// By edges: the box of the width in v.
+    blurs: [Line; 2],
+    /// Its light lies over v in proportion to its width there, and not evenly.
+    is_slanted: bool,
     /// From the middle of its beginning to the middle of its end.
     middle: [DVec2; 2],
     /// Its length for each step along x.
@@ -40,7 +60,8 @@ impl Piece {
     /// The same in pixels of a view.
     pub fn on_screen(&self, view: &View) -> Piece {
         let screen = |places: &[DVec2; 4]| places.map(|place| view.screen_from_table(place));
-        Piece { from: screen(&self.from), to: screen(&self.to) }
+        let bulge = self.bulge.map(|bulge| Bulge { radius: bulge.radius / view.mm_per_px, ..bulge });
+        Piece { from: screen(&self.from), to: screen(&self.to), bulge, ..*self }
     }
 
     /// Lays its light on the film: `color` is asked with the part of the way that has gone.
@@ -58,12 +79,13 @@ impl Piece {
         }
         let parts = ((begins[1] - begins[0]).max(ends[1] - ends[0]) / SLANT_PX).ceil().clamp(1.0, MOST_PARTS);
         for number in 0..parts as usize {
-            let part =
-                if parts > 1.0 { self.part(number as f64 / parts, (number + 1) as f64 / parts) } else { self.clone() };
+            let [v0, v1] = [number, number + 1].map(|number| number as f64 / parts);
+            let part = if parts > 1.0 { self.part(v0, v1) } else { self.clone() };
             let Some(lanes) = part.lanes(along) else { continue };
             let mut bounds = [lanes.edges[0][0].x, lanes.edges[1][0].x, lanes.edges[0][1].x, lanes.edges[1][1].x];
             bounds.sort_unstable_by(f64::total_cmp);
-            let light = |gone: f64| color(gone).map(|channel| channel / parts);
+            let share = self.share(v0, v1);
+            let light = |gone: f64| color(gone).map(|channel| channel * share);
             for (range, strips) in bounds.windows(2).zip([STRIPS, 1.0, STRIPS]) {
                 let [low, high] = [within(range[0]), within(range[1])];
                 if inner[0] < inner[1] {
@@ -85,24 +107,37 @@ impl Piece {
 
     /// On that axis: from where to where its rays begin, and where they end, in the order in which places grow.
     fn zones(&self, along: Along) -> [[f64; 2]; 2] {
-        let zone = |places: &[DVec2; 4]| {
-            let places = places.map(|place| turned(along, place).x);
-            [
-                places.iter().copied().fold(f64::INFINITY, f64::min),
-                places.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            ]
+        let zone = |places: &[DVec2]| {
+            let places = places.iter().map(|place| turned(along, *place).x);
+            [places.clone().fold(f64::INFINITY, f64::min), places.fold(f64::NEG_INFINITY, f64::max)]
         };
-        let (from, to) = (zone(&self.from), zone(&self.to));
+        let foremost = self.bulge.map_or(0.0, |bulge| bulge.foremost());
+        let [a, b, c, d] = self.from;
+        let (from, to) = (zone(&[a, b, c, d, self.begin(0, foremost), self.begin(1, foremost)]), zone(&self.to));
         if turned(along, mean(&self.to) - mean(&self.from)).x >= 0.0 { [from, to] } else { [to, from] }
+    }
+
+    /// Where the ray at this edge and v (0 to 1) begins.
+    fn begin(&self, u: usize, v: f64) -> DVec2 {
+        let straight = self.from[u].lerp(self.from[u + 2], v);
+        let Some(bulge) = self.bulge else { return straight };
+        let [low, high] = [0.0, 1.0].map(|v| bulge.height(v));
+        let direction = (self.to[u].lerp(self.to[u + 2], v) - straight).normalize_or_zero();
+        straight + direction * (bulge.height(v) - (low + (high - low) * v))
+    }
+
+    /// The part of its light between two places of v.
+    fn share(&self, v0: f64, v1: f64) -> f64 {
+        let [low, high] = self.widths;
+        let whole = 0.5 * (low + high);
+        if whole > 0.0 { (v1 - v0) * (low + (high - low) * 0.5 * (v0 + v1)) / whole } else { v1 - v0 }
     }
 
     /// The part of it between two places of v, 0 to 1.
     fn part(&self, v0: f64, v1: f64) -> Piece {
-        let part = |places: &[DVec2; 4]| {
-            let at = |u: usize, v: f64| places[u].lerp(places[u + 2], v);
-            [at(0, v0), at(1, v0), at(0, v1), at(1, v1)]
-        };
-        Piece { from: part(&self.from), to: part(&self.to) }
+        let end = |u: usize, v: f64| self.to[u].lerp(self.to[u + 2], v);
+        let from = [self.begin(0, v0), self.begin(1, v0), self.begin(0, v1), self.begin(1, v1)];
+        Piece { from, to: [end(0, v0), end(1, v0), end(0, v1), end(1, v1)], bulge: None, ..*self }
     }
 
     fn lanes(&self, along: Along) -> Option<Lanes> {
@@ -111,20 +146,34 @@ impl Piece {
         if !(way.x.abs() > 0.0 && way.is_finite()) {
             return None;
         }
-        let edge = |u: usize| [&self.from, &self.to].map(|places| turned(along, (places[u] + places[u + 2]) * 0.5));
         let slope = way.y / way.x;
-        let edges = [edge(0), edge(1)];
-        let slopes = edges.map(|[from, to]| {
+        let line = |[from, to]: [DVec2; 2]| {
             let (x, y) = (to.x - from.x, to.y - from.y);
-            // An edge that hardly crosses rows, or backwards, goes as the middle does.
-            if x * way.x > 1e-3 * way.x.abs() { y / x } else { slope }
-        });
-        let blur = |places: &[DVec2; 4]| {
-            let across = turned(along, ((places[2] - places[0]) + (places[3] - places[1])) * 0.5);
-            across.y - across.x * slope
+            // One that hardly crosses rows, or backwards, goes as the middle does.
+            let slope = if x * way.x > 1e-3 * way.x * way.x { y / x } else { slope };
+            Line { at: from.y - slope * from.x, slope }
         };
-        let blurs = [blur(&self.from), blur(&self.to)];
-        Some(Lanes { along, edges, slopes, blurs, middle, stretch: way.length() / way.x.abs() })
+        let ends = |at: usize| [self.from[at], self.to[at]].map(|place| turned(along, place));
+        let edges = [0, 1].map(|u| {
+            let (low, high) = (ends(u), ends(u + 2));
+            [0, 1].map(|end| (low[end] + high[end]) * 0.5)
+        });
+        let rays: [Line; 4] = std::array::from_fn(|at| line(ends(at)));
+        let lines = [0, 1].map(|u| rays[u].mean(&rays[u + 2]));
+        let blurs = [0, 1].map(|u| Line { at: rays[u + 2].at - rays[u].at, slope: rays[u + 2].slope - rays[u].slope });
+        let [low, high] = self.widths;
+        let is_slanted = (high - low).abs() > SLANTED * (high + low);
+        Some(Lanes { along, edges, lines, blurs, is_slanted, middle, stretch: way.length() / way.x.abs() })
+    }
+}
+
+impl Line {
+    fn mean(&self, other: &Line) -> Line {
+        Line { at: 0.5 * (self.at + other.at), slope: 0.5 * (self.slope + other.slope) }
+    }
+
+    fn y(&self, x: f64) -> f64 {
+        self.at + self.slope * x
     }
 }
 
@@ -153,17 +202,22 @@ impl Lanes {
 
     /// Lays the light of a strip of a row round `x`, `step` long.
     fn splat_strip(&self, film: &mut BeamFilm, row: usize, x: f64, step: f64, color: &impl Fn(f64) -> [f64; 3]) {
-        let [a, b] = [0, 1].map(|edge| self.edges[edge][0].y + self.slopes[edge] * (x - self.edges[edge][0].x));
+        let [a, b] = self.lines.map(|line| line.y(x));
         let [Some(begin), Some(end)] = [0, 1].map(|edge| self.place(edge, [a, b][edge], x)) else { return };
         let (whole, covered) = ((b - a).abs(), (end - begin).abs());
         let part = if covered < whole { covered / whole } else { 1.0 };
         let gone = (x - self.middle[0].x) / (self.middle[1].x - self.middle[0].x);
-        let blur = self.blurs[0] + (self.blurs[1] - self.blurs[0]) * gone;
-        let moved = 0.5 * (self.slopes[0] + self.slopes[1]) * step;
+        let mut blurs = self.blurs.map(|blur| blur.y(x));
+        // Where the edges have changed sides at one v and not at the other, the mean of their boxes stands for both.
+        let apart = 0.5 * (blurs[1] - blurs[0]).abs() * (1.0 - ROUNDING);
+        if !self.is_slanted || (b - a).abs() < apart || (end - begin).abs() < apart {
+            blurs = [0.5 * (blurs[0] + blurs[1]); 2];
+        }
+        let moved = 0.5 * (self.lines[0].slope + self.lines[1].slope) * step;
         // One box for both, with the variance of the two. The widths in u, which beams share their edges of, stay exact.
-        let blur = (blur * blur + moved * moved).sqrt();
+        let blurs = blurs.map(|blur| (blur * blur + moved * moved).sqrt());
         let light = color(gone).map(|channel| channel * (part * step * self.stretch));
-        film.lay(self.along, row, light, &Trapezoid { begin, end, blur });
+        film.lay(self.along, row, light, &Trapezoid { ends: [begin, end], blurs });
     }
 
     /// Where the beam's border is at x on the side of an edge: on its ray, which is at `ray` there, or, where that has not begun or

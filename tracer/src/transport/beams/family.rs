@@ -42,6 +42,37 @@ impl Family<'_> {
     }
 }
 
+/// The rim of a disc, seen along a beam that leaves it: its rays begin so far before the line between the two outer ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bulge {
+    pub radius: f64,
+    /// From where to where the beam lies across the disc: -1 to 1 is all of it.
+    pub across: [f64; 2],
+}
+
+impl Bulge {
+    /// How far before the disc's middle its rim is, where `part` of the beam is on one side.
+    pub fn height(&self, part: f64) -> f64 {
+        let across = self.across[0] + (self.across[1] - self.across[0]) * part;
+        self.radius * (1.0 - across * across).max(0.0).sqrt()
+    }
+
+    /// The part at which that is farthest.
+    pub fn foremost(&self) -> f64 {
+        let [low, high] = self.across;
+        if high > low { (-low / (high - low)).clamp(0.0, 1.0) } else { 0.0 }
+    }
+}
+
+impl Family<'_> {
+    /// The source's own form where beams of this v leave it, if their ends are not on a line.
+    pub fn bulge(&self, v: [f64; 2]) -> Option<Bulge> {
+        let SourceForm::Disc { radius, .. } = self.source.form else { return None };
+        let across = v.map(|v| 2.0 * (self.v[0] + (self.v[1] - self.v[0]) * v) - 1.0);
+        Some(Bulge { radius, across })
+    }
+}
+
 impl SourceForm {
     /// The ray at u and v, 0 to 1: equal areas of u and v have equal power.
     fn family(&self, u: f64, v: f64) -> Ray {

@@ -39,15 +39,14 @@ pub struct BeamFilm {
     columns: Vec<[i64; 3]>,
 }
 
-/// Light spread over a row: from `begin` to `end` evenly, and each of its points over the box `blur` round it, pixels.
+/// Light spread evenly over a row from one end to the other, and each end over a box of its own round it, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trapezoid {
-    /// Where it begins.
-    pub begin: f64,
-    /// Where it ends: on the other side where the beam has crossed itself.
-    pub end: f64,
-    /// The width of the box, of any sign.
-    pub blur: f64,
+    /// Its ends: in the other order where the beam has crossed itself.
+    pub ends: [f64; 2],
+    /// The widths of their boxes, of any sign; they differ by no more than twice the distance of the ends, or it is negative in
+    /// places.
+    pub blurs: [f64; 2],
 }
 
 impl BeamFilm {
@@ -79,16 +78,26 @@ impl BeamFilm {
         if places[0] >= last || places[3] <= 0 {
             return;
         }
-        // The height, if a unit's corner gives twice the area under its ramp.
-        let area = (places[2] - places[0]) as f64 * (places[1] - places[0]) as f64;
-        let scale = (1_u64 << (BITS - 1)) as f64 / area;
+        let [low, high] = [places[1] - places[0], places[3] - places[2]];
+        // The slope at which a unit's corner gives twice the area under its ramp.
+        let twice_width = places[2] + places[3] - places[0] - places[1];
+        let scale = (1_u64 << BITS) as f64 / (low as f64 * twice_width as f64);
         let rounding = rounding(&places, number);
-        let height = light.map(|channel| (channel * scale + rounding).floor() as i64);
-        for (place, sign) in places.into_iter().zip([1, -1, -1, 1]) {
-            if place < last {
-                add_ramp(sums, count, number, place, height.map(|channel| sign * channel));
-            }
+        let rise = light.map(|channel| floor(channel * scale + rounding));
+        add_ramp(sums, [count, length], number, places[0], rise);
+        add_ramp(sums, [count, length], number, places[1], rise.map(|rise| -rise));
+        if low == high {
+            add_ramp(sums, [count, length], number, places[2], rise.map(|rise| -rise));
+            add_ramp(sums, [count, length], number, places[3], rise);
+            return;
         }
+        // What is left where the other slope has come down in whole numbers falls within the last unit.
+        let rounding = self::rounding(&[places[2], 0, 0, places[1]], number);
+        let fall = rise.map(|rise| floor((rise * low) as f64 / high as f64 + rounding));
+        let rest = [0, 1, 2].map(|channel| rise[channel] * low - fall[channel] * high);
+        add_ramp(sums, [count, length], number, places[2], fall.map(|fall| -fall));
+        add_ramp(sums, [count, length], number, places[3], [0, 1, 2].map(|channel| fall[channel] - rest[channel]));
+        add_ramp(sums, [count, length], number, places[3] + 1, rest);
     }
 
     /// Adds what another film of the same size holds.
@@ -115,16 +124,27 @@ impl BeamFilm {
 }
 
 impl Trapezoid {
-    /// Its corners from left to right, units: the second and third of them in any order. None of the two boxes is narrower than a
-    /// unit, and the fourth corner closes it.
+    /// Its corners, units: where its light rises from and to, and where it falls. No slope and no width is less than a unit.
     fn corners(&self) -> [i64; 4] {
-        let unit = |place: f64| (place * PER_PX).clamp(-FARTHEST, FARTHEST).round() as i64;
-        let (begin, end) = (unit(self.begin.min(self.end)), unit(self.begin.max(self.end)));
-        let end = end.max(begin + 1);
-        let blur = unit(self.blur.abs()).max(1);
-        let first = begin - blur / 2;
-        [first, first + blur, first + (end - begin), first + blur + (end - begin)]
+        let unit = |place: f64| floor((place * PER_PX).clamp(-FARTHEST, FARTHEST) + 0.5);
+        let is_turned = self.ends[0] > self.ends[1];
+        let [left, right] = if is_turned { [1, 0] } else { [0, 1] };
+        let slope = |end: usize| {
+            let blur = unit(self.blurs[end].abs()).max(1);
+            let first = unit(self.ends[end]) - blur / 2;
+            [first, first + blur]
+        };
+        let ([a, b], [c, d]) = (slope(left), slope(right));
+        let narrow = (2 - (c + d - a - b)).max(0);
+        let narrow = narrow / 2 + narrow % 2;
+        [a, b, c + narrow, d + narrow]
     }
+}
+
+/// The greatest whole number that is no more.
+fn floor(value: f64) -> i64 {
+    let cut = value as i64;
+    cut - i64::from(cut as f64 > value)
 }
 
 /// What is added before a height is cut to a whole number, 0 to 1: of wide, weak trapezoids heights are few units, and rounding all
@@ -140,8 +160,11 @@ fn rounding(places: &[i64; 4], number: usize) -> f64 {
 ///
 /// With g units from the place to its pixel's end, that pixel has g^2, the next one (256 + g)^2 - g^2, and each further one
 /// 2 * 256^2 more than the one before: the differences of the differences are the three below.
-fn add_ramp(sums: &mut [[i64; 3]], count: usize, number: usize, place: i64, height: [i64; 3]) {
+fn add_ramp(sums: &mut [[i64; 3]], [count, length]: [usize; 2], number: usize, place: i64, height: [i64; 3]) {
     let pixel = place >> 8;
+    if pixel >= length as i64 {
+        return;
+    }
     let (at, parts) = if pixel >= 0 {
         let rest = 256 - (place & 255);
         (pixel as usize, [rest * rest, 65_536 + 512 * rest - 2 * rest * rest, (256 - rest) * (256 - rest)])
@@ -177,27 +200,39 @@ fn sum_twice(differences: &[[i64; 3]], length: usize, count: usize, mut put: imp
 mod tests {
     use super::*;
 
-    /// The part of a trapezoid's light to the left of a place: the box round each of its points, clamped, integrated.
+    /// The part of a trapezoid's light to the left of a place: the ramp of each end's box, clamped, integrated.
     fn left_of(trapezoid: &Trapezoid, place: f64) -> f64 {
-        let (begin, end) = (trapezoid.begin.min(trapezoid.end), trapezoid.begin.max(trapezoid.end));
-        let (end, blur) = (end.max(begin + 1e-6), trapezoid.blur.abs().max(1e-6));
-        let integral = |from: f64| {
-            let parts = (place - from) / blur + 0.5;
-            if parts < 1.0 { 0.5 * parts.max(0.0) * parts.max(0.0) } else { parts - 0.5 }
+        let Trapezoid { mut ends, mut blurs } = *trapezoid;
+        if ends[0] > ends[1] {
+            (ends, blurs) = ([ends[1], ends[0]], [blurs[1], blurs[0]]);
+        }
+        ends[1] = ends[1].max(ends[0] + 1e-6);
+        let integral = |end: usize| {
+            let blur = blurs[end].abs().max(1e-6);
+            let parts = (place - ends[end]) / blur + 0.5;
+            blur * if parts < 1.0 { 0.5 * parts.max(0.0) * parts.max(0.0) } else { parts - 0.5 }
         };
-        (integral(begin) - integral(end)) * blur / (end - begin)
+        (integral(0) - integral(1)) / (ends[1] - ends[0])
     }
 
-    const FORMS: [Trapezoid; 9] = [
-        Trapezoid { begin: 3.3, end: 9.1, blur: 2.0 },
-        Trapezoid { begin: 9.1, end: 3.3, blur: -2.0 },
-        Trapezoid { begin: 5.25, end: 5.5, blur: 0.0 },
-        Trapezoid { begin: 5.5, end: 5.5, blur: 1.0 },
-        Trapezoid { begin: 4.5, end: 5.0, blur: 7.0 },
-        Trapezoid { begin: -3.0, end: 4.5, blur: 1.0 },
-        Trapezoid { begin: -900.0, end: 4.5, blur: 30.0 },
-        Trapezoid { begin: 14.5, end: 70.0, blur: 1.0 },
-        Trapezoid { begin: -1e4, end: 2e4, blur: 1e3 },
+    const fn form(begin: f64, end: f64, blurs: [f64; 2]) -> Trapezoid {
+        Trapezoid { ends: [begin, end], blurs }
+    }
+
+    const FORMS: [Trapezoid; 13] = [
+        form(3.3, 9.1, [2.0, 2.0]),
+        form(9.1, 3.3, [-2.0, -2.0]),
+        form(5.25, 5.5, [0.0, 0.0]),
+        form(5.5, 5.5, [1.0, 1.0]),
+        form(4.5, 5.0, [7.0, 7.0]),
+        form(-3.0, 4.5, [1.0, 1.0]),
+        form(-900.0, 4.5, [30.0, 30.0]),
+        form(14.5, 70.0, [1.0, 1.0]),
+        form(-1e4, 2e4, [1e3, 1e3]),
+        form(3.3, 9.1, [0.0, 3.7]),
+        form(9.1, 3.3, [4.3, 0.01]),
+        form(-8.0, 12.4, [9.0, 2.0]),
+        form(2.0, 40.0, [3.0, 70.0]),
     ];
 
     /// Each pixel holds the light that falls into it, in rows and in columns, also of a trapezoid that begins or ends beside the
@@ -213,7 +248,8 @@ mod tests {
                     let pixel = pixels[if along == Along::Row { 7 * 16 + at } else { at * 16 + 7 }];
                     let expected = left_of(&form, at as f64 + 1.0) - left_of(&form, at as f64);
                     // Places are rounded to 1/256 pixel.
-                    let density = 1.0 / (form.end - form.begin).abs().max(form.blur.abs()).max(1.0 / 256.0);
+                    let blur = form.blurs[0].abs().min(form.blurs[1].abs());
+                    let density = 1.0 / (form.ends[1] - form.ends[0]).abs().max(blur).max(1.0 / 256.0);
                     let slack = (density / 128.0).min(0.01);
                     assert!((pixel[2] - expected).abs() < slack, "{form:?} {at}: {} {expected}", pixel[2]);
                     let unit = 1e-12 + 1e-4 * pixel[2];
@@ -233,7 +269,7 @@ mod tests {
         let beams = 20_000;
         for step in 0..beams {
             let begin = 100.0 + f64::from(step) * 0.01;
-            film.lay(Along::Row, 0, [1e-8; 3], &Trapezoid { begin, end: begin + 500.0, blur: 60.0 });
+            film.lay(Along::Row, 0, [1e-8; 3], &form(begin, begin + 500.0, [60.0, 80.0]));
         }
         let sum: f64 = film.pixels().iter().map(|pixel| pixel[0]).sum();
         assert!((sum / (1e-8 * f64::from(beams)) - 1.0).abs() < 0.05, "{sum}");
@@ -245,7 +281,8 @@ mod tests {
         let mut film = BeamFilm::new(64, 2);
         for step in 0..500 {
             let begin = f64::from(step) * 0.0613;
-            let form = Trapezoid { begin, end: begin + 0.37 * f64::from(step % 13), blur: 0.11 * f64::from(step % 7) };
+            let blurs = [step % 7, step % 5].map(|step| 0.11 * f64::from(step));
+            let form = form(begin, begin + 0.37 * f64::from(step % 13), blurs);
             film.lay(Along::Row, 1, [1e-9, 0.7, -1e-3], &form);
         }
         assert!(film.pixels()[64 + 45..].iter().all(|pixel| *pixel == [0.0; 3]));

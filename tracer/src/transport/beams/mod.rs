@@ -12,8 +12,12 @@
 mod beam;
 mod cell;
 mod corner;
+mod cut;
 mod family;
 mod film;
+mod form;
+mod horizon;
+mod landmarks;
 mod picture;
 mod sweep;
 mod tracer;

@@ -1,7 +1,8 @@
 //! A picture by beams in the making.
 
 use super::film::BeamFilm;
-use super::sweep::{Horizon, Sweep};
+use super::horizon::Horizon;
+use super::sweep::Sweep;
 use super::tracer::BeamTracer;
 use crate::View;
 use rayon::prelude::*;

@@ -1,7 +1,8 @@
 //! A scene, ready for the beam sweep.
 
-use super::corner::{Corner, Side};
+use super::corner::Corner;
 use super::family::{Family, families};
+use super::landmarks::Landmarks;
 use crate::transport::spectrum::Weights;
 use crate::transport::{LightSource, Material, Media, Scene, StartsOn, Surfaces, TOLERANCE_MM};
 
@@ -28,7 +29,7 @@ impl Default for BeamOptions {
         BeamOptions {
             beams: 64,
             wavelengths: 32,
-            widths: 8,
+            widths: 4,
             most_surfaces: 24,
             least_power: 1e-3,
             most_pieces: u64::MAX,
@@ -39,6 +40,7 @@ impl Default for BeamOptions {
 /// A scene, ready for beams.
 pub struct BeamTracer<'a> {
     pub(super) surfaces: Surfaces,
+    pub(super) landmarks: Landmarks,
     pub(super) families: Vec<(Family<'a>, Media)>,
     /// What no channel of all light is over: the films hold parts of it.
     pub(super) brightest: f64,
@@ -61,7 +63,8 @@ impl<'a> BeamTracer<'a> {
             scene.sources.iter().filter(|source| source.power > 0.0).flat_map(of).collect();
         let most = |family: &Family| family.color.iter().fold(0.0_f64, |most, channel| most.max(channel.abs()));
         let brightest = families.iter().map(|(family, _)| most(family) * family.source.falloff.most()).sum();
-        BeamTracer { surfaces, families, brightest, options }
+        let landmarks = Landmarks::new(&scene.bodies);
+        BeamTracer { surfaces, landmarks, families, brightest, options }
     }
 
     /// The same with another limit of pieces of one family.
@@ -75,12 +78,10 @@ impl<'a> BeamTracer<'a> {
         self.families.len()
     }
 
-    /// Two rays of a family at one u.
-    pub(super) fn start(&self, family: &Family, media: Media, u: f64, v: [f64; 2]) -> Side {
-        v.map(|v| {
-            let (ray, nm) = family.ray(u, v);
-            Corner { ray, starts_on: StartsOn::NOTHING, nm, power: [0.5; 2], way: 0.0, media }
-        })
+    /// The ray of a family at u and v, where it leaves the source.
+    pub(super) fn start(&self, family: &Family, media: Media, [u, v]: [f64; 2]) -> Corner {
+        let (ray, nm) = family.ray(u, v);
+        Corner { ray, starts_on: StartsOn::NOTHING, nm, power: [0.5; 2], way: 0.0, media }
     }
 }
 
