@@ -27,6 +27,17 @@ pub struct Family<'a> {
     pub across: Across,
     /// The colour of all of its light, if nothing is in the way: power times weight.
     pub color: [f64; 3],
+    /// What of its light it lays.
+    pub lays: Lays,
+}
+
+/// What of a family's light is laid. Before the first surface all wavelengths go the same way: where they part later, one family of
+/// their sum has that light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lays {
+    All,
+    BeforeSurfaces,
+    BehindSurfaces,
 }
 
 impl Family<'_> {
@@ -98,45 +109,50 @@ impl SourceForm {
     }
 }
 
-/// The families of a source: strata of its wavelengths if they matter, and of its width.
+/// The families of a source: strata of its wavelengths if they matter, and of its width. `parts_later`: all wavelengths go the same
+/// way up to the first surface.
 pub fn families<'a>(
     source: &'a LightSource,
     weights: &Weights,
     chromatic: bool,
     [wavelengths, widths]: [u32; 2],
+    parts_later: bool,
 ) -> Vec<Family<'a>> {
+    let wide = source.form.is_wide();
+    let count = if wide { widths.max(1) } else { 1 };
+    let strata = |(nm, color): ([f64; 2], [f64; 3]), lays: Lays| {
+        let across = match (wide, nm[0] == nm[1]) {
+            (true, _) => Across::Source,
+            (false, false) => Across::Wavelength,
+            (false, true) => Across::Nothing,
+        };
+        let color = color.map(|channel| channel / f64::from(count));
+        (0..count).map(move |stratum| {
+            let v = [stratum, stratum + 1].map(|edge| f64::from(edge) / f64::from(count));
+            Family { source, nm, v, across, color, lays }
+        })
+    };
+    let spectral = spectral(source, weights, wavelengths.max(if chromatic { 1 } else { 64 }));
+    let sum = spectral.iter().fold([0.0; 3], |sum, (_, color)| [0, 1, 2].map(|channel| sum[channel] + color[channel]));
+    let whole = ([550.0; 2], sum);
+    if !chromatic {
+        return strata(whole, Lays::All).collect();
+    }
+    let is_shared = parts_later && spectral.len() > 1;
+    let behind = if is_shared { Lays::BehindSurfaces } else { Lays::All };
+    let before = if is_shared { strata(whole, Lays::BeforeSurfaces).collect() } else { Vec::new() };
+    before.into_iter().chain(spectral.into_iter().flat_map(|one| strata(one, behind))).collect()
+}
+
+/// Strata of a source's wavelengths, nm, each with the colour of its power.
+fn spectral(source: &LightSource, weights: &Weights, wavelengths: u32) -> Vec<([f64; 2], [f64; 3])> {
     let sampler = WavelengthSampler::new(&source.emission);
     let power = source.power * sampler.mean();
-    let of_wavelengths = sampler.strata(if chromatic { wavelengths } else { wavelengths.max(64) });
     let color = |samples: &[WavelengthSample]| {
         samples.iter().fold([0.0; 3], |sum: [f64; 3], sample| {
             let weights = weights.at(sample.nm);
             [0, 1, 2].map(|channel| sum[channel] + f64::from(weights[channel]) * sample.weight * power)
         })
     };
-    let mut spectral: Vec<([f64; 2], [f64; 3])> =
-        of_wavelengths.iter().map(|one| (one.nm, color(&one.samples))).collect();
-    if !chromatic {
-        // All wavelengths go the same way: they are one family.
-        let sum =
-            spectral.iter().fold([0.0; 3], |sum, (_, color)| [0, 1, 2].map(|channel| sum[channel] + color[channel]));
-        spectral = vec![([550.0; 2], sum)];
-    }
-    let wide = source.form.is_wide();
-    let across = match (wide, chromatic) {
-        (true, _) => Across::Source,
-        (false, true) => Across::Wavelength,
-        (false, false) => Across::Nothing,
-    };
-    let count = if wide { widths.max(1) } else { 1 };
-    let mut all = Vec::new();
-    for (nm, color) in spectral {
-        for stratum in 0..count {
-            let [from, to] = [stratum, stratum + 1].map(|edge| f64::from(edge) / f64::from(count));
-            let across = if nm[0] == nm[1] && across == Across::Wavelength { Across::Nothing } else { across };
-            let color = color.map(|channel| channel / f64::from(count));
-            all.push(Family { source, nm, v: [from, to], across, color });
-        }
-    }
-    all
+    sampler.strata(wavelengths).iter().map(|one| (one.nm, color(&one.samples))).collect()
 }

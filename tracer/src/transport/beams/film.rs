@@ -7,6 +7,8 @@
 //!
 //! A beam crosses rows one after the other at almost the same place, so what is side by side in memory is a place's rows.
 
+use rayon::prelude::*;
+
 /// Units of a place in a pixel.
 const PER_PX: f64 = 256.0;
 
@@ -100,27 +102,32 @@ impl BeamFilm {
         add_ramp(sums, [count, length], number, places[3] + 1, rest);
     }
 
-    /// Adds what another film of the same size holds.
-    pub fn add(&mut self, other: &BeamFilm) {
-        for (mine, others) in [(&mut self.rows, &other.rows), (&mut self.columns, &other.columns)] {
-            for (sums, more) in mine.iter_mut().zip(others) {
-                (0..3).for_each(|channel| sums[channel] = sums[channel].wrapping_add(more[channel]));
-            }
-        }
-    }
-
-    /// The light in each pixel, row by row.
-    pub fn pixels(&self) -> Vec<[f64; 3]> {
-        let mut pixels = vec![[0_i64; 3]; self.width * self.height];
-        let mut put = |x: usize, y: usize, light: [i64; 3]| {
-            let pixel = &mut pixels[y * self.width + x];
-            (0..3).for_each(|channel| pixel[channel] = pixel[channel].wrapping_add(light[channel]));
-        };
-        sum_twice(&self.rows, self.width, self.height, &mut put);
-        sum_twice(&self.columns, self.height, self.width, |y, x, light| put(x, y, light));
+    /// The light in each pixel of all these films of one size together, row by row.
+    pub fn pixels(films: &[&BeamFilm]) -> Vec<[f64; 3]> {
+        let Some(BeamFilm { width, height, .. }) = films.first() else { return Vec::new() };
+        let of_rows: Vec<&[[i64; 3]]> = films.iter().map(|film| &film.rows[..]).collect();
+        let of_columns: Vec<&[[i64; 3]]> = films.iter().map(|film| &film.columns[..]).collect();
         let unit = (1_u64 << BITS) as f64;
-        pixels.into_iter().map(|sums| sums.map(|sum| sum as f64 / unit)).collect()
+        let columns = sums(&of_columns, *height, *width);
+        let rows = sums(&of_rows, *width, *height);
+        let pixel = |at: usize| {
+            let (x, y) = (at % width, at / width);
+            let (row, column) = (
+                rows[y / STRIP][x * strip(*height, y) + y % STRIP],
+                columns[x / STRIP][y * strip(*width, x) + x % STRIP],
+            );
+            [0, 1, 2].map(|channel: usize| row[channel].wrapping_add(column[channel]) as f64 / unit)
+        };
+        (0..width * height).into_par_iter().with_min_len(STRIP * STRIP).map(pixel).collect()
     }
+}
+
+/// Rows whose sums are made side by side.
+const STRIP: usize = 64;
+
+/// How many rows the strip has in which this one lies.
+fn strip(count: usize, row: usize) -> usize {
+    STRIP.min(count - row / STRIP * STRIP)
 }
 
 impl Trapezoid {
@@ -182,18 +189,28 @@ fn add_ramp(sums: &mut [[i64; 3]], [count, length]: [usize; 2], number: usize, p
     }
 }
 
-/// Gives each value of `count` rows from their second differences: `put` is told the place in the row and the row.
-fn sum_twice(differences: &[[i64; 3]], length: usize, count: usize, mut put: impl FnMut(usize, usize, [i64; 3])) {
-    let mut rows = vec![([0_i64; 3], [0_i64; 3]); count];
-    for (at, differences) in differences.chunks_exact(count).take(length).enumerate() {
-        for (row, ((slope, value), difference)) in rows.iter_mut().zip(differences).enumerate() {
-            for channel in 0..3 {
-                slope[channel] = slope[channel].wrapping_add(difference[channel]);
-                value[channel] = value[channel].wrapping_add(slope[channel]);
+/// The values of `count` rows from the second differences of all films, strip by strip; in a strip what is side by side is a place's
+/// rows.
+fn sums(films: &[&[[i64; 3]]], length: usize, count: usize) -> Vec<Vec<[i64; 3]>> {
+    let of_strip = |first: usize| {
+        let rows = strip(count, first);
+        let mut running = vec![([0_i64; 3], [0_i64; 3]); rows];
+        let mut values = Vec::with_capacity(length * rows);
+        for at in 0..length {
+            let differences = films.iter().map(|film| &film[at * count + first..][..rows]);
+            for differences in differences {
+                for ((slope, _), difference) in running.iter_mut().zip(differences) {
+                    (0..3).for_each(|channel| slope[channel] = slope[channel].wrapping_add(difference[channel]));
+                }
             }
-            put(at, row, *value);
+            for (slope, value) in &mut running {
+                (0..3).for_each(|channel| value[channel] = value[channel].wrapping_add(slope[channel]));
+                values.push(*value);
+            }
         }
-    }
+        values
+    };
+    (0..count).into_par_iter().step_by(STRIP).map(of_strip).collect()
 }
 
 #[cfg(test)]
@@ -243,7 +260,7 @@ mod tests {
             for along in [Along::Row, Along::Column] {
                 let mut film = BeamFilm::new(16, 16);
                 film.lay(along, 7, [0.25, -0.5, 1.0], &form);
-                let pixels = film.pixels();
+                let pixels = BeamFilm::pixels(&[&film]);
                 for at in 0..16 {
                     let pixel = pixels[if along == Along::Row { 7 * 16 + at } else { at * 16 + 7 }];
                     let expected = left_of(&form, at as f64 + 1.0) - left_of(&form, at as f64);
@@ -271,7 +288,7 @@ mod tests {
             let begin = 100.0 + f64::from(step) * 0.01;
             film.lay(Along::Row, 0, [1e-8; 3], &form(begin, begin + 500.0, [60.0, 80.0]));
         }
-        let sum: f64 = film.pixels().iter().map(|pixel| pixel[0]).sum();
+        let sum: f64 = BeamFilm::pixels(&[&film]).iter().map(|pixel| pixel[0]).sum();
         assert!((sum / (1e-8 * f64::from(beams)) - 1.0).abs() < 0.05, "{sum}");
     }
 
@@ -285,6 +302,6 @@ mod tests {
             let form = form(begin, begin + 0.37 * f64::from(step % 13), blurs);
             film.lay(Along::Row, 1, [1e-9, 0.7, -1e-3], &form);
         }
-        assert!(film.pixels()[64 + 45..].iter().all(|pixel| *pixel == [0.0; 3]));
+        assert!(BeamFilm::pixels(&[&film])[64 + 45..].iter().all(|pixel| *pixel == [0.0; 3]));
     }
 }

@@ -74,11 +74,10 @@ impl<'a> BeamPicture<'a> {
 
     /// The fluence in each pixel, row by row, signed.
     pub fn fluence(&self) -> Vec<[f64; 3]> {
-        let mut sum = BeamFilm::new(self.view.width, self.view.height);
-        for film in &self.films {
-            sum.add(&film.lock().unwrap_or_else(std::sync::PoisonError::into_inner));
-        }
+        let films: Vec<_> =
+            self.films.iter().map(|film| film.lock().unwrap_or_else(std::sync::PoisonError::into_inner)).collect();
+        let films: Vec<&BeamFilm> = films.iter().map(|film| &**film).collect();
         let scale = self.tracer.brightest / self.view.mm_per_px;
-        sum.pixels().into_iter().map(|light| light.map(|channel| channel * scale)).collect()
+        BeamFilm::pixels(&films).into_iter().map(|light| light.map(|channel| channel * scale)).collect()
     }
 }

@@ -4,7 +4,7 @@ use super::beam::Piece;
 use super::cell::Cell;
 use super::corner::{Corner, Probe, Way};
 use super::cut::alike;
-use super::family::Family;
+use super::family::{Family, Lays};
 use super::film::BeamFilm;
 use super::form::Form;
 use super::horizon::Horizon;
@@ -122,11 +122,12 @@ impl Sweep<'_, '_> {
         if self.leaves(&cell, probes, &mut leaves).is_err() {
             return self.part(cell, probes);
         }
-        for leaf in &leaves {
-            self.splat(leaf);
+        if !self.met.is_empty() || self.family.lays != Lays::BehindSurfaces {
+            leaves.iter().for_each(|leaf| self.splat(leaf));
         }
         let Some(edge) = probes[0].edge else { return };
-        if self.met.len() >= self.tracer.options.most_surfaces as usize {
+        let is_last = self.met.len() >= self.tracer.options.most_surfaces as usize;
+        if is_last || self.family.lays == Lays::BeforeSurfaces {
             return;
         }
         for way in [Way::Reflected, Way::Through] {

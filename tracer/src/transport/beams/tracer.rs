@@ -55,7 +55,7 @@ impl<'a> BeamTracer<'a> {
         let of = |source: &'a LightSource| {
             let media = surfaces.media_at(source.form.middle()).into_iter().filter(|body| surfaces.absorbs(*body));
             let media = Media::of(media);
-            families(source, weights, chromatic, [options.wavelengths, options.widths])
+            families(source, weights, chromatic, [options.wavelengths, options.widths], media.is_empty())
                 .into_iter()
                 .map(move |family| (family, media))
         };
