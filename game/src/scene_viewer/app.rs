@@ -37,6 +37,8 @@ pub struct SceneViewer {
     watch: FileWatch,
     now: Duration,
     notice: Option<(String, Duration)>,
+    /// Why the file cannot be read, for as long as it cannot.
+    unreadable: Option<String>,
     is_help: bool,
     /// The next frame is the picture alone, and is saved.
     is_bare: bool,
@@ -84,6 +86,7 @@ impl SceneViewer {
             watch,
             now: Duration::ZERO,
             notice: Some((WELCOME.to_string(), NOTICE)),
+            unreadable: None,
             is_help: false,
             is_bare: false,
             is_warned: false,
@@ -210,6 +213,7 @@ impl SceneViewer {
         if self.drag.is_some() || self.watch.changed(self.now).is_empty() {
             return;
         }
+        self.unreadable = None;
         match self.document.reload() {
             Ok(true) => {
                 let page_mm = self.document.scene().drawing.size_mm;
@@ -220,7 +224,10 @@ impl SceneViewer {
                 self.tell(warning.unwrap_or_else(|| "read again".to_string()));
             }
             Ok(false) => {}
-            Err(failure) => self.tell(failure.to_string()),
+            Err(failure) => {
+                // Nothing stands before it.
+                (self.notice, self.unreadable) = (None, Some(failure.to_string()));
+            }
         }
     }
 
@@ -259,6 +266,9 @@ impl SceneViewer {
         if let Some((notice, _)) = &self.notice {
             return notice.clone();
         }
+        if let Some(failure) = &self.unreadable {
+            return failure.clone();
+        }
         let changed = if self.document.is_changed() { "moved, E writes it \u{b7} " } else { "" };
         let report = self.shown.as_ref().map_or("", |shown| shown.report.as_str());
         format!("{changed}{report}")
@@ -271,22 +281,21 @@ impl App for SceneViewer {
 
     fn update(&mut self, now: Duration, commands: &mut Commands) {
         self.now = now;
+        let told = self.status();
         self.follow_file();
         match self.refiner.take() {
             Some(Ok(shown)) => {
                 self.shown = Some(shown);
                 commands.redraw = true;
             }
-            Some(Err(failure)) => {
-                self.tell(failure.to_string());
-                commands.redraw = true;
-            }
+            Some(Err(failure)) => self.tell(failure.to_string()),
             None => {}
         }
         if self.notice.as_ref().is_some_and(|(_, until)| now > *until) {
             self.notice = None;
-            commands.redraw = true;
         }
+        // Nobody may be at the mouse or the keys.
+        commands.redraw |= self.status() != told;
         self.order(commands);
     }
 

@@ -153,3 +153,38 @@ fn another_programs_changes_are_read_and_never_lost() {
     assert!(viewer.lamp().distance(DVec2::new(90.0, 50.0)) < 1e-6, "what was good last is shown");
     assert!(viewer.app.status().contains("reload.svg"), "{}", viewer.app.status());
 }
+
+/// A mistake that another program had saved was told only when the mouse moved, and for five seconds from the saving on.
+#[test]
+fn a_broken_file_is_told_at_once_and_for_as_long_as_it_is_broken() {
+    let mut viewer = Viewer::new("broken.svg");
+    /// What is told within a second of now, by a frame that was asked for.
+    fn told(viewer: &mut Viewer) -> String {
+        for _ in 0..5 {
+            let before = viewer.app.status();
+            viewer.commands.redraw = false;
+            viewer.later(200);
+            let after = viewer.app.status();
+            if after != before && (after.contains("broken.svg") || before.contains("broken.svg")) {
+                assert!(viewer.commands.redraw, "{after}");
+                return after;
+            }
+        }
+        panic!("nothing was told: {}", viewer.app.status());
+    }
+    viewer.later(200);
+    for broken in [DRAWING.replace("r=\"4\"", "r=\"x\""), String::new(), "<svg".to_string()] {
+        std::fs::write(&viewer.file, broken).expect("the file can be written");
+        let sentence = told(&mut viewer);
+        (0..100).for_each(|_| viewer.later(200));
+        assert_eq!(viewer.app.status(), sentence);
+    }
+    std::fs::remove_file(&viewer.file).expect("the file can be removed");
+    let sentence = told(&mut viewer);
+    viewer.press(Key::KeyZ);
+    assert_eq!(viewer.app.status(), "nothing was moved");
+    (0..100).for_each(|_| viewer.later(200));
+    assert_eq!(viewer.app.status(), sentence);
+    std::fs::write(&viewer.file, DRAWING).expect("the file can be written");
+    assert!(!told(&mut viewer).contains("broken.svg"));
+}

@@ -1,5 +1,6 @@
 //! Notices what must never happen to a ball.
 
+use super::stay::Stay;
 use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, BallPose, Kind, Layout, PartId, Pose};
 use std::collections::BTreeMap;
@@ -10,13 +11,18 @@ const LOOK_TICKS: u64 = 10;
 const STUCK_M: f64 = 0.002;
 /// How long a ball may lie outside of lane, saucer and flippers, ticks.
 const STUCK_TICKS: u64 = 20_000;
+/// How long a ball may hop about one place outside of the same, ticks: the ball search fires its coils ten times.
+const HOPPING_TICKS: u64 = 120_000;
+/// A ball that is no farther from a flipper may be thrown by it, m.
+const FLIPPER_RANGE_M: f64 = 0.002;
 /// How far a ball may reach into another thing, m.
 const OVERLAP_M: f64 = 0.000_05;
 
 /// What went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AnomalyKind {
-    /// A ball has not moved for 20 s where nothing holds it.
+    /// A ball has not moved for 20 s where nothing holds it, or it has come back to the same place for 120 s where
+    /// nothing holds it and no flipper throws it.
     Stuck,
     /// A ball is outside the playfield.
     Escaped,
@@ -60,6 +66,8 @@ pub struct AnomalyDetector {
     size_m: DVec2,
     /// Where each ball was when it last moved, and when.
     rests: BTreeMap<u32, (DVec2, u64)>,
+    /// About which place each ball stays.
+    stays: BTreeMap<u32, Stay>,
     /// What has been noticed: once for each ball and kind.
     noticed: BTreeMap<(u32, AnomalyKind), Anomaly>,
 }
@@ -81,6 +89,7 @@ impl AnomalyDetector {
             kinds: layout.parts.iter().map(|part| part.kind.clone()).collect(),
             size_m: layout.size_m,
             rests: BTreeMap::new(),
+            stays: BTreeMap::new(),
             noticed: BTreeMap::new(),
         };
         let mut drop_targets = 0;
@@ -118,6 +127,7 @@ impl AnomalyDetector {
             let kind_of = |part: PartId| self.kinds.get(usize::from(part.0));
             let excused = ball.held || pose.may_hold(ball, kind_of) || excused(ball);
             self.look_for_rest(tick, ball, excused);
+            self.look_for_stay(tick, ball, excused || self.is_at_flipper(ball, pose));
         }
         for (_, captive) in &pose.captives {
             if !(captive.center.is_finite() && captive.velocity.is_finite()) {
@@ -127,6 +137,7 @@ impl AnomalyDetector {
             }
         }
         self.rests.retain(|id, _| pose.balls.iter().any(|ball| ball.id == *id));
+        self.stays.retain(|id, _| pose.balls.iter().any(|ball| ball.id == *id));
     }
 
     /// Everything that was noticed.
@@ -151,6 +162,22 @@ impl AnomalyDetector {
         } else if tick - *since > STUCK_TICKS {
             self.notice(tick, ball, AnomalyKind::Stuck, "does not move".to_string());
         }
+    }
+
+    fn look_for_stay(&mut self, tick: u64, ball: &BallPose, excused: bool) {
+        let stay = self.stays.entry(ball.id).or_insert(Stay::new(ball.center, tick));
+        if excused {
+            *stay = Stay::new(ball.center, tick);
+        } else if stay.look(ball.center, tick) > HOPPING_TICKS {
+            self.notice(tick, ball, AnomalyKind::Stuck, "does not come away from there in 120 s".to_string());
+        }
+    }
+
+    fn is_at_flipper(&self, ball: &BallPose, pose: &Pose) -> bool {
+        let mut flippers = self.flippers.iter().zip(&pose.flippers_rad);
+        flippers.any(|(flipper, (_, angle))| {
+            flipper.outline(*angle).distance(ball.center).0 < BALL_RADIUS_M + FLIPPER_RANGE_M
+        })
     }
 
     /// What the ball is inside of, and how deep.
@@ -182,3 +209,6 @@ impl AnomalyDetector {
             .find(|(_, depth)| *depth > OVERLAP_M)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,6 +20,7 @@ mod rollout;
 mod run_statistics;
 pub mod self_play;
 mod shot_value;
+mod stay;
 
 pub use coverage_player::CoveragePlayer;
 pub use game_result::GameResult;

@@ -131,8 +131,13 @@ impl Playtest {
 
     /// Parts beside which a ball can leave the playfield.
     pub fn open_edges(&self) -> Vec<Finding> {
-        let near = |place| Finding::near(FindingKind::OpenEdge, self.machine.layout(), place, false);
-        self.merged(self.reach.open_edges().into_iter().map(near).collect())
+        let layout = self.machine.layout();
+        let gaps = self.reach.gaps(layout).into_iter();
+        let findings = gaps.map(|gap| Finding {
+            place_mm: gap.middle * 1000.0,
+            ..Finding::near(FindingKind::OpenEdge, layout, gap.end, false)
+        });
+        self.merged(findings.collect())
     }
 
     /// Parts with a switch that no ball can come to from the plunger. Nothing is said of a table whose plunger fails.

@@ -21,12 +21,12 @@ pub fn places(machine: &Machine, reach: &Reach, most: usize) -> Vec<DVec2> {
         places.into_iter().step_by(stride).collect::<Vec<_>>()
     };
     let beside = machine.layout().parts.iter().flat_map(|part| beside(reach, &part.kind));
-    let mut all = some(reach.pits());
+    let flaps: Vec<Shape> = machine.layout().parts.iter().flat_map(|part| flaps(&part.kind)).collect();
+    let is_free = |place: &DVec2| flaps.iter().all(|flap| flap.distance(*place).0 >= BALL_RADIUS_M);
+    let mut all = some(reach.pits().into_iter().filter(is_free).collect());
     all.extend(some(beside.collect()));
     all.extend(some(wedges::places(machine, reach)));
     let left = most.saturating_sub(all.len());
-    let flaps: Vec<Shape> = machine.layout().parts.iter().flat_map(|part| flaps(&part.kind)).collect();
-    let is_free = |place: &DVec2| flaps.iter().all(|flap| flap.distance(*place).0 >= BALL_RADIUS_M);
     all.extend(reach.spread_places().into_iter().filter(is_free).take(left));
     all
 }

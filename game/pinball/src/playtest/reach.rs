@@ -1,10 +1,15 @@
 //! Reach: where on the playfield a ball can come to.
 //!
 //! A flood over a grid, from the place where new balls arrive: a square belongs to it if there is room for a ball
-//! somewhere in it. What moves (drop targets, gates, flippers, captive balls) is never in the way, and a ramp that a ball
-//! can come to brings it to both of its ends. So nothing is called out of reach that a shot could come to.
+//! somewhere in it. What moves (drop targets, spinners, flippers, captive balls) is never in the way, a gate only against its
+//! direction, and a ramp that a ball can come to brings it to both of its ends. So nothing is called out of reach that a shot
+//! could come to.
+
+mod gaps;
+mod one_way;
 
 use geometry::{DVec2, Shape};
+use one_way::OneWayGates;
 use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
 
 /// From one square to the next, m.
@@ -44,7 +49,8 @@ impl Reach {
         let columns = ((size.x / STEP_M) as usize).max(1);
         let rows = ((size.y / STEP_M) as usize).max(1);
         let mut reach = Reach { columns, squares: vec![Square::OutOfReach; columns * rows] };
-        let mut flood = Flood { machine, rooms: Rooms::new(machine), found: Vec::new() };
+        let mut flood =
+            Flood { machine, rooms: Rooms::new(machine), gates: OneWayGates::new(machine.layout()), found: Vec::new() };
         reach.flood(&mut flood, start);
         let mut ramps: Vec<&Ramp> = machine.layout().parts.iter().filter_map(|part| ramp(&part.kind)).collect();
         // A ramp may lead to another one.
@@ -59,15 +65,24 @@ impl Reach {
         let Some(start) = self.square_of(start) else { return };
         self.visit(flood, start);
         while let Some(square) = flood.found.pop() {
-            let (column, row) = (square % self.columns, square / self.columns);
-            let beside = [
-                (column > 0).then(|| square - 1),
-                (column + 1 < self.columns).then(|| square + 1),
-                (row > 0).then(|| square - self.columns),
-                (square + self.columns < self.squares.len()).then(|| square + self.columns),
-            ];
-            beside.into_iter().flatten().for_each(|near| self.visit(flood, near));
+            for near in self.beside(square) {
+                if !flood.gates.stop(self.middle(square), self.middle(near)) {
+                    self.visit(flood, near);
+                }
+            }
         }
+    }
+
+    /// The squares that have a side with this one.
+    fn beside(&self, square: usize) -> impl Iterator<Item = usize> + use<> {
+        let (column, row) = (square % self.columns, square / self.columns);
+        let beside = [
+            (column > 0).then(|| square - 1),
+            (column + 1 < self.columns).then(|| square + 1),
+            (row > 0).then(|| square - self.columns),
+            (square + self.columns < self.squares.len()).then(|| square + self.columns),
+        ];
+        beside.into_iter().flatten()
     }
 
     fn visit(&mut self, flood: &mut Flood, square: usize) {
@@ -88,14 +103,14 @@ impl Reach {
         }
     }
 
-    /// Where a ball can come to the edge of the playfield: the middle of each such square, m.
-    pub fn open_edges(&self) -> Vec<DVec2> {
+    /// The squares at the edge of the playfield that a ball can come to.
+    fn open_edges(&self) -> impl Iterator<Item = usize> {
         let last_row = self.squares.len() / self.columns - 1;
-        let is_edge = |square: usize| {
+        let is_edge = move |square: usize| {
             let (column, row) = (square % self.columns, square / self.columns);
             column == 0 || row == 0 || column + 1 == self.columns || row == last_row
         };
-        self.roomy().filter(|square| is_edge(*square)).map(|square| self.middle(square)).collect()
+        self.roomy().filter(move |square| is_edge(*square))
     }
 
     /// The squares in whose middle there is room for a ball, row by row.
@@ -268,6 +283,7 @@ enum Room {
 struct Flood<'a> {
     machine: &'a Machine,
     rooms: Rooms,
+    gates: OneWayGates,
     /// Squares whose neighbours have not been looked at.
     found: Vec<usize>,
 }

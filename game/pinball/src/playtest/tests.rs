@@ -1,6 +1,7 @@
 //! What the playtest finds on small tables with one fault each, and that Spectrum has none.
 
 mod places;
+mod reach;
 mod switches;
 mod whole_game;
 
@@ -128,7 +129,10 @@ fn a_gap_in_the_frame_is_told_with_the_wall_beside_it() {
     let gap = WALLS.replace("M10 1000V10H500V1000", "M10 1000V500M10 420V10H500V1000");
     let playtest = playtest_of(with_rules(&gap, ""));
     let told = sentences(&playtest, playtest.open_edges());
-    assert!(told[0].starts_with("table.svg:5: frame: a ball can leave the playfield beside it, at 1, 4"), "{told:?}");
+    assert!(
+        told[0].starts_with("table.svg:5: frame: a ball can leave the playfield beside it, at 7, 459 mm"),
+        "{told:?}"
+    );
     assert_eq!(told.len(), 1);
 }
 

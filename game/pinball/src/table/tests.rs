@@ -24,12 +24,19 @@ const SVG: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 1
 {}
 </svg>"##;
 
+/// A cup between a slingshot and a wall, in which a ball lies at 282, 619 mm until the slingshot is fired.
+pub(crate) const CUP: &str = r##"<line class="slingshot" id="sling" x1="285" y1="574" x2="251" y2="648" stroke-width="5"/>
+<path class="wall" id="body" d="M291.5 630V692L253.5 720Z" fill="#204858" stroke="#204858" stroke-width="2"/>"##;
+/// A wall beside the cup: what hops out falls back on it and rolls in again.
+pub(crate) const BACK_TO_CUP: &str =
+    r#"<path class="wall" id="back" d="M294 632L368 582V300" fill="none" stroke-width="2"/>"#;
+
 /// Reads the small table with `drawn` on it and `numbers` in its `table.toml`.
 fn read(drawn: &str, numbers: &str) -> Result<Table, Vec<String>> {
     read_files(&SVG.replace("{}", drawn), numbers, "")
 }
 
-fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> {
+pub(crate) fn read_files(svg: &str, toml: &str, rules: &str) -> Result<Table, Vec<String>> {
     let sources = TableSources {
         name: "small".to_string(),
         origin: String::new(),

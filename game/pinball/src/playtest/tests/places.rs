@@ -2,7 +2,7 @@
 
 use super::{playtest, playtest_of, sentences};
 use crate::playtest::{Finding, FindingKind, Playtest};
-use crate::table::tests::spectrum;
+use crate::table::tests::{BACK_TO_CUP, CUP, spectrum};
 use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Controls};
 
@@ -133,4 +133,25 @@ fn a_ball_that_lies_between_a_post_and_a_wall_is_found() {
     // The wall was told alone, and the post was at fault.
     assert!(told[0].contains("stud") && told[0].matches("(line ").count() == 1, "{told:?}");
     assert_eq!(stuck(&post(80.0)), Vec::<String>::new());
+}
+
+/// A ball in a cup hopped out at each round of the ball search and fell back, for an hour: the cup was told as one that the
+/// search empties, as its rest took too many contact solves to be watched on.
+#[test]
+fn a_ball_that_the_search_only_makes_hop_is_stuck() {
+    let told = |drawn: &str| {
+        let playtest = playtest(drawn);
+        let finding = playtest.let_go(DVec2::new(0.2833, 0.6173));
+        sentences(&playtest, finding.into_iter().collect())
+    };
+    let [hops] = &told(&format!("{CUP}{BACK_TO_CUP}"))[..] else { panic!() };
+    assert!(
+        hops.contains("a ball lies still beside it at 282, 619 mm, and the ball search does not free it"),
+        "{hops}"
+    );
+    let [freed] = &told(CUP)[..] else { panic!() };
+    assert!(
+        freed.contains("a ball lies still beside it at 282, 619 mm until the ball search fires every coil"),
+        "{freed}"
+    );
 }

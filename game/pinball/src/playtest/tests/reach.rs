@@ -1,0 +1,37 @@
+//! Where a ball can come to from the plunger, and where it can leave the playfield.
+
+use super::{WALLS, playtest, playtest_of, sentences};
+use crate::table::tests::with_rules;
+use geometry::{DVec2, Shape};
+
+/// A box with a lid.
+fn comes_into(lid: &str, side: &str) -> bool {
+    let walls = format!(r#"<path class="wall" d="M200 300V400H260V{side}" fill="none" stroke-width="4"/>"#);
+    let playtest = playtest(&format!("{lid}{walls}"));
+    playtest.reach.comes_to(&Shape::disc(DVec2::new(0.23, 0.37), 0.0), 0.0)
+}
+
+/// A ball was let go behind a gate through which none comes, and what it then lay beside was told.
+#[test]
+fn a_ball_comes_through_a_gate_one_way() {
+    let lid =
+        |class: &str, more: &str| format!(r#"<line class="{class}" x1="203" y1="300" x2="257" y2="300" {more}/>"#);
+    for y in ["300", "301"] {
+        assert!(!comes_into(&lid("gate", r#"id="lid" data-way="up""#), y), "{y}");
+    }
+    assert!(comes_into(&lid("gate", r#"id="lid" data-way="down""#), "300"));
+    assert!(comes_into(&lid("spinner", r#"id="lid""#), "300"), "both ways");
+    assert!(comes_into(&lid("gate", r#"id="lid" data-way="up""#), "370"), "beside the gate");
+}
+
+/// A gap in a round cabinet was told at the corner of the page, 300 mm away.
+#[test]
+fn a_gap_in_a_round_frame_is_told_where_it_is() {
+    let round = "M10 1000V255A240 240 0 0 1 230 15.8M270 15.8A240 240 0 0 1 490 255V1000";
+    let walls = WALLS.replace("M10 1000V10H500V1000", round).replace("M500 90L420 10", "M490 300L470 260");
+    let playtest = playtest_of(with_rules(&walls, ""));
+    let findings = playtest.open_edges();
+    let [told] = &sentences(&playtest, findings.clone())[..] else { panic!("{findings:?}") };
+    assert!(told.starts_with("table.svg:5: frame: a ball can leave the playfield beside it, at 25"), "{told}");
+    assert!(findings[0].place_mm.distance(DVec2::new(250.0, 13.0)) < 3.0, "{told}");
+}
