@@ -87,3 +87,55 @@ fn beams_and_photons_find_the_same_light() {
         assert!((bias / sum).abs() < 0.01, "{seed}: {}", bias / sum);
     }
 }
+
+/// A wide lamp before the end of a wall: each point has the light of the part that it sees, by its angle. Beams end at the wall's
+/// end over the whole width of the lamp, where once the lamp was divided into strips.
+#[test]
+fn a_penumbra_is_as_bright_as_what_is_seen_of_the_lamp() {
+    let (radius, end) = (6.0, DVec2::new(60.0, 0.0));
+    let wall = Curve::Line(Segment { a: end, b: DVec2::new(60.0, -300.0) });
+    let form = SourceForm::Disc { center: DVec2::ZERO, radius };
+    let source = LightSource { form, emission: Emission::EqualEnergy, power: 50.0, falloff: Falloff::Plane };
+    let scene = Scene { bodies: vec![Body::open([wall], Material::Absorber)], sources: vec![source] };
+    let view = View { width: 40, height: 40, origin_mm: DVec2::new(110.0, -20.0), mm_per_px: 1.0 };
+    let light = beams(&scene, view, BeamOptions { beams: 64, ..BeamOptions::default() });
+    let mut in_penumbra = 0;
+    for (pixel, light) in light.iter().enumerate() {
+        let point = view.table_from_pixel(pixel % 40, pixel / 40);
+        // Angles from the line to the lamp's middle; the wall hides what lies beyond its end.
+        let half = libm::asin(radius / point.length());
+        let angle = (end - point).angle_to(-point).clamp(-half, half);
+        let seen = (half - angle) / (2.0 * half);
+        let expected = 50.0 * 2.0 * half / (4.0 * std::f64::consts::PI * radius);
+        assert!((light[1] / expected - seen).abs() < 0.012, "{point}: {} {seen}", light[1] / expected);
+        in_penumbra += usize::from(seen > 0.05 && seen < 0.95);
+    }
+    assert!(in_penumbra > 150, "{in_penumbra}");
+}
+
+/// A post that is much smaller than a beam and far from the edges of all has its shadow: it once lay unseen between two rays.
+#[test]
+fn what_is_smaller_than_a_beam_casts_its_shadow() {
+    let form = SourceForm::Point(DVec2::ZERO);
+    let source = LightSource { form, emission: Emission::EqualEnergy, power: 50.0, falloff: Falloff::Plane };
+    let post = Body::of_shape(&Shape::disc(DVec2::new(99.0, 17.0), 0.8), Material::Absorber);
+    let scene = Scene { bodies: vec![post], sources: vec![source] };
+    let view = View { width: 20, height: 20, origin_mm: DVec2::new(194.0, 30.0), mm_per_px: 0.5 };
+    let light = beams(&scene, view, BeamOptions { beams: 8, ..BeamOptions::default() });
+    let mut counts = [0, 0];
+    for (pixel, light) in light.iter().enumerate() {
+        let point = view.table_from_pixel(pixel % 20, pixel / 20);
+        // From the line through the post's middle, in widths of its shadow.
+        let aside = point.perp_dot(DVec2::new(99.0, 17.0)).abs() / (point.length() * 0.8);
+        if aside < 0.7 {
+            assert_eq!(light[1], 0.0, "{point}");
+            counts[0] += 1;
+        } else if aside > 1.3 {
+            // Light differs by up to 4 % between the edges of a beam, and is spread evenly over it.
+            let expected = 50.0 / (std::f64::consts::TAU * point.length());
+            assert!((light[1] / expected - 1.0).abs() < 0.025, "{point}: {} {expected}", light[1]);
+            counts[1] += 1;
+        }
+    }
+    assert!(counts[0] > 20 && counts[1] > 150, "{counts:?}");
+}

@@ -5,14 +5,14 @@ use super::cell::Cell;
 use super::corner::Probe;
 use super::sweep::Sweep;
 use geometry::DVec2;
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 
 /// How far the end of the ray in the middle may be from the line between the edges' ends, pixels.
 const MOST_SAG_PX: f64 = 0.2;
 
 /// How far aside of the middle between the edges that ray may be: this part of the beam's width, and no less and no more than these
 /// pixels. Light is spread evenly over a beam; with this its halves differ by 1 %. Of faint beams less is seen: where light is so
-/// many times thinner than all of its family's over the whole picture, it may bend so much more, and be so much more uneven.
+/// many times thinner than all of its family's on a circle round the source, through the picture's farthest end, it may bend so much more, and be so much more uneven.
 const MOST_BEND: f64 = 0.0025;
 const BENDS_PX: [f64; 2] = [0.02, 0.2];
 
@@ -115,8 +115,7 @@ impl Sweep<'_, '_> {
         let px = self.view.mm_per_px;
         let along = (mean(&piece.to) - mean(&piece.from)).normalize_or_zero();
         let strength = probes.iter().map(|probe| probe.corner.strength()).fold(f64::MIN_POSITIVE, f64::max);
-        let picture = DVec2::new(self.view.width as f64, self.view.height as f64).length() * px;
-        let limits = Limits { px, light: cell.light * strength, usual: 1.0 / (PI * picture) };
+        let limits = Limits { px, light: cell.light * strength, usual: 1.0 / self.farthest() };
         let mut question = Question { cell, probes, piece, along, limits };
         let narrow = NARROW_PX * px;
         let wide = question.widest(OVER_U);
@@ -138,6 +137,12 @@ impl Sweep<'_, '_> {
             }
         }
         if may_halve[1] && self.bends_over_v(&question, &middle, high) { Form::BendsAcross } else { Form::Holds }
+    }
+
+    /// Round the source, through the picture's farthest end: over this its family's light is spread, mm.
+    fn farthest(&self) -> f64 {
+        let half = DVec2::new(self.view.width as f64, self.view.height as f64) * (0.5 * self.view.mm_per_px);
+        TAU * (self.family.source.form.middle().distance(self.view.origin_mm + half) + half.length())
     }
 
     /// Whether it has to be halved in u; `None` where a ray meets something else.

@@ -39,14 +39,11 @@ fn points_of(curve: &Curve) -> Vec<DVec2> {
     }
 }
 
-/// Whether all sides are passed on the same hand.
+/// Whether all sides are passed on the same hand; rays that begin in one point have no side between.
 fn is_within(point: DVec2, outline: &[DVec2; 4]) -> bool {
-    let hand = |at: usize| {
-        let (from, to) = (outline[at], outline[(at + 1) % 4]);
-        (to - from).perp_dot(point - from)
-    };
-    let hands: [f64; 4] = std::array::from_fn(hand);
-    hands.iter().all(|hand| *hand > 0.0) || hands.iter().all(|hand| *hand < 0.0)
+    let sides = (0..4).map(|at| (outline[at], outline[(at + 1) % 4])).filter(|(from, to)| from != to);
+    let hands = sides.map(|(from, to)| (to - from).perp_dot(point - from));
+    hands.clone().all(|hand| hand > 0.0) || hands.clone().all(|hand| hand < 0.0)
 }
 
 #[cfg(test)]
@@ -66,5 +63,7 @@ mod tests {
         let own: Vec<EdgeId> = (0..bodies[0].edges.len() as EdgeId).collect();
         assert!(!landmarks.any_within(&outline, &own));
         assert!(!Landmarks::new(&bodies[1..]).any_within(&outline, &[]));
+        let from_a_point = [DVec2::ZERO, outline[1], outline[2], DVec2::ZERO];
+        assert!(landmarks.any_within(&from_a_point, &[]));
     }
 }
