@@ -30,7 +30,7 @@ use crate::bot::self_play::{self, Player, SelfPlayOptions};
 use crate::{Failure, Table, simulation};
 use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
-use reach::Reach;
+use reach::{OneWayGates, Reach};
 use std::sync::Arc;
 use whole_game::LossPlaces;
 
@@ -86,13 +86,14 @@ impl Playtest {
         machine.tick(Controls::NONE, &[Command::SetFlippers(true), Command::SetCoils(true)]);
         settle_captives(&mut machine);
         let launch = plunger::try_it(&machine);
-        // Where no ball leaves the plunger, what it could come to is told from the middle of the table.
+        // Where no ball leaves the plunger, what it could come to is told from the middle of the table, back through gates too.
         let feed = machine.layout().parts.iter().find_map(|part| match &part.kind {
             Kind::Plunger(plunger) if launch.is_empty() => Some(plunger.feed),
             _ => None,
         });
         let start = feed.unwrap_or(machine.layout().size_m * 0.5);
-        let reach = Reach::new(&machine, start);
+        let gates = feed.map(|_| OneWayGates::new(machine.layout())).unwrap_or_default();
+        let reach = Reach::new(&machine, start, gates);
         Ok(Playtest { table: table.clone(), machine, reach, launch })
     }
 
@@ -135,7 +136,7 @@ impl Playtest {
         let gaps = self.reach.gaps(layout).into_iter();
         let findings = gaps.map(|gap| Finding {
             place_mm: gap.middle * 1000.0,
-            ..Finding::near(FindingKind::OpenEdge, layout, gap.end, false)
+            ..Finding::near(FindingKind::OpenEdge, layout, gap.side, false)
         });
         self.merged(findings.collect())
     }

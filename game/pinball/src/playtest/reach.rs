@@ -8,8 +8,9 @@
 mod gaps;
 mod one_way;
 
+pub use one_way::OneWayGates;
+
 use geometry::{DVec2, Shape};
-use one_way::OneWayGates;
 use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
 
 /// From one square to the next, m.
@@ -43,14 +44,13 @@ enum Square {
 }
 
 impl Reach {
-    /// All that a ball can come to from `start`.
-    pub fn new(machine: &Machine, start: DVec2) -> Reach {
+    /// All that a ball can come to from `start`; through these gates it comes one way.
+    pub fn new(machine: &Machine, start: DVec2, gates: OneWayGates) -> Reach {
         let size = machine.layout().size_m;
         let columns = ((size.x / STEP_M) as usize).max(1);
         let rows = ((size.y / STEP_M) as usize).max(1);
         let mut reach = Reach { columns, squares: vec![Square::OutOfReach; columns * rows] };
-        let mut flood =
-            Flood { machine, rooms: Rooms::new(machine), gates: OneWayGates::new(machine.layout()), found: Vec::new() };
+        let mut flood = Flood { machine, rooms: Rooms::new(machine), gates, found: Vec::new() };
         reach.flood(&mut flood, start);
         let mut ramps: Vec<&Ramp> = machine.layout().parts.iter().filter_map(|part| ramp(&part.kind)).collect();
         // A ramp may lead to another one.

@@ -13,8 +13,8 @@ const DIRECTIONS: u32 = 64;
 pub struct Gap {
     /// Its middle, m.
     pub middle: DVec2,
-    /// A place at one of its ends, m.
-    pub end: DVec2,
+    /// The place in it that is nearest to what stands beside it, m.
+    pub side: DVec2,
 }
 
 impl Reach {
@@ -35,7 +35,7 @@ impl Reach {
                 found.extend(self.beside(square).filter(|near| self.squares[*near] != Square::OutOfReach));
             }
         }
-        self.runs(crossed).into_iter().map(|run| self.gap(&run)).collect()
+        self.runs(crossed).into_iter().filter_map(|run| self.gap(&run, &outline)).collect()
     }
 
     /// The squares of each run of neighbours, the corners' too.
@@ -57,28 +57,40 @@ impl Reach {
         runs
     }
 
-    fn gap(&self, run: &[usize]) -> Gap {
-        let places = || run.iter().map(|square| self.middle(*square));
-        let mean = places().sum::<DVec2>() / run.len() as f64;
-        let away = |place: &DVec2| place.distance_squared(mean);
-        let by_distance = |one: &DVec2, other: &DVec2| away(one).total_cmp(&away(other));
-        Gap { middle: places().min_by(by_distance).unwrap_or(mean), end: places().max_by(by_distance).unwrap_or(mean) }
+    fn gap(&self, run: &[usize], outline: &Outline) -> Option<Gap> {
+        let least = |measure: &dyn Fn(DVec2) -> f64| {
+            let places = run.iter().map(|square| self.middle(*square));
+            places.min_by(|one, other| measure(*one).total_cmp(&measure(*other)))
+        };
+        let mean = run.iter().map(|square| self.middle(*square)).sum::<DVec2>() / run.len() as f64;
+        let middle = least(&|place| place.distance_squared(mean))?;
+        let side = least(&|place| outline.to_nearest(place))?;
+        Some(Gap { middle, side })
     }
 }
 
-/// The convex outline of all that stands on a table: in each direction how far it goes.
-struct Outline(Vec<(DVec2, f64)>);
+/// All that stands on a table, and its convex outline.
+struct Outline {
+    shapes: Vec<Shape>,
+    /// How far they go in each direction.
+    farthest: Vec<(DVec2, f64)>,
+}
 
 impl Outline {
     fn new(layout: &Layout) -> Outline {
         let shapes: Vec<Shape> = layout.parts.iter().flat_map(|part| part.kind.surfaces()).collect();
         let directions = (0..DIRECTIONS).map(|step| trig::direction(TAU * f64::from(step) / f64::from(DIRECTIONS)));
         let farthest = |way: DVec2| shapes.iter().map(|shape| support(shape, way)).fold(f64::NEG_INFINITY, f64::max);
-        Outline(directions.map(|way| (way, farthest(way))).collect())
+        let farthest = directions.map(|way| (way, farthest(way))).collect();
+        Outline { shapes, farthest }
     }
 
     fn holds(&self, place: DVec2) -> bool {
-        self.0.iter().all(|(way, farthest)| place.dot(*way) <= *farthest)
+        self.farthest.iter().all(|(way, farthest)| place.dot(*way) <= *farthest)
+    }
+
+    fn to_nearest(&self, place: DVec2) -> f64 {
+        self.shapes.iter().map(|shape| shape.distance(place).0).fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -4,6 +4,7 @@ use geometry::{DVec2, Segment};
 use physics::{BALL_RADIUS_M, Kind, Layout};
 
 /// The flaps of a table.
+#[derive(Default)]
 pub struct OneWayGates(Vec<Flap>);
 
 struct Flap {

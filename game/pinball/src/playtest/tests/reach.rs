@@ -24,6 +24,25 @@ fn a_ball_comes_through_a_gate_one_way() {
     assert!(comes_into(&lid("gate", r#"id="lid" data-way="up""#), "370"), "beside the gate");
 }
 
+/// Of a table whose plunger shoots no ball out, nobody could tell what is wrong with its lane.
+#[test]
+fn the_lane_of_a_plunger_that_fails_is_tried_too() {
+    let lid = r#"<path class="wall" id="beam" d="M460 400H500" fill="none" stroke-width="4"/>"#;
+    let gate = r#"<line class="gate" id="lid" x1="462" y1="300" x2="498" y2="300" data-way="up"/>"#;
+    let playtest = playtest(&format!("{lid}{gate}"));
+    assert_eq!(playtest.launch().len(), 1);
+    assert!(playtest.reach.comes_to(&Shape::disc(DVec2::new(0.48, 0.37), 0.0), 0.0));
+}
+
+/// A wide gap was told of what stands inside of it.
+#[test]
+fn a_gap_is_told_of_the_wall_that_ends() {
+    let walls = WALLS.replace("H500V1000", "H500V300").replace("M460 200V970H500", "M460 200V970H498");
+    let playtest = playtest_of(with_rules(&walls, ""));
+    let [told] = &sentences(&playtest, playtest.open_edges())[..] else { panic!() };
+    assert!(told.contains(": frame: a ball can leave the playfield beside it"), "{told}");
+}
+
 /// A gap in a round cabinet was told at the corner of the page, 300 mm away.
 #[test]
 fn a_gap_in_a_round_frame_is_told_where_it_is() {
