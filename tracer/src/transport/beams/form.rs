@@ -12,7 +12,8 @@ const MOST_SAG_PX: f64 = 0.2;
 
 /// How far aside of the middle between the edges that ray may be: this part of the beam's width, and no less and no more than these
 /// pixels. Light is spread evenly over a beam; with this its halves differ by 1 %. Of faint beams less is seen: where light is so
-/// many times thinner than all of its family's on a circle round the source, through the picture's farthest end, it may bend so much more, and be so much more uneven.
+/// many times thinner than all of its family's on a circle round the source, through the picture's farthest end, it may bend
+/// so much more, and be so much more uneven.
 const MOST_BEND: f64 = 0.0025;
 const BENDS_PX: [f64; 2] = [0.02, 0.2];
 
@@ -22,7 +23,11 @@ const MOST_BEND_ACROSS: f64 = 0.004;
 /// How much power may differ between the edges of a beam that is wider than two pixels, of its own.
 const MOST_FADE: f64 = 0.04;
 
-/// Narrower beams hold whatever they do, pixels.
+/// How much light a beam may have more or less than its corners and the ray in its middle say, of its family's: beside a tangent
+/// Fresnel's power falls like a root, within less than a pixel.
+const MOST_DEFECT: f64 = 2e-6;
+
+/// Narrower beams hold otherwise whatever they do, pixels.
 const NARROW_PX: f64 = 0.5;
 
 /// Halvings of a beam for its form alone, in u and in v.
@@ -122,7 +127,14 @@ impl Sweep<'_, '_> {
         let high = if cell.is_line() { 0.0 } else { question.widest(OVER_V) };
         let may_halve =
             [cell.halved[0] < MOST_HALVINGS[0] && wide >= narrow, cell.halved[1] < MOST_HALVINGS[1] && high >= narrow];
-        if may_halve == [false; 2] || cell.is_as_one() {
+        if cell.is_as_one() {
+            return Form::Holds;
+        }
+        let defect = 0.5 * (self.strength(cell, probes) - mean_strength(probes)).abs() * cell.light;
+        if defect > MOST_DEFECT && cell.halved[0] < MOST_HALVINGS[0] {
+            return Form::Bends;
+        }
+        if may_halve == [false; 2] {
             return Form::Holds;
         }
         let Some(middle) = self.probe(cell.center()).filter(|middle| middle.edge == probes[0].edge) else {
@@ -137,6 +149,13 @@ impl Sweep<'_, '_> {
             }
         }
         if may_halve[1] && self.bends_over_v(&question, &middle, high) { Form::BendsAcross } else { Form::Holds }
+    }
+
+    /// What of a cell's light has come as far: the mean over it by Simpson's rule, from its corners and the ray in its middle.
+    pub(super) fn strength(&self, cell: &Cell, probes: &[Probe; 4]) -> f64 {
+        let corners = mean_strength(probes);
+        let middle = self.probe(cell.center()).filter(|middle| middle.edge == probes[0].edge);
+        middle.map_or(corners, |middle| (corners + 2.0 * middle.corner.strength()) / 3.0)
     }
 
     /// Round the source, through the picture's farthest end: over this its family's light is spread, mm.
@@ -199,6 +218,10 @@ impl Sweep<'_, '_> {
         let between = |v: usize| self.tracer.landmarks.any_within(&outline(v), &but);
         between(0) || !question.cell.is_line() && between(2)
     }
+}
+
+fn mean_strength(probes: &[Probe; 4]) -> f64 {
+    0.25 * probes.iter().map(|probe| probe.corner.strength()).sum::<f64>()
 }
 
 fn mean(places: &[DVec2; 4]) -> DVec2 {

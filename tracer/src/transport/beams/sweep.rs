@@ -52,6 +52,9 @@ pub(super) struct Sweep<'a, 'b> {
 /// What is less than this part of a beam counts as weaker in proportion.
 const SMALL_PART: f64 = 4.0;
 
+/// Leaves of one beam at most: where it bends more, what is left of it is laid as it is.
+const MOST_LEAVES: usize = 1 << 12;
+
 /// From one question to the next whether to go on: pieces, some milliseconds.
 const ASKED_EVERY: u64 = 1 << 10;
 
@@ -130,16 +133,9 @@ impl Sweep<'_, '_> {
         if is_last || self.family.lays == Lays::BeforeSurfaces {
             return;
         }
+        self.pieces_left = self.pieces_left.saturating_sub(leaves.len() as u64);
         for way in [Way::Reflected, Way::Through] {
-            let probes_of = |leaf: &Leaf| [leaf.probes[0], leaf.probes[3]];
-            let all = leaves.iter().flat_map(probes_of).chain(self.probe(cell.center()));
-            let strengths = all.filter_map(|probe| self.behind(&probe, way)).map(|corner| corner.strength());
-            let strongest = strengths.fold(0.0, f64::max);
-            // A small part of a beam is as little as a weak one.
-            let part = (SMALL_PART * cell.light * f64::from(self.tracer.options.beams)).min(1.0);
-            if strongest * part >= self.tracer.options.least_power {
-                self.go_on(cell, probes, Met { edge, way });
-            }
+            self.go_on(&cell, probes, &leaves, Met { edge, way });
         }
     }
 
@@ -152,7 +148,8 @@ impl Sweep<'_, '_> {
             bulge: None,
         };
         let is_seen = self.touches(&piece);
-        match if is_seen { self.form(cell, probes, &piece) } else { Form::Holds } {
+        let may_divide = is_seen && leaves.len() < MOST_LEAVES;
+        match if may_divide { self.form(cell, probes, &piece) } else { Form::Holds } {
             Form::Holds => {
                 leaves.push(Leaf { cell: *cell, probes: *probes, piece });
                 Ok(())
@@ -208,11 +205,29 @@ impl Sweep<'_, '_> {
         probe.corner.next(surfaces, &contacts, way)
     }
 
-    /// A cell behind the surface that it meets.
-    fn go_on(&mut self, cell: Cell, probes: &[Probe; 4], met: Met) {
-        let states = probes.each_ref().map(|probe| Some(self.onward(self.behind(probe, met.way)?)));
+    /// A cell behind the surface that it meets: all of it, or leaf by leaf where some of its rays go nowhere, as beyond the angle of
+    /// total reflection, so that no light is lost between corners that are all dark.
+    fn go_on(&mut self, cell: &Cell, probes: &[Probe; 4], leaves: &[Leaf], met: Met) {
+        let all = leaves.iter().flat_map(|leaf| leaf.probes).chain(self.probe(cell.center()));
+        let strengths = all.map(|probe| self.behind(&probe, met.way).map(|corner| corner.strength()));
+        let (mut strongest, mut is_dark) = (0.0_f64, false);
+        strengths.for_each(|strength| match strength {
+            Some(strength) => strongest = strongest.max(strength),
+            None => is_dark = true,
+        });
+        // A small part of a beam is as little as a weak one.
+        let part = (SMALL_PART * cell.light * f64::from(self.tracer.options.beams)).min(1.0);
+        if strongest * part < self.tracer.options.least_power {
+            return;
+        }
+        let whole = [(*cell, *probes)];
+        let cells: Vec<(Cell, [Probe; 4])> =
+            if is_dark { leaves.iter().map(|leaf| (leaf.cell, leaf.probes)).collect() } else { whole.into() };
         self.met.push(met);
-        self.cell(cell, states);
+        for (cell, probes) in cells {
+            let states = probes.each_ref().map(|probe| Some(self.onward(self.behind(probe, met.way)?)));
+            self.cell(cell, states);
+        }
         self.met.pop();
     }
 
@@ -230,8 +245,7 @@ impl Sweep<'_, '_> {
         if !self.touches(piece) {
             return;
         }
-        let part = 0.25 * probes.iter().map(|probe| probe.corner.strength()).sum::<f64>();
-        let part = part * cell.light / self.tracer.brightest;
+        let part = self.strength(cell, probes) * cell.light / self.tracer.brightest;
         let color = self.family.color.map(|channel| channel * part);
         let first = &probes[0].corner;
         let absorption = first.media.absorption_per_mm(&self.tracer.surfaces, first.nm);
