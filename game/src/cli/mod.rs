@@ -16,7 +16,7 @@ use clap::builder::{NonEmptyStringValueParser, OsStringValueParser, TypedValuePa
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
-use values::{folder, minutes, png_file, seconds, threads, whole, zoom};
+use values::{film_place, folder, minutes, png_file, seconds, threads, whole, zoom};
 
 /// Caustic: a pinball game whose only light is ray traced.
 #[derive(Debug, Parser)]
@@ -141,7 +141,7 @@ pub struct DumpArgs {
     /// The recording
     pub file: PathBuf,
     /// A folder for numbered PNG files, or - for y4m on standard output
-    #[arg(long, value_name = "DIR|-")]
+    #[arg(long, value_name = "DIR|-", value_parser = OsStringValueParser::new().try_map(film_place))]
     pub out: PathBuf,
     /// Write over frames that are in the folder already
     #[arg(long)]

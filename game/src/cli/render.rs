@@ -97,6 +97,10 @@ impl RenderArgs {
                 "--out {} is a file, and several scenes are rendered into a folder: name one",
                 out.display()
             )),
+            Some(out) if self.scenes.len() > 1 && !out.is_dir() && picture_file(out).is_ok() => Err(format!(
+                "--out {} is the name of one picture, and several scenes are rendered into a folder: name one",
+                out.display()
+            )),
             _ => self.check_places(),
         }
     }

@@ -96,6 +96,13 @@ mod tests {
         assert!(
             told(&["--fullscren"]).starts_with("nothing is known of the argument '--fullscren'; did you mean '--full")
         );
+        assert_eq!(
+            told(&["dump", "a", "--out", "d.png"]),
+            "invalid value 'd.png' for '--out <DIR|->': frames are written into a folder: name one (caustic frame writes one \
+             picture); caustic dump --help says more"
+        );
+        assert!(told(&["frame", "--out", "picture"]).contains("pictures are written as PNG: name a .png file"));
+        assert!(told(&["render", "a.svg", "b.svg", "--out", "r.png"]).contains("is the name of one picture"));
         assert_eq!(told(&["frame"]), "it needs more words: --out <FILE.png>; caustic frame --help says more");
     }
 }

@@ -14,8 +14,26 @@ pub(super) fn png_file(name: OsString) -> Result<PathBuf, String> {
         None if path.as_os_str().is_empty() || path.as_os_str() == "-" => {
             Err("a picture is written to a file: name a .png file".to_string())
         }
-        Some(end) if !end.eq_ignore_ascii_case("png") => {
-            Err("pictures are written as PNG: name a .png file".to_string())
+        Some(end) if end.eq_ignore_ascii_case("png") => Ok(path),
+        // A device or a pipe is called what it is called.
+        None if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(path),
+        _ => Err("pictures are written as PNG: name a .png file".to_string()),
+    }
+}
+
+/// A folder for the frames of a film, or - for a stream: not the name of one picture or one film.
+pub(super) fn film_place(name: OsString) -> Result<PathBuf, String> {
+    if name.is_empty() {
+        return Err("frames are written into a folder: name one".to_string());
+    }
+    let path = PathBuf::from(name);
+    let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match end.as_str() {
+        _ if path.is_dir() => Ok(path),
+        "png" => Err("frames are written into a folder: name one (caustic frame writes one picture)".to_string()),
+        "y4m" => Err("frames are written into a folder: name one, or write --out - > FILE.y4m".to_string()),
+        "gif" | "jpeg" | "jpg" | "mkv" | "mov" | "mp4" | "webm" | "webp" => {
+            Err(format!("no .{end} is written: name a folder for PNG files, or send --out - (y4m) on to a program"))
         }
         _ => Ok(path),
     }

@@ -193,10 +193,12 @@ impl Sorted {
         Sorted(numbers)
     }
 
-    /// The number below which this share of them lies; 0 if there is none.
+    /// The number below which this share of them lies, straight between the two nearest; 0 if there is none.
     fn at(&self, share: f64) -> f64 {
-        let last = self.0.len().saturating_sub(1) as f64;
-        self.0.get((share * last).round() as usize).copied().unwrap_or(0.0)
+        let place = share * self.0.len().saturating_sub(1) as f64;
+        let number = |place: f64| self.0.get(place as usize).copied().unwrap_or(0.0);
+        let (below, above) = (number(place.floor()), number(place.ceil()));
+        below + (above - below) * place.fract()
     }
 }
 
@@ -209,7 +211,10 @@ fn scores(mut all: Vec<i64>) -> (i64, i128, i64) {
     let count = all.len().max(1) as i128;
     // Rounded to the nearest.
     let mean = (2 * sum + count).div_euclid(2 * count);
-    (at(last.div_ceil(2)), mean, at(last))
+    let middle = [last / 2, last.div_ceil(2)].map(|place| i128::from(at(place)));
+    // Between two scores lies a score.
+    let median = (middle[0] + middle[1]).div_euclid(2) as i64;
+    (median, mean, at(last))
 }
 
 #[cfg(test)]
@@ -219,8 +224,9 @@ mod tests {
     /// The best of scores near the largest was told one more than a score can be.
     #[test]
     fn scores_are_told_to_the_last_point() {
-        assert_eq!(scores(vec![i64::MAX, i64::MAX - 2]), (i64::MAX, i128::from(i64::MAX) - 1, i64::MAX));
+        assert_eq!(scores(vec![i64::MAX, i64::MAX - 2]), (i64::MAX - 1, i128::from(i64::MAX) - 1, i64::MAX));
         assert_eq!(scores(vec![1, 5, 2]), (2, 3, 5));
+        assert_eq!(scores(vec![10, 50, 20, 40]), (30, 30, 50));
         assert_eq!((scores(Vec::new()), scores(vec![7])), ((0, 0, 0), (7, 7, 7)));
     }
 }

@@ -42,7 +42,7 @@ impl Display {
         scale_factor::check(std::env::var_os(scale_factor::VARIABLE).as_deref())?;
         let events = EventLoop::with_user_event().build().map_err(|error| {
             Failure::new(format!(
-                "there is no display to open a window on ({}); caustic frame, caustic dump and caustic simulate work without one",
+                "there is no display to open a window on ({}); caustic frame, caustic dump, caustic render and caustic simulate work without one",
                 reason(&error.to_string())
             ))
         })?;

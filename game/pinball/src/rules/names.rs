@@ -57,6 +57,11 @@ impl Names {
         self.kinds.iter().enumerate().map(|(index, (_, kind))| (PartId(index as u16), kind))
     }
 
+    /// The names of all lamps, in their order.
+    pub fn lamp_names(&self) -> impl Iterator<Item = &str> {
+        self.lamps.keys().map(String::as_str)
+    }
+
     /// The name of a lamp, if there is one.
     pub fn any_lamp(&self) -> Option<&str> {
         self.lamps.keys().next().map(String::as_str)
@@ -67,13 +72,22 @@ impl Names {
     pub fn told(&self, name: &str, sentence: String) -> String {
         match (self.art.get(name), sentence.split_once(" in the drawing")) {
             (Some(why), Some((begin, _))) => format!("{begin}: {why}"),
-            (None, Some(_)) => match self.nameless(name) {
+            (None, Some(_)) => match (self.nameless(name), self.meant_by_start(name)) {
                 // What it is called for want of an id is not what was meant.
-                Some(why) => format!("{}; {why}", sentence.split("; did you mean").next().unwrap_or_default()),
-                None => sentence,
+                (Some(why), _) => format!("{}; {why}", sentence.split("; did you mean").next().unwrap_or_default()),
+                (None, Some(meant)) => format!("{sentence}; did you mean \"{meant}\"?"),
+                (None, None) => sentence,
             },
             _ => sentence,
         }
+    }
+
+    /// The start of lamps' names that was meant by one with which none begins: `gi-*` by `gl-*`.
+    fn meant_by_start(&self, name: &str) -> Option<String> {
+        let start = name.strip_suffix('*')?;
+        let starts =
+            self.lamps.keys().flat_map(|lamp| lamp.match_indices('-').map(|(at, dash)| &lamp[..at + dash.len()]));
+        spelling::near_name(start, starts).map(|meant| format!("{meant}*"))
     }
 
     /// What to say of the first part without an id of which this is the word: nobody has given it the name that stands beside

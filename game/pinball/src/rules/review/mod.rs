@@ -19,6 +19,7 @@ mod remark;
 mod tilt;
 mod timers;
 mod types;
+mod unlit;
 mod unreached;
 mod words;
 
@@ -77,6 +78,7 @@ impl Review {
             entry_values::remarks(script),
             missing(calls::remarks(&facts, names)),
             missing(lost_ball::remarks(&facts, names, script, &table.rules)),
+            missing(unlit::remark(&facts, names, script, &table.rules).into_iter().collect()),
             arguments::remarks(&facts, script, context),
             unreached::remarks(script, &table.rules),
             types::remarks(&facts, script, &table.rules),
