@@ -163,7 +163,7 @@ impl LiteralPhoton {
             // Each of several wavelengths stands for one packet of as many.
             power: packet.power[0] * if others { packet.power.len() as f64 } else { 1.0 },
             polarization: packet.polarization,
-            way: 0.0,
+            way: packet.way,
             starts_on: StartsOn::NOTHING,
             media: packet.media,
         }

@@ -110,6 +110,15 @@ impl SourceForm {
         }
     }
 
+    /// How far light of this ray counts as having come where it leaves the source, mm: ways are measured from a disc's middle, as
+    /// those of a [`crate::Lamp`] are.
+    pub fn head_start(&self, ray: &Ray) -> f64 {
+        match *self {
+            SourceForm::Disc { center, .. } => (ray.origin - center).dot(ray.direction),
+            _ => 0.0,
+        }
+    }
+
     /// A point of it.
     pub fn middle(&self) -> DVec2 {
         match *self {

@@ -136,7 +136,9 @@ impl<'a> PathTracer<'a> {
         }
         let passed = self.passed(&ray, photon, distance);
         let Some(passed) = passed else { return [0.0; 3] };
-        let weight = prepared.source.falloff.weight(photon.way + distance);
+        let arriving = Ray { origin: to, direction: -ray.direction };
+        let way = photon.way + distance + prepared.source.form.head_start(&arriving);
+        let weight = prepared.source.falloff.weight(way);
         self.color(photon, spectral, |of| passed[of] * part * fluence * weight * prepared.source.power)
     }
 
@@ -181,7 +183,10 @@ impl<'a> PathTracer<'a> {
         if distance >= flight.distance {
             return [0.0; 3];
         }
-        let weight = prepared.source.falloff.weight(flight.photon.way + distance);
+        let ray = &flight.photon.ray;
+        let arriving = Ray { origin: ray.at(distance), direction: -ray.direction };
+        let way = flight.photon.way + distance + prepared.source.form.head_start(&arriving);
+        let weight = prepared.source.falloff.weight(way);
         let passed =
             |of: usize| flight.absorption_per_mm.map_or(1.0, |absorption| libm::exp(-absorption[of] * distance));
         self.color(flight.photon, spectral, |of| passed(of) * TAU * radiance * weight * prepared.source.power)

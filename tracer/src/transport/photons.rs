@@ -141,13 +141,14 @@ impl<'a> PhotonTracer<'a> {
             false => samples.map(|sample| sample.weight / HEROES as f64),
         };
         let mut random = SplitMix64::new(mix64(self.seed ^ mix64(number)));
+        let ray = source.form.emit([u, v]);
         let photon = Photon {
-            ray: source.form.emit([u, v]),
+            ray,
             starts_on: StartsOn::NOTHING,
             wavelengths_nm: samples.map(|sample| sample.nm),
             power,
             polarization: (random.next_u64() >> 63) as usize,
-            way: 0.0,
+            way: source.form.head_start(&ray),
             media: *media,
         };
         (photon, source, random)

@@ -60,32 +60,57 @@ fn scene(seed: u64) -> Scene {
     Scene { bodies, sources: vec![LightSource { form, emission: Emission::EqualEnergy, power: 50.0, falloff }] }
 }
 
-/// Over scenes with one source of each kind: away from the source, where a pixel's mean is not that of its middle, beams are
-/// within the photons' noise and the width of what they are divided into.
+/// Beams against photons in a scene, away from the source, where a pixel's mean is not that of its middle: how far apart they are (rms)
+/// and the photons' noise, and how much less light beams find, all of the mean.
+fn compared(scene: &Scene) -> (f64, f64, f64) {
+    let view = View { width: 24, height: 24, origin_mm: DVec2::ZERO, mm_per_px: 5.0 };
+    let swept = beams(scene, view, BeamOptions { wavelengths: 24, ..BeamOptions::default() });
+    let [one, two] = [1, 2].map(|seed| photons(scene, view, 400_000, seed));
+    let (mut apart, mut noise, mut sum, mut lost, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for pixel in 0..swept.len() {
+        if view.table_from_pixel(pixel % 24, pixel / 24).distance(SOURCE) < 20.0 {
+            continue;
+        }
+        let mean = 0.5 * (one[pixel][1] + two[pixel][1]);
+        apart += (swept[pixel][1] - mean).powi(2);
+        noise += 0.25 * (one[pixel][1] - two[pixel][1]).powi(2);
+        lost += mean - swept[pixel][1];
+        sum += mean;
+        count += 1.0;
+    }
+    let relative = |squares: f64| (squares / count).sqrt() / (sum / count);
+    (relative(apart), relative(noise), lost / sum)
+}
+
+/// Scenes whose glass keeps light by total reflection, on ways that part at every turn (a capsule is a chaotic billiard).
+const TRAPS: [u64; 4] = [5, 6, 9, 15];
+
+fn find_the_same_light(seeds: impl Iterator<Item = u64>) {
+    for seed in seeds {
+        let (apart, noise, lost) = compared(&scene(seed));
+        println!(
+            "scene {seed}: {:.2} % apart, noise {:.2} %, {:.2} % less",
+            100.0 * apart,
+            100.0 * noise,
+            100.0 * lost
+        );
+        assert!(apart < 0.011 + 1.5 * noise, "{seed}: {apart} {noise}");
+        assert!(lost.abs() < 0.003, "{seed}: {lost}");
+    }
+}
+
+/// Over scenes with a source of each kind beams are within the photons' noise and the width of what they are divided into. Once beams
+/// narrower than half a pixel were taken as they came, light between dark corners was lost, ends on curved surfaces were cut straight,
+/// and what a hollow mirror gathers from all sides lay in a bright line across the picture.
 #[test]
 fn beams_and_photons_find_the_same_light() {
-    let view = View { width: 24, height: 24, origin_mm: DVec2::ZERO, mm_per_px: 5.0 };
-    for seed in [0, 1, 3, 4, 8] {
-        let scene = scene(seed);
-        let options = BeamOptions { beams: 256, wavelengths: 24, ..BeamOptions::default() };
-        let swept = beams(&scene, view, options);
-        let [one, two] = [1, 2].map(|seed| photons(&scene, view, 100_000, seed));
-        let (mut apart, mut noise, mut sum, mut bias, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for pixel in 0..swept.len() {
-            if view.table_from_pixel(pixel % 24, pixel / 24).distance(SOURCE) < 20.0 {
-                continue;
-            }
-            let mean = 0.5 * (one[pixel][1] + two[pixel][1]);
-            apart += (swept[pixel][1] - mean).powi(2);
-            noise += 0.25 * (one[pixel][1] - two[pixel][1]).powi(2);
-            bias += swept[pixel][1] - mean;
-            sum += mean;
-            count += 1.0;
-        }
-        let relative = |squares: f64| (squares / count).sqrt() / (sum / count);
-        assert!(relative(apart) < 0.012 + 2.0 * relative(noise), "{seed}: {} {}", relative(apart), relative(noise));
-        assert!((bias / sum).abs() < 0.01, "{seed}: {}", bias / sum);
-    }
+    find_the_same_light((0..20).filter(|seed| !TRAPS.contains(seed)));
+}
+
+#[test]
+#[ignore = "a minute in release: .ci/large runs it"]
+fn beams_and_photons_find_the_same_light_in_glass_that_keeps_it() {
+    find_the_same_light(TRAPS.into_iter());
 }
 
 /// A wide lamp before the end of a wall: each point has the light of the part that it sees, by its angle. Beams end at the wall's

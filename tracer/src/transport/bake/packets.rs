@@ -78,13 +78,14 @@ impl Lamp<'_> {
             self.wavelengths.sample(turned - turned.floor())
         });
         let mut random = SplitMix64::new(mix64(self.seed ^ mix64(number)));
+        let ray = self.source.form.emit([u, v]);
         let photon = Photon {
-            ray: self.source.form.emit([u, v]),
+            ray,
             starts_on: StartsOn::NOTHING,
             wavelengths_nm: samples.map(|sample| sample.nm),
             power: samples.map(|sample| sample.weight / HEROES as f64),
             polarization: (random.next_u64() >> 63) as usize,
-            way: 0.0,
+            way: self.source.form.head_start(&ray),
             media: self.media,
         };
         (photon, random)

@@ -1,5 +1,6 @@
 //! A beam: four rays, and the light between them in the pixels that it crosses.
 
+use super::cell;
 use super::family::Bulge;
 use super::film::{Along, BeamFilm, Trapezoid};
 use crate::View;
@@ -52,7 +53,7 @@ struct Lanes {
     is_slanted: bool,
     /// From the middle of its beginning to the middle of its end.
     middle: [DVec2; 2],
-    /// Its length for each step along x.
+    /// The length of its rays for each step along x, in the mean.
     stretch: f64,
 }
 
@@ -161,9 +162,11 @@ impl Piece {
         let rays: [Line; 4] = std::array::from_fn(|at| line(ends(at)));
         let lines = [0, 1].map(|u| rays[u].mean(&rays[u + 2]));
         let blurs = [0, 1].map(|u| Line { at: rays[u + 2].at - rays[u].at, slope: rays[u + 2].slope - rays[u].slope });
+        let length = |slope: f64| (1.0 + slope * slope).sqrt();
+        let stretch = cell::mean(rays.map(|ray| length(ray.slope)), length(slope));
         let [low, high] = self.widths;
         let is_slanted = (high - low).abs() > SLANTED * (high + low);
-        Some(Lanes { along, edges, lines, blurs, is_slanted, middle, stretch: way.length() / way.x.abs() })
+        Some(Lanes { along, edges, lines, blurs, is_slanted, middle, stretch })
     }
 }
 

@@ -48,6 +48,11 @@ impl Cell {
         self.cuts >= MOST_CUTS || self.light < LEAST_LIGHT
     }
 
+    /// The same, not to be divided any more.
+    pub fn as_one(&self) -> Cell {
+        Cell { cuts: MOST_CUTS, ..*self }
+    }
+
     /// One place of v stands for all of the cell's.
     pub fn is_line(&self) -> bool {
         self.v[0] == self.v[1]
@@ -98,4 +103,9 @@ impl Cell {
 
 fn share(part: f64, whole: f64) -> f64 {
     if whole > 0.0 { part / whole } else { 0.0 }
+}
+
+/// The mean over a cell by Simpson's rule, from its corners and its middle.
+pub(super) fn mean(corners: [f64; 4], middle: f64) -> f64 {
+    (0.25 * corners.iter().sum::<f64>() + 2.0 * middle) / 3.0
 }

@@ -29,9 +29,13 @@ impl Sweep<'_, '_> {
             return;
         }
         if cell.is_as_one() {
-            return self.ray(cell);
+            return self.ray(cell, states);
         }
         let cell = Cell { cuts: cell.cuts + 1, ..cell };
+        if states.iter().all(Option::is_none) {
+            // It comes here because the ray in its middle is not dark.
+            return self.quarter(cell);
+        }
         if cell.is_line() {
             let parting = self.parting_over_u(&cell, 0, states, false);
             let parts = cell.divided([parting.place; 2]);
@@ -77,6 +81,16 @@ impl Sweep<'_, '_> {
         }
         if from.0 < cell.v[1] {
             self.cell(cell.slice([from.0, cell.v[1]]), [from.1[0], from.1[1], states[2], states[3]]);
+        }
+    }
+
+    /// All four quarters of a cell whose corners are dark, or its halves.
+    fn quarter(&mut self, cell: Cell) {
+        let middles = cell.middles();
+        let [low, high] = [0, 1].map(|v| self.probe([middles[v], cell.v[v]]));
+        let [left, right] = cell.divided(middles);
+        for (half, states) in [(left, [None, low, None, high]), (right, [low, None, high, None])] {
+            if cell.is_line() { self.cell(half, states) } else { self.halve_across(half, &states) }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Whether a beam is what its four rays say, or has to be divided.
 
 use super::beam::Piece;
-use super::cell::Cell;
+use super::cell::{Cell, mean};
 use super::corner::Probe;
 use super::sweep::Sweep;
 use geometry::DVec2;
@@ -27,8 +27,12 @@ const MOST_FADE: f64 = 0.04;
 /// Fresnel's power falls like a root, within less than a pixel.
 const MOST_DEFECT: f64 = 2e-6;
 
+/// However faint a beam is, its rays are not farther from parallel than this, the cosine of 23 degrees: one that a hollow mirror sends
+/// to its focus from all sides would have no direction.
+const LEAST_COSINE: f64 = 0.92;
+
 /// Narrower beams hold otherwise whatever they do, pixels.
-const NARROW_PX: f64 = 0.5;
+const NARROW_PX: f64 = 0.1;
 
 /// Halvings of a beam for its form alone, in u and in v.
 const MOST_HALVINGS: [u32; 2] = [14, 6];
@@ -118,7 +122,7 @@ impl Sweep<'_, '_> {
     /// nothing lies between them.
     pub(super) fn form(&self, cell: &Cell, probes: &[Probe; 4], piece: &Piece) -> Form {
         let px = self.view.mm_per_px;
-        let along = (mean(&piece.to) - mean(&piece.from)).normalize_or_zero();
+        let along = (mean_place(&piece.to) - mean_place(&piece.from)).normalize_or_zero();
         let strength = probes.iter().map(|probe| probe.corner.strength()).fold(f64::MIN_POSITIVE, f64::max);
         let limits = Limits { px, light: cell.light * strength, usual: 1.0 / self.farthest() };
         let mut question = Question { cell, probes, piece, along, limits };
@@ -130,6 +134,12 @@ impl Sweep<'_, '_> {
         if cell.is_as_one() {
             return Form::Holds;
         }
+        if cell.halved[0] < MOST_HALVINGS[0] && spreads(probes, OVER_U) {
+            return Form::Bends;
+        }
+        if cell.halved[1] < MOST_HALVINGS[1] && spreads(probes, OVER_V) {
+            return Form::BendsAcross;
+        }
         let defect = 0.5 * (self.strength(cell, probes) - mean_strength(probes)).abs() * cell.light;
         if defect > MOST_DEFECT && cell.halved[0] < MOST_HALVINGS[0] {
             return Form::Bends;
@@ -137,7 +147,7 @@ impl Sweep<'_, '_> {
         if may_halve == [false; 2] {
             return Form::Holds;
         }
-        let Some(middle) = self.probe(cell.center()).filter(|middle| middle.edge == probes[0].edge) else {
+        let Some(middle) = self.middle(cell, probes) else {
             return Form::Parts;
         };
         question.limits.light = cell.light * strength.max(middle.corner.strength());
@@ -154,8 +164,13 @@ impl Sweep<'_, '_> {
     /// What of a cell's light has come as far: the mean over it by Simpson's rule, from its corners and the ray in its middle.
     pub(super) fn strength(&self, cell: &Cell, probes: &[Probe; 4]) -> f64 {
         let corners = mean_strength(probes);
-        let middle = self.probe(cell.center()).filter(|middle| middle.edge == probes[0].edge);
-        middle.map_or(corners, |middle| (corners + 2.0 * middle.corner.strength()) / 3.0)
+        let middle = self.middle(cell, probes);
+        middle.map_or(corners, |middle| mean(probes.map(|probe| probe.corner.strength()), middle.corner.strength()))
+    }
+
+    /// The ray in a cell's middle, if it meets what the corners meet.
+    pub(super) fn middle(&self, cell: &Cell, probes: &[Probe; 4]) -> Option<Probe> {
+        self.probe(cell.center()).filter(|middle| middle.edge == probes[0].edge)
     }
 
     /// Round the source, through the picture's farthest end: over this its family's light is spread, mm.
@@ -220,10 +235,16 @@ impl Sweep<'_, '_> {
     }
 }
 
+/// Whether rays part or meet at too wide an angle.
+fn spreads(probes: &[Probe; 4], pairs: [[usize; 2]; 2]) -> bool {
+    let direction = |at: usize| probes[at].corner.ray.direction;
+    pairs.iter().any(|[one, other]| direction(*one).dot(direction(*other)) < LEAST_COSINE)
+}
+
 fn mean_strength(probes: &[Probe; 4]) -> f64 {
     0.25 * probes.iter().map(|probe| probe.corner.strength()).sum::<f64>()
 }
 
-fn mean(places: &[DVec2; 4]) -> DVec2 {
+fn mean_place(places: &[DVec2; 4]) -> DVec2 {
     (places[0] + places[1] + places[2] + places[3]) * 0.25
 }

@@ -1,7 +1,7 @@
 //! The sweep over a family: cells that are divided until their beams hold, through all surfaces.
 
 use super::beam::Piece;
-use super::cell::Cell;
+use super::cell::{Cell, mean};
 use super::corner::{Corner, Probe, Way};
 use super::cut::alike;
 use super::family::{Family, Lays};
@@ -25,6 +25,8 @@ struct Leaf {
     cell: Cell,
     probes: [Probe; 4],
     piece: Piece,
+    /// What of its light has come as far.
+    strength: f64,
 }
 
 /// Found while a beam is divided: its rays do not all meet the same surface.
@@ -51,6 +53,9 @@ pub(super) struct Sweep<'a, 'b> {
 
 /// What is less than this part of a beam counts as weaker in proportion.
 const SMALL_PART: f64 = 4.0;
+
+/// Beams with less than the least power are not divided any more, and with less than this part of it they are left out.
+const LEFT_OUT: f64 = 1.0 / 8.0;
 
 /// Leaves of one beam at most: where it bends more, what is left of it is laid as it is.
 const MOST_LEAVES: usize = 1 << 12;
@@ -98,7 +103,7 @@ impl Sweep<'_, '_> {
         if left % ASKED_EVERY == 0 && !(self.goes_on)() {
             self.pieces_left = 0;
         }
-        if states.iter().all(Option::is_none) {
+        if states.iter().all(Option::is_none) && self.probe(cell.center()).is_none() {
             return;
         }
         if let [Some(a), Some(b), Some(c), Some(d)] = states
@@ -109,11 +114,14 @@ impl Sweep<'_, '_> {
         self.cut(cell, &states);
     }
 
-    /// The ray in the middle of a cell, with all of its light.
-    pub(super) fn ray(&mut self, cell: Cell) {
-        let [u, v] = cell.center();
-        if let Some(probe) = self.probe([u, v]) {
-            self.beam(Cell { u: [[u; 2]; 2], v: [v; 2], ..cell }, &[probe; 4]);
+    /// One ray for all of a cell that go on: the one in its middle, or a corner's. It has what of the cell's light goes on, by
+    /// Simpson's rule.
+    pub(super) fn ray(&mut self, cell: Cell, states: &[State; 4]) {
+        let middle = self.probe(cell.center());
+        let corner = states.iter().zip(0..).find_map(|(state, at)| state.map(|probe| (probe, cell.corner(at))));
+        let part = mean(states.map(|state| state.map_or(0.0, |_| 1.0)), middle.map_or(0.0, |_| 1.0));
+        if let Some((probe, [u, v])) = middle.map(|probe| (probe, cell.center())).or(corner) {
+            self.beam(Cell { u: [[u; 2]; 2], v: [v; 2], light: cell.light * part, ..cell }, &[probe; 4]);
         }
     }
 
@@ -151,7 +159,7 @@ impl Sweep<'_, '_> {
         let may_divide = is_seen && leaves.len() < MOST_LEAVES;
         match if may_divide { self.form(cell, probes, &piece) } else { Form::Holds } {
             Form::Holds => {
-                leaves.push(Leaf { cell: *cell, probes: *probes, piece });
+                leaves.push(self.leaf(cell, probes, piece));
                 Ok(())
             }
             Form::Bends => {
@@ -175,6 +183,29 @@ impl Sweep<'_, '_> {
         }
     }
 
+    /// A beam that holds: as long as its rays are in the mean. Where its ends are curved a straight line between its corners' ends
+    /// would leave out what lies beyond.
+    fn leaf(&self, cell: &Cell, probes: &[Probe; 4], piece: Piece) -> Leaf {
+        let leaf = Leaf { cell: *cell, probes: *probes, piece, strength: self.strength(cell, probes) };
+        let Some(middle) = self.middle(cell, probes) else { return leaf };
+        let Piece { mut from, mut to, .. } = leaf.piece;
+        let along = (to.iter().sum::<DVec2>() - from.iter().sum::<DVec2>()).normalize_or_zero();
+        let beyond = |place: DVec2, corners: &[DVec2; 4]| {
+            let corners = corners.map(|corner| (corner - place).dot(along));
+            along * (mean(corners, 0.0) - 0.25 * corners.iter().sum::<f64>())
+        };
+        // The form of a source is another matter, and where light goes that meets nothing is nothing to see.
+        if !self.met.is_empty() {
+            let begins = beyond(middle.corner.ray.origin, &from);
+            from = from.map(|place| place + begins);
+        }
+        if middle.edge.is_some() {
+            let ends = beyond(middle.end, &to);
+            to = to.map(|place| place + ends);
+        }
+        Leaf { piece: Piece { from, to, ..leaf.piece }, ..leaf }
+    }
+
     /// The ray at a place that meets this surface.
     fn alike_at(&self, place: [f64; 2], edge: Option<EdgeId>) -> Result<Probe, Parted> {
         self.probe(place).filter(|probe| probe.edge == edge).ok_or(Parted)
@@ -183,7 +214,7 @@ impl Sweep<'_, '_> {
     /// Both halves of a cell whose corners meet one surface and rays between them another: in u, or in v where only there they do.
     fn part(&mut self, cell: Cell, probes: &[Probe; 4]) {
         if cell.is_as_one() {
-            return self.ray(cell);
+            return self.ray(cell, &probes.map(Some));
         }
         let cell = Cell { cuts: cell.cuts + 1, ..cell };
         let middles = cell.middles();
@@ -217,12 +248,16 @@ impl Sweep<'_, '_> {
         });
         // A small part of a beam is as little as a weak one.
         let part = (SMALL_PART * cell.light * f64::from(self.tracer.options.beams)).min(1.0);
-        if strongest * part < self.tracer.options.least_power {
+        let power = strongest * part / self.tracer.options.least_power;
+        if power < LEFT_OUT {
             return;
         }
-        let whole = [(*cell, *probes)];
-        let cells: Vec<(Cell, [Probe; 4])> =
-            if is_dark { leaves.iter().map(|leaf| (leaf.cell, leaf.probes)).collect() } else { whole.into() };
+        let whole = [(if power < 1.0 { cell.as_one() } else { *cell }, *probes)];
+        let cells: Vec<(Cell, [Probe; 4])> = if is_dark && power >= 1.0 {
+            leaves.iter().map(|leaf| (leaf.cell, leaf.probes)).collect()
+        } else {
+            whole.into()
+        };
         self.met.push(met);
         for (cell, probes) in cells {
             let states = probes.each_ref().map(|probe| Some(self.onward(self.behind(probe, met.way)?)));
@@ -241,16 +276,18 @@ impl Sweep<'_, '_> {
         low.cmple(max).all() && high.cmpge(min).all()
     }
 
-    fn splat(&mut self, Leaf { cell, probes, piece }: &Leaf) {
+    fn splat(&mut self, Leaf { cell, probes, piece, strength }: &Leaf) {
         if !self.touches(piece) {
             return;
         }
-        let part = self.strength(cell, probes) * cell.light / self.tracer.brightest;
+        let part = strength * cell.light / self.tracer.brightest;
         let color = self.family.color.map(|channel| channel * part);
         let first = &probes[0].corner;
         let absorption = first.media.absorption_per_mm(&self.tracer.surfaces, first.nm);
         let falloff = self.family.source.falloff;
-        let length = piece.from[0].distance(piece.to[0]);
+        // The means over its rays: its length, and the way that light has come where it begins.
+        let length = 0.25 * probes.iter().map(|probe| probe.corner.ray.origin.distance(probe.end)).sum::<f64>();
+        let come = 0.25 * probes.iter().map(|probe| probe.corner.way).sum::<f64>();
         let bulge = if self.met.is_empty() { self.family.bulge(cell.v) } else { None };
         let piece = Piece { bulge, ..*piece }.on_screen(self.view);
         if absorption == 0.0 && falloff == Falloff::Plane {
@@ -258,7 +295,7 @@ impl Sweep<'_, '_> {
         }
         piece.splat(self.film, |gone| {
             let way = gone * length;
-            let weight = falloff.weight(first.way + way) * libm::exp(-absorption * way);
+            let weight = falloff.weight(come + way) * libm::exp(-absorption * way);
             color.map(|channel| channel * weight)
         });
     }

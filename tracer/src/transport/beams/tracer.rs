@@ -81,7 +81,8 @@ impl<'a> BeamTracer<'a> {
     /// The ray of a family at u and v, where it leaves the source.
     pub(super) fn start(&self, family: &Family, media: Media, [u, v]: [f64; 2]) -> Corner {
         let (ray, nm) = family.ray(u, v);
-        Corner { ray, starts_on: StartsOn::NOTHING, nm, power: [0.5; 2], way: 0.0, media }
+        let way = family.source.form.head_start(&ray);
+        Corner { ray, starts_on: StartsOn::NOTHING, nm, power: [0.5; 2], way, media }
     }
 }
 
