@@ -230,15 +230,16 @@ impl<'a> Passes<'a> {
             Work::Path { picture, .. } => picture.expose(),
             Work::Beams { picture, done, .. } => {
                 picture.expose(1, &|| !is_cancelled());
-                *done += 1;
+                *done = picture.done() as u64;
             }
             Work::Bake { straight, families, done, baking } => {
                 if *done < *families {
                     straight.expose(1, &|| !is_cancelled());
+                    *done = straight.done() as u64;
                 } else {
                     baking.bake(is_cancelled);
+                    *done += 1;
                 }
-                *done += 1;
             }
         }
         Ok(())

@@ -65,8 +65,8 @@ impl Piece {
         Piece { from: screen(&self.from), to: screen(&self.to), bulge, ..*self }
     }
 
-    /// Lays its light on the film: `color` is asked with the part of the way that has gone.
-    pub fn splat(&self, film: &mut BeamFilm, color: impl Fn(f64) -> [f64; 3]) {
+    /// Lays its light on the film: `light` is asked with the part of the way that has gone.
+    pub fn splat(&self, film: &mut BeamFilm, light: impl Fn(f64) -> f64) {
         let Some(along) = self.along() else { return };
         let Some(whole) = self.lanes(along) else { return };
         let [width, height] = film.size().map(|side| side as f64);
@@ -76,7 +76,7 @@ impl Piece {
         let [begins, ends] = self.zones(along);
         let inner = [within(begins[1]), within(ends[0])];
         if inner[0] < inner[1] {
-            whole.splat_strips(film, inner, 1.0, &color);
+            whole.splat_strips(film, inner, 1.0, &light);
         }
         let parts = ((begins[1] - begins[0]).max(ends[1] - ends[0]) / SLANT_PX).ceil().clamp(1.0, MOST_PARTS);
         for number in 0..parts as usize {
@@ -86,7 +86,7 @@ impl Piece {
             let mut bounds = [lanes.edges[0][0].x, lanes.edges[1][0].x, lanes.edges[0][1].x, lanes.edges[1][1].x];
             bounds.sort_unstable_by(f64::total_cmp);
             let share = self.share(v0, v1);
-            let light = |gone: f64| color(gone).map(|channel| channel * share);
+            let light = |gone: f64| light(gone) * share;
             for (range, strips) in bounds.windows(2).zip([STRIPS, 1.0, STRIPS]) {
                 let [low, high] = [within(range[0]), within(range[1])];
                 if inner[0] < inner[1] {
@@ -187,7 +187,7 @@ fn turned(along: Along, place: DVec2) -> DVec2 {
 
 impl Lanes {
     /// Lays the light between two places along x, each row divided into at most so many strips.
-    fn splat_strips(&self, film: &mut BeamFilm, [low, high]: [f64; 2], strips: f64, color: &impl Fn(f64) -> [f64; 3]) {
+    fn splat_strips(&self, film: &mut BeamFilm, [low, high]: [f64; 2], strips: f64, light: &impl Fn(f64) -> f64) {
         if low >= high {
             return;
         }
@@ -197,14 +197,14 @@ impl Lanes {
             let count = ((end - begin) * strips).ceil().max(1.0);
             let step = (end - begin) / count;
             for strip in 0..count as usize {
-                self.splat_strip(film, row as usize, begin + (strip as f64 + 0.5) * step, step, color);
+                self.splat_strip(film, row as usize, begin + (strip as f64 + 0.5) * step, step, light);
             }
             row += 1.0;
         }
     }
 
     /// Lays the light of a strip of a row round `x`, `step` long.
-    fn splat_strip(&self, film: &mut BeamFilm, row: usize, x: f64, step: f64, color: &impl Fn(f64) -> [f64; 3]) {
+    fn splat_strip(&self, film: &mut BeamFilm, row: usize, x: f64, step: f64, light: &impl Fn(f64) -> f64) {
         let [a, b] = self.lines.map(|line| line.y(x));
         let [Some(begin), Some(end)] = [0, 1].map(|edge| self.place(edge, [a, b][edge], x)) else { return };
         let (whole, covered) = ((b - a).abs(), (end - begin).abs());
@@ -219,7 +219,7 @@ impl Lanes {
         let moved = 0.5 * (self.lines[0].slope + self.lines[1].slope) * step;
         // One box for both, with the variance of the two. The widths in u, which beams share their edges of, stay exact.
         let blurs = blurs.map(|blur| (blur * blur + moved * moved).sqrt());
-        let light = color(gone).map(|channel| channel * (part * step * self.stretch));
+        let light = light(gone) * part * step * self.stretch;
         film.lay(self.along, row, light, &Trapezoid { ends: [begin, end], blurs });
     }
 

@@ -6,15 +6,18 @@ use super::sweep::Sweep;
 use super::tracer::BeamTracer;
 use crate::View;
 use rayon::prelude::*;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// A beam's picture in the making.
 pub struct BeamPicture<'a> {
     tracer: BeamTracer<'a>,
     view: View,
+    /// What each thread adds up in.
     films: Vec<Mutex<BeamFilm>>,
-    /// Tasks that are done.
+    /// In each pixel, of the families that are done, row by row.
+    light: Vec<[f64; 3]>,
+    /// Families that are done.
     done: usize,
     /// Whether a family had more pieces than it may have.
     is_cut: AtomicBool,
@@ -28,38 +31,64 @@ impl<'a> BeamPicture<'a> {
     pub fn new(tracer: BeamTracer<'a>, view: View) -> BeamPicture<'a> {
         let film = || Mutex::new(BeamFilm::new(view.width, view.height));
         let films = (0..rayon::current_num_threads().max(1)).map(|_| film()).collect();
-        BeamPicture { tracer, view, films, done: 0, is_cut: AtomicBool::new(false) }
+        let light = vec![[0.0; 3]; view.width * view.height];
+        BeamPicture { tracer, view, films, light, done: 0, is_cut: AtomicBool::new(false) }
     }
 
-    /// Sweeps up to `families` more; `false` when all are done. Where `goes_on` says no they are left half done, and
-    /// [`BeamPicture::is_cut`] says so.
+    /// Sweeps `families` more, and those that have the last one's colour; `false` when all are done. Where `goes_on` says no they
+    /// are left half done, and [`BeamPicture::is_cut`] says so.
     pub fn expose(&mut self, families: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> bool {
         let last = self.done.saturating_add(families).min(self.tracer.families.len());
-        let beams = self.tracer.options.beams as usize;
-        let horizon = Horizon::new(&self.view);
-        (self.done * PARTS..last * PARTS).into_par_iter().for_each(|task| {
-            let (family, media) = &self.tracer.families[task / PARTS];
-            let own = rayon::current_thread_index().unwrap_or(0) % self.films.len();
-            let mut film = self.films[own].lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            let part = |number: usize| (beams * number / PARTS) as u32;
-            let mut sweep = Sweep {
-                tracer: &self.tracer,
-                family,
-                media: *media,
-                view: &self.view,
-                film: &mut film,
-                horizon,
-                met: Vec::new(),
-                // A part by itself, so that what is left out does not depend on who is first.
-                pieces_left: self.tracer.options.most_pieces / PARTS as u64,
-                goes_on,
-            };
-            if !sweep.run(part(task % PARTS)..part(task % PARTS + 1)) {
-                self.is_cut.store(true, Ordering::Relaxed);
-            }
-        });
-        self.done = last;
+        while self.done < last {
+            let color = self.tracer.families[self.done].0.color;
+            let alike = self.tracer.families[self.done..].iter().take_while(|(family, _)| family.color == color);
+            let (from, to) = (self.done, self.done + alike.count());
+            // Families of one colour share the films.
+            let most = self.tracer.families[from..to].iter().map(|(family, _)| family.source.falloff.most()).sum();
+            (from * PARTS..to * PARTS).into_par_iter().for_each(|task| self.sweep(task, most, goes_on));
+            self.develop(color.map(|channel| channel * most));
+            self.done = to;
+        }
         self.done < self.tracer.families.len()
+    }
+
+    /// One part of a family, onto the film of this thread.
+    fn sweep(&self, task: usize, most: f64, goes_on: &(dyn Fn() -> bool + Sync)) {
+        let beams = self.tracer.options.beams as usize;
+        let (family, media) = &self.tracer.families[task / PARTS];
+        let own = rayon::current_thread_index().unwrap_or(0) % self.films.len();
+        let mut film = self.films[own].lock().unwrap_or_else(PoisonError::into_inner);
+        let part = |number: usize| (beams * number / PARTS) as u32;
+        let mut sweep = Sweep {
+            tracer: &self.tracer,
+            family,
+            media: *media,
+            view: &self.view,
+            film: &mut film,
+            most,
+            horizon: Horizon::new(&self.view),
+            met: Vec::new(),
+            // A part by itself, so that what is left out does not depend on who is first.
+            pieces_left: self.tracer.options.most_pieces / PARTS as u64,
+            goes_on,
+        };
+        if !sweep.run(part(task % PARTS)..part(task % PARTS + 1)) {
+            self.is_cut.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Takes the light from all films into the pixels.
+    fn develop(&mut self, color: [f64; 3]) {
+        let mut films: Vec<&mut BeamFilm> =
+            self.films.iter_mut().map(|film| film.get_mut().unwrap_or_else(PoisonError::into_inner)).collect();
+        let seen: Vec<&BeamFilm> = films.iter().map(|film| &**film).collect();
+        BeamFilm::develop(&seen, color, &mut self.light);
+        films.par_iter_mut().for_each(|film| film.clear());
+    }
+
+    /// Families that are done.
+    pub fn done(&self) -> usize {
+        self.done
     }
 
     /// The memory of what one thread adds up in, bytes.
@@ -74,10 +103,6 @@ impl<'a> BeamPicture<'a> {
 
     /// The fluence in each pixel, row by row, signed.
     pub fn fluence(&self) -> Vec<[f64; 3]> {
-        let films: Vec<_> =
-            self.films.iter().map(|film| film.lock().unwrap_or_else(std::sync::PoisonError::into_inner)).collect();
-        let films: Vec<&BeamFilm> = films.iter().map(|film| &**film).collect();
-        let scale = self.tracer.brightest / self.view.mm_per_px;
-        BeamFilm::pixels(&films).into_iter().map(|light| light.map(|channel| channel * scale)).collect()
+        self.light.iter().map(|light| light.map(|channel| channel / self.view.mm_per_px)).collect()
     }
 }

@@ -42,6 +42,8 @@ pub(super) struct Sweep<'a, 'b> {
     pub media: Media,
     pub view: &'b View,
     pub film: &'b mut BeamFilm,
+    /// What no light on the film is over: it holds parts of that.
+    pub most: f64,
     /// Where rays that meet nothing end.
     pub horizon: Horizon,
     pub met: Vec<Met>,
@@ -280,8 +282,7 @@ impl Sweep<'_, '_> {
         if !self.touches(piece) {
             return;
         }
-        let part = strength * cell.light / self.tracer.brightest;
-        let color = self.family.color.map(|channel| channel * part);
+        let light = strength * cell.light / self.most;
         let first = &probes[0].corner;
         let absorption = first.media.absorption_per_mm(&self.tracer.surfaces, first.nm);
         let falloff = self.family.source.falloff;
@@ -291,12 +292,11 @@ impl Sweep<'_, '_> {
         let bulge = if self.met.is_empty() { self.family.bulge(cell.v) } else { None };
         let piece = Piece { bulge, ..*piece }.on_screen(self.view);
         if absorption == 0.0 && falloff == Falloff::Plane {
-            return piece.splat(self.film, |_| color);
+            return piece.splat(self.film, |_| light);
         }
         piece.splat(self.film, |gone| {
             let way = gone * length;
-            let weight = falloff.weight(come + way) * libm::exp(-absorption * way);
-            color.map(|channel| channel * weight)
+            light * falloff.weight(come + way) * libm::exp(-absorption * way)
         });
     }
 }

@@ -42,8 +42,6 @@ pub struct BeamTracer<'a> {
     pub(super) surfaces: Surfaces,
     pub(super) landmarks: Landmarks,
     pub(super) families: Vec<(Family<'a>, Media)>,
-    /// What no channel of all light is over: the films hold parts of it.
-    pub(super) brightest: f64,
     pub(super) options: BeamOptions,
 }
 
@@ -61,10 +59,8 @@ impl<'a> BeamTracer<'a> {
         };
         let families: Vec<(Family, Media)> =
             scene.sources.iter().filter(|source| source.power > 0.0).flat_map(of).collect();
-        let most = |family: &Family| family.color.iter().fold(0.0_f64, |most, channel| most.max(channel.abs()));
-        let brightest = families.iter().map(|(family, _)| most(family) * family.source.falloff.most()).sum();
         let landmarks = Landmarks::new(&scene.bodies);
-        BeamTracer { surfaces, landmarks, families, brightest, options }
+        BeamTracer { surfaces, landmarks, families, options }
     }
 
     /// The same with another limit of pieces of one family.
