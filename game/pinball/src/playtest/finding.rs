@@ -70,10 +70,14 @@ pub enum FindingKind {
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
+    /// The flippers obey their buttons until the ball is shot, and then no more.
+    FlippersDieAtLaunch,
     /// The machine is tilted as long as a ball is in play, though nobody has pushed it.
     AlwaysTilted,
     /// The rules never throw a saucer's ball out.
     NeverEjected,
+    /// The rules never raise a drop target that was hit.
+    NeverRaised,
 }
 
 /// One thing that only play shows.
@@ -119,6 +123,7 @@ impl Finding {
                 | FindingKind::BeginsAnew
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
+                | FindingKind::NeverRaised
         )
     }
 
@@ -239,6 +244,11 @@ impl Finding {
             FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
                                           timer that `on_switch` starts"
                 .to_string(),
+            FindingKind::NeverRaised => {
+                "in a trial every drop target was hit, and no rule raised it, neither in that game nor when the next one began; \
+                 call `raise` with its name where a ball begins, or from a timer when all of them are down"
+                    .to_string()
+            }
             // All others are told above, or by `rules_finding`.
             _ => String::new(),
         }

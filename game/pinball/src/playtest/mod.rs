@@ -5,6 +5,7 @@
 //! findings on every machine.
 
 mod coils;
+mod fallen_targets;
 mod finding;
 mod first_game;
 mod let_go;
@@ -20,6 +21,7 @@ mod tests;
 mod wedges;
 mod whole_game;
 
+use fallen_targets::MAX_TARGETS;
 pub use finding::{Finding, FindingKind};
 use nearest::touchable;
 
@@ -32,6 +34,7 @@ use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
 use reach::{OneWayGates, Reach};
 use std::sync::Arc;
+use switches::Shot;
 use whole_game::LossPlaces;
 
 /// How long the bot plays, s.
@@ -180,7 +183,20 @@ impl Playtest {
     /// # Errors
     /// If they do not run.
     pub fn first_game(&self) -> Result<(Vec<Finding>, Vec<String>), Failure> {
-        first_game::try_rules(&self.table, &self.loss_places())
+        first_game::try_rules(&self.table, &self.loss_places(), &self.target_shots())
+    }
+
+    /// A shot at each drop target; none of a table that has very many, or one that no shot fells.
+    fn target_shots(&self) -> Vec<(PartId, Shot)> {
+        let parts = self.machine.layout().parts.iter().enumerate();
+        let targets = parts.filter(|(_, part)| matches!(part.kind, Kind::DropTarget(_)));
+        let targets: Vec<(PartId, &Kind)> =
+            targets.map(|(index, part)| (PartId(index as u16), &part.kind)).take(MAX_TARGETS + 1).collect();
+        let shot = |(part, kind): &(PartId, &Kind)| {
+            Some((*part, switches::closing_shot(&self.machine, &self.reach, *part, kind).ok()??))
+        };
+        let shots: Option<Vec<_>> = targets.iter().take(MAX_TARGETS).map(shot).collect();
+        shots.filter(|_| targets.len() <= MAX_TARGETS).unwrap_or_default()
     }
 
     /// Where balls are lost, and where they are kept in play until then.
