@@ -7,6 +7,8 @@ use crate::collision::obstacle::ObstacleRole;
 use crate::machine::Machine;
 use crate::mechanisms;
 use crate::mechanisms::pose::{Pose, balls_in_play};
+use crate::mechanisms::ramp_path::RampPath;
+use crate::part::PartId;
 use geometry::DVec2;
 
 impl Machine {
@@ -26,6 +28,15 @@ impl Machine {
         let is_held = |ball: &Ball| mechanisms::holds(&self.model, &self.state, ball);
         let stuck = |ball: &Ball| if is_held(ball) { 0 } else { ball.still_ticks };
         balls_in_play(&self.state).map(stuck).collect()
+    }
+
+    /// From which ramp or wire-form a ball goes on to which other: the one and the other of each joint.
+    pub fn ramp_joints(&self) -> Vec<(PartId, PartId)> {
+        let ramps = &self.model.mechanisms.ramps;
+        let part_of = |ramp: &u16| ramps[usize::from(*ramp)].part;
+        let joints =
+            |ramp: &RampPath| ramp.joined.map(|other| Some((ramp.part, part_of(&other?)))).into_iter().flatten();
+        ramps.iter().flat_map(joints).collect()
     }
 
     /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.

@@ -1,5 +1,7 @@
 //! A finding: one thing that only play shows, as a sentence with the part's name and line.
 
+mod ramp;
+
 use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
@@ -239,7 +241,10 @@ impl Finding {
             ),
             FindingKind::SwitchNeverCloses => self.never_closes(table),
             FindingKind::Unreachable => {
-                "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
+                let without_entry = self.part.and_then(|part| ramp::without_entry(part, table));
+                without_entry.unwrap_or_else(|| {
+                    "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
+                })
             }
             FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
                                           timer that `on_switch` starts"

@@ -150,31 +150,39 @@ impl Playtest {
             return Vec::new();
         }
         let parts = self.machine.layout().parts.iter().enumerate();
-        let out_of_reach = parts.filter(|(_, part)| self.is_out_of_reach(&part.kind));
-        out_of_reach
-            .map(|(index, _)| Finding::of_part(FindingKind::Unreachable, PartId(index as u16), DVec2::ZERO))
-            .collect()
+        let parts = parts.map(|(index, part)| (PartId(index as u16), &part.kind));
+        let out_of_reach = parts.filter(|(part, kind)| self.is_out_of_reach(*part, kind));
+        out_of_reach.map(|(part, _)| Finding::of_part(FindingKind::Unreachable, part, DVec2::ZERO)).collect()
     }
 
-    fn is_out_of_reach(&self, kind: &Kind) -> bool {
-        let mut ramps = self.machine.layout().parts.iter().filter_map(|part| reach::ramp(&part.kind));
+    fn is_out_of_reach(&self, part: PartId, kind: &Kind) -> bool {
         match kind {
             Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) | Kind::CaptiveBall(_) => false,
-            Kind::Ramp(ramp) => !self.reach.comes_to_ramp(ramp) || !reach::has_entrance(ramp, ramps),
+            Kind::Ramp(_) => {
+                // Of ramps that are joined one is told.
+                let joints = self.machine.ramp_joints();
+                let is_told =
+                    |(one, other): &(PartId, PartId)| *one == part && *other < part && !self.reach.comes_onto(*other);
+                !self.reach.comes_onto(part) && !joints.iter().any(is_told)
+            }
             _ => {
-                let on_a_ramp = |shape: &Shape| {
-                    ramps.any(|ramp| {
-                        let near = |leg: &physics::Leg| shape.distance(leg.at(0.5 * leg.length())).0 < leg.length();
-                        self.reach.comes_to_ramp(ramp) && ramp.path.iter().any(near)
-                    })
-                };
                 // Over a switch, a hole or a field the ball's centre must come.
                 let reach_m = if kind.sensor().is_some() { 0.0 } else { BALL_RADIUS_M };
                 let touched = |shape: &Shape| self.reach.comes_to(shape, reach_m);
                 let shapes = touchable(kind);
-                !shapes.iter().any(touched) && !shapes.iter().any(on_a_ramp)
+                !shapes.iter().any(touched) && !shapes.iter().any(|shape| self.is_on_a_ramp(shape))
             }
         }
+    }
+
+    /// Whether this lies on a ramp that a ball can come onto.
+    fn is_on_a_ramp(&self, shape: &Shape) -> bool {
+        let near = |leg: &physics::Leg| shape.distance(leg.at(0.5 * leg.length())).0 < leg.length();
+        let mut parts = self.machine.layout().parts.iter().enumerate();
+        parts.any(|(index, part)| {
+            let ramp = reach::ramp(&part.kind).filter(|_| self.reach.comes_onto(PartId(index as u16)));
+            ramp.is_some_and(|ramp| ramp.path.iter().any(near))
+        })
     }
 
     /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon, and what they complain
