@@ -46,6 +46,14 @@ impl Machine {
         depths.fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The same of one ball; none if it is not there.
+    pub fn penetration_of_m(&self, id: u32) -> Option<f64> {
+        let balls = &self.state.balls;
+        let index = balls.iter().position(|ball| ball.id == id)?;
+        let [before, after] = [&balls[..index], &balls[index + 1..]].map(|others| self.depth_of(&balls[index], others));
+        Some(before.max(after))
+    }
+
     /// How deep a ball on the playfield would lie at `center` in what never gives way, m; 0 or less where nothing
     /// overlaps. Drop targets, gates, flippers and other balls are left out: they move.
     pub fn depth_in_fixed_m(&self, center: DVec2) -> f64 {

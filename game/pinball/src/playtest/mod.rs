@@ -283,6 +283,12 @@ fn settle_captives(machine: &mut Machine) {
     }
 }
 
+/// Puts a ball there; whether there is room for it. A captive ball that lies wedged may be in its walls.
+fn put_ball(machine: &mut Machine, place: DVec2, velocity: DVec2) -> bool {
+    let id = machine.put_ball(place, velocity, [0.0; 3]);
+    machine.penetration_of_m(id).is_some_and(|depth| depth <= 0.0)
+}
+
 /// Whether a ball there is on the playfield.
 fn is_on(machine: &Machine, center: DVec2) -> bool {
     center.cmpge(DVec2::ZERO).all() && center.cmple(machine.layout().size_m).all()
