@@ -7,6 +7,8 @@ use crate::collision::obstacle::ObstacleRole;
 use crate::machine::Machine;
 use crate::mechanisms;
 use crate::mechanisms::pose::{Pose, balls_in_play};
+use crate::mechanisms::ramp_path::RampPath;
+use crate::part::PartId;
 use geometry::DVec2;
 
 impl Machine {
@@ -28,11 +30,28 @@ impl Machine {
         balls_in_play(&self.state).map(stuck).collect()
     }
 
+    /// From which ramp or wire-form a ball goes on to which other: the one and the other of each joint.
+    pub fn ramp_joints(&self) -> Vec<(PartId, PartId)> {
+        let ramps = &self.model.mechanisms.ramps;
+        let part_of = |ramp: &u16| ramps[usize::from(*ramp)].part;
+        let joints =
+            |ramp: &RampPath| ramp.joined.map(|other| Some((ramp.part, part_of(&other?)))).into_iter().flatten();
+        ramps.iter().flat_map(joints).collect()
+    }
+
     /// How deep a ball lies in anything that stands in its way, m; 0 or less where nothing overlaps.
     pub fn penetration_m(&self) -> f64 {
         let own = self.state.balls.iter().enumerate();
         let depths = own.map(|(index, ball)| self.depth_of(ball, &self.state.balls[index + 1..]));
         depths.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The same of one ball; none if it is not there.
+    pub fn penetration_of_m(&self, id: u32) -> Option<f64> {
+        let balls = &self.state.balls;
+        let index = balls.iter().position(|ball| ball.id == id)?;
+        let [before, after] = [&balls[..index], &balls[index + 1..]].map(|others| self.depth_of(&balls[index], others));
+        Some(before.max(after))
     }
 
     /// How deep a ball on the playfield would lie at `center` in what never gives way, m; 0 or less where nothing

@@ -3,7 +3,7 @@
 use super::finding::{Finding, FindingKind};
 use super::reach::Reach;
 use super::switches::{self, Shot};
-use super::{LYING_M_S, THROWN_M, wait};
+use super::{LYING_M_S, THROWN_M, put_ball, wait};
 use geometry::{DVec2, Taper, trig};
 use physics::{BALL_RADIUS_M, Command, Controls, Flipper, FlipperControl, Kickback, Kind, Machine, PartId, Saucer};
 
@@ -81,8 +81,7 @@ fn try_saucer(mut machine: Machine, part: PartId, saucer: &Saucer) -> Option<Fin
 /// A ball on the kickback's face is thrown.
 fn try_kickback(mut machine: Machine, part: PartId, kickback: &Kickback) -> Option<Finding> {
     let center = kickback.tip + kickback.direction * (BALL_RADIUS_M + GAP_M);
-    machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
-    if machine.penetration_m() > 0.0 {
+    if !put_ball(&mut machine, center, DVec2::ZERO) {
         return Some(Finding::of_part(FindingKind::DoesNotKick, part, center));
     }
     wait(&mut machine, Controls::NONE, 100);
@@ -144,8 +143,7 @@ fn try_flipper(mut machine: Machine, part: PartId, flipper: &Flipper) -> Option<
     let radius = 0.5 * (flipper.base.radius + flipper.tip_radius_m);
     let room = radius.max(flipper.base.radius) + BALL_RADIUS_M + GAP_M;
     let center = flipper.base.center + along * (0.6 * flipper.length_m) + side * room;
-    machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
-    let free = machine.penetration_m() <= 0.0;
+    let free = put_ball(&mut machine, center, DVec2::ZERO);
     let flipped = free && {
         let strike = |machine: &mut Machine| {
             machine.tick(controls, &[]);

@@ -1,5 +1,7 @@
 //! A finding: one thing that only play shows, as a sentence with the part's name and line.
 
+mod ramp;
+
 use super::{nearest, rules_finding};
 use crate::table::FILES;
 use crate::{Failure, Table};
@@ -70,10 +72,14 @@ pub enum FindingKind {
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
+    /// The flippers obey their buttons until the ball is shot, and then no more.
+    FlippersDieAtLaunch,
     /// The machine is tilted as long as a ball is in play, though nobody has pushed it.
     AlwaysTilted,
     /// The rules never throw a saucer's ball out.
     NeverEjected,
+    /// The rules never raise a drop target that was hit.
+    NeverRaised,
 }
 
 /// One thing that only play shows.
@@ -119,6 +125,7 @@ impl Finding {
                 | FindingKind::BeginsAnew
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
+                | FindingKind::NeverRaised
         )
     }
 
@@ -234,11 +241,19 @@ impl Finding {
             ),
             FindingKind::SwitchNeverCloses => self.never_closes(table),
             FindingKind::Unreachable => {
-                "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
+                let without_entry = self.part.and_then(|part| ramp::without_entry(part, table));
+                without_entry.unwrap_or_else(|| {
+                    "no ball can come to it from the plunger; a ball needs a way that is wider than 27 mm".to_string()
+                })
             }
             FindingKind::NeverEjected => "the rules do not throw its ball out within 20 s; call `eject` with its name, from a \
                                           timer that `on_switch` starts"
                 .to_string(),
+            FindingKind::NeverRaised => {
+                "in a trial every drop target was hit, and no rule raised it, neither in that game nor when the next one began; \
+                 call `raise` with its name where a ball begins, or from a timer when all of them are down"
+                    .to_string()
+            }
             // All others are told above, or by `rules_finding`.
             _ => String::new(),
         }

@@ -2,8 +2,9 @@
 //! lost ball must have a consequence, and the game an end; and a saucer's ball must come out again.
 
 use super::finding::{Finding, FindingKind};
-use super::shaken;
+use super::switches::Shot;
 use super::whole_game::{self, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
+use super::{fallen_targets, shaken};
 use crate::{Buttons, Failure, Simulation, Table};
 use geometry::DVec2;
 use physics::{Event, EventKind, Kind, PartId};
@@ -17,14 +18,18 @@ const HELD_TICKS: u64 = 20_000;
 const MAX_SAUCERS: usize = 16;
 /// Drains that balls are lost in.
 const MAX_DRAINS: usize = 6;
-/// Contact solves that a trial may take.
-const MOST_CONTACT_SOLVES: u64 = 400_000;
+/// Contact solves that the trial of a saucer may take: 120 in a tick, where a captive ball that lies takes 30.
+const MOST_HELD_SOLVES: u64 = 120 * HELD_TICKS;
 
 /// What the rules do wrong, or leave undone, and what they complain about meanwhile.
 ///
 /// # Errors
 /// If they do not run.
-pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<(Vec<Finding>, Vec<String>), Failure> {
+pub fn try_rules(
+    table: &Arc<Table>,
+    places: &LossPlaces,
+    targets: &[(PartId, Shot)],
+) -> Result<(Vec<Finding>, Vec<String>), Failure> {
     let mut simulation = Simulation::new(table.clone(), 0)?;
     if !BEGINNINGS.into_iter().any(|button| begins(&mut simulation, button)) {
         let kind = if means_to_begin(&table.rules) { FindingKind::NoGame } else { FindingKind::NoStart };
@@ -32,6 +37,10 @@ pub fn try_rules(table: &Arc<Table>, places: &LossPlaces) -> Result<(Vec<Finding
         return Ok((vec![told], simulation.complaints()));
     }
     let (mut found, mut complaints) = game(&simulation, places);
+    // In a game that goes wrong what becomes of drop targets is a consequence.
+    if found.is_empty() {
+        found.extend(fallen_targets::stay_down(&simulation, places, targets));
+    }
     let (kept, more) = held(&simulation);
     found.extend(kept);
     complaints.extend(more);
@@ -55,15 +64,17 @@ fn means_to_begin(rules: &str) -> bool {
 /// The game whose balls are lost in the first drain, and in each of the others the game's first ball.
 fn game(simulation: &Simulation, places: &LossPlaces) -> (Vec<Finding>, Vec<String>) {
     let Some((first, others)) = places.drains.split_first() else {
-        return whole_game::play(simulation, places, None, MOST_BALLS);
+        let played = whole_game::play(simulation, places, None, MOST_BALLS);
+        return (played.findings, played.complaints);
     };
-    let (mut found, mut complaints) = whole_game::play(simulation, places, Some(*first), MOST_BALLS);
+    let played = whole_game::play(simulation, places, Some(*first), MOST_BALLS);
+    let (mut found, mut complaints) = (played.findings, played.complaints);
     // Of the others the same would be told.
     let others = if found.is_empty() { others } else { &[] };
     for drain in others.iter().take(MAX_DRAINS - 1) {
-        let (own, more) = whole_game::play(simulation, places, Some(*drain), 1);
-        found.extend(own);
-        complaints.extend(more);
+        let played = whole_game::play(simulation, places, Some(*drain), 1);
+        found.extend(played.findings);
+        complaints.extend(played.complaints);
     }
     (found, complaints)
 }
@@ -98,7 +109,7 @@ fn held(simulation: &Simulation) -> (Vec<Finding>, Vec<String>) {
 }
 
 fn keeps(simulation: &mut Simulation, part: PartId, center: DVec2) -> bool {
-    simulation.put_ball(center);
+    simulation.put_ball(center, DVec2::ZERO);
     let (mut caught, mut contact_solves) = (false, 0);
     let is = |event: &Event, kind: EventKind| event.part == Some(part) && event.kind == kind;
     for tick in 0..HELD_TICKS {
@@ -109,7 +120,7 @@ fn keeps(simulation: &mut Simulation, part: PartId, center: DVec2) -> bool {
         let rules = simulation.rules_state();
         let is_meant = rules.owed > 0 || !rules.playing;
         let is_out = simulation.events().any(|event| is(event, EventKind::Opened));
-        if is_meant || is_out || contact_solves > MOST_CONTACT_SOLVES {
+        if is_meant || is_out || contact_solves > MOST_HELD_SOLVES {
             return false;
         }
     }

@@ -1,7 +1,7 @@
 //! A ball that is let go where one can come to: whether it comes away by itself, and stays on the playfield.
 
 use super::finding::{Finding, FindingKind};
-use super::{THROWN_M, USUAL_BURDEN, burden, farthest, is_on, wait};
+use super::{THROWN_M, USUAL_BURDEN, burden, farthest, is_on, put_ball, wait};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, BallPose, Command, Controls, FlipperControl, Kind, Machine};
 
@@ -30,8 +30,7 @@ const KICKBACK_RANGE_M: f64 = 0.002;
 /// What becomes of the ball, if it is worth telling.
 pub fn let_go(machine: &Machine, place_m: DVec2) -> Option<Finding> {
     let mut machine = machine.clone();
-    machine.put_ball(place_m, DVec2::ZERO, [0.0; 3]);
-    if machine.penetration_m() > 0.0 {
+    if !put_ball(&mut machine, place_m, DVec2::ZERO) {
         return None; // a flipper or a drop target lies there
     }
     let layout = machine.layout().clone();

@@ -5,6 +5,7 @@
 //! findings on every machine.
 
 mod coils;
+mod fallen_targets;
 mod finding;
 mod first_game;
 mod let_go;
@@ -20,6 +21,7 @@ mod tests;
 mod wedges;
 mod whole_game;
 
+use fallen_targets::MAX_TARGETS;
 pub use finding::{Finding, FindingKind};
 use nearest::touchable;
 
@@ -32,6 +34,7 @@ use geometry::{DVec2, Shape};
 use physics::{BALL_RADIUS_M, Command, Controls, Kind, Machine, PartId, TICKS_PER_SECOND};
 use reach::{OneWayGates, Reach};
 use std::sync::Arc;
+use switches::Shot;
 use whole_game::LossPlaces;
 
 /// How long the bot plays, s.
@@ -147,31 +150,39 @@ impl Playtest {
             return Vec::new();
         }
         let parts = self.machine.layout().parts.iter().enumerate();
-        let out_of_reach = parts.filter(|(_, part)| self.is_out_of_reach(&part.kind));
-        out_of_reach
-            .map(|(index, _)| Finding::of_part(FindingKind::Unreachable, PartId(index as u16), DVec2::ZERO))
-            .collect()
+        let parts = parts.map(|(index, part)| (PartId(index as u16), &part.kind));
+        let out_of_reach = parts.filter(|(part, kind)| self.is_out_of_reach(*part, kind));
+        out_of_reach.map(|(part, _)| Finding::of_part(FindingKind::Unreachable, part, DVec2::ZERO)).collect()
     }
 
-    fn is_out_of_reach(&self, kind: &Kind) -> bool {
-        let mut ramps = self.machine.layout().parts.iter().filter_map(|part| reach::ramp(&part.kind));
+    fn is_out_of_reach(&self, part: PartId, kind: &Kind) -> bool {
         match kind {
             Kind::Wall(_) | Kind::Flipper(_) | Kind::Plunger(_) | Kind::CaptiveBall(_) => false,
-            Kind::Ramp(ramp) => !self.reach.comes_to_ramp(ramp) || !reach::has_entrance(ramp, ramps),
+            Kind::Ramp(_) => {
+                // Of ramps that are joined one is told.
+                let joints = self.machine.ramp_joints();
+                let is_told =
+                    |(one, other): &(PartId, PartId)| *one == part && *other < part && !self.reach.comes_onto(*other);
+                !self.reach.comes_onto(part) && !joints.iter().any(is_told)
+            }
             _ => {
-                let on_a_ramp = |shape: &Shape| {
-                    ramps.any(|ramp| {
-                        let near = |leg: &physics::Leg| shape.distance(leg.at(0.5 * leg.length())).0 < leg.length();
-                        self.reach.comes_to_ramp(ramp) && ramp.path.iter().any(near)
-                    })
-                };
                 // Over a switch, a hole or a field the ball's centre must come.
                 let reach_m = if kind.sensor().is_some() { 0.0 } else { BALL_RADIUS_M };
                 let touched = |shape: &Shape| self.reach.comes_to(shape, reach_m);
                 let shapes = touchable(kind);
-                !shapes.iter().any(touched) && !shapes.iter().any(on_a_ramp)
+                !shapes.iter().any(touched) && !shapes.iter().any(|shape| self.is_on_a_ramp(shape))
             }
         }
+    }
+
+    /// Whether this lies on a ramp that a ball can come onto.
+    fn is_on_a_ramp(&self, shape: &Shape) -> bool {
+        let near = |leg: &physics::Leg| shape.distance(leg.at(0.5 * leg.length())).0 < leg.length();
+        let mut parts = self.machine.layout().parts.iter().enumerate();
+        parts.any(|(index, part)| {
+            let ramp = reach::ramp(&part.kind).filter(|_| self.reach.comes_onto(PartId(index as u16)));
+            ramp.is_some_and(|ramp| ramp.path.iter().any(near))
+        })
     }
 
     /// What the rules do wrong, or leave undone, in a game whose balls are all lost soon, and what they complain
@@ -180,7 +191,20 @@ impl Playtest {
     /// # Errors
     /// If they do not run.
     pub fn first_game(&self) -> Result<(Vec<Finding>, Vec<String>), Failure> {
-        first_game::try_rules(&self.table, &self.loss_places())
+        first_game::try_rules(&self.table, &self.loss_places(), &self.target_shots())
+    }
+
+    /// A shot at each drop target; none of a table that has very many, or one that no shot fells.
+    fn target_shots(&self) -> Vec<(PartId, Shot)> {
+        let parts = self.machine.layout().parts.iter().enumerate();
+        let targets = parts.filter(|(_, part)| matches!(part.kind, Kind::DropTarget(_)));
+        let targets: Vec<(PartId, &Kind)> =
+            targets.map(|(index, part)| (PartId(index as u16), &part.kind)).take(MAX_TARGETS + 1).collect();
+        let shot = |(part, kind): &(PartId, &Kind)| {
+            Some((*part, switches::closing_shot(&self.machine, &self.reach, *part, kind).ok()??))
+        };
+        let shots: Option<Vec<_>> = targets.iter().take(MAX_TARGETS).map(shot).collect();
+        shots.filter(|_| targets.len() <= MAX_TARGETS).unwrap_or_default()
     }
 
     /// Where balls are lost, and where they are kept in play until then.
@@ -257,6 +281,12 @@ fn settle_captives(machine: &mut Machine) {
             return;
         }
     }
+}
+
+/// Puts a ball there; whether there is room for it. A captive ball that lies wedged may be in its walls.
+fn put_ball(machine: &mut Machine, place: DVec2, velocity: DVec2) -> bool {
+    let id = machine.put_ball(place, velocity, [0.0; 3]);
+    machine.penetration_of_m(id).is_some_and(|depth| depth <= 0.0)
 }
 
 /// Whether a ball there is on the playfield.

@@ -2,16 +2,18 @@
 //!
 //! A flood over a grid, from the place where new balls arrive: a square belongs to it if there is room for a ball
 //! somewhere in it. What moves (drop targets, spinners, flippers, captive balls) is never in the way, a gate only against its
-//! direction, and a ramp that a ball can come to brings it to both of its ends. So nothing is called out of reach that a shot
+//! direction, and a ramp that a ball can come onto brings it to both of its ends. So nothing is called out of reach that a shot
 //! could come to.
 
 mod gaps;
 mod one_way;
+mod ramps;
 
 pub use one_way::OneWayGates;
+pub use ramps::{low_ends, ramp};
 
 use geometry::{DVec2, Shape};
-use physics::{BALL_RADIUS_M, Kind, Machine, Ramp};
+use physics::{BALL_RADIUS_M, Kind, Machine, PartId};
 
 /// From one square to the next, m.
 const STEP_M: f64 = 0.002;
@@ -21,10 +23,6 @@ const TRIES: i32 = 4;
 const INSIDE_M: f64 = 1e-3;
 /// So far above the lowest row of a pocket there is room in the middle of a square, rows.
 const PIT_ROWS: usize = 3;
-/// An end of a ramp that is no higher lies on the playfield, m.
-const LOW_M: f64 = 1e-3;
-/// Ends of ramps that are no farther apart are joined, m.
-const JOINED_M: f64 = 2e-3;
 /// No place is to the last bit above the middle of a post: a ball lies even there.
 const ASIDE_M: f64 = 3e-4;
 
@@ -32,6 +30,8 @@ const ASIDE_M: f64 = 3e-4;
 pub struct Reach {
     columns: usize,
     squares: Vec<Square>,
+    /// The ramps that a ball can come onto.
+    ramps: Vec<PartId>,
 }
 
 /// What a ball finds in a square of the grid.
@@ -49,14 +49,10 @@ impl Reach {
         let size = machine.layout().size_m;
         let columns = ((size.x / STEP_M) as usize).max(1);
         let rows = ((size.y / STEP_M) as usize).max(1);
-        let mut reach = Reach { columns, squares: vec![Square::OutOfReach; columns * rows] };
+        let mut reach = Reach { columns, squares: vec![Square::OutOfReach; columns * rows], ramps: Vec::new() };
         let mut flood = Flood { machine, rooms: Rooms::new(machine), gates, found: Vec::new() };
         reach.flood(&mut flood, start);
-        let mut ramps: Vec<&Ramp> = machine.layout().parts.iter().filter_map(|part| ramp(&part.kind)).collect();
-        // A ramp may lead to another one.
-        while let Some(index) = ramps.iter().position(|ramp| reach.comes_to_ramp(ramp)) {
-            ends(ramps.swap_remove(index)).into_iter().for_each(|end| reach.flood(&mut flood, end));
-        }
+        reach.follow_ramps(&mut flood);
         reach
     }
 
@@ -212,61 +208,12 @@ impl Reach {
         let rows = first.y as usize..(last.y as usize + 1).min(all_rows);
         rows.flat_map(move |row| columns.clone().map(move |column| row * all_columns + column))
     }
-
-    /// Whether a ball can come into one of the ramp's ends.
-    pub fn comes_to_ramp(&self, ramp: &Ramp) -> bool {
-        ends(ramp).into_iter().any(|end| self.comes_to(&Shape::disc(end, ramp.half_width_m), 0.0))
-    }
 }
 
 /// Where a square stands in the order of a Bayer matrix: the bits of its coordinates, the finest first.
 fn dither_rank(column: usize, row: usize) -> u64 {
     let bit = |number: usize, at: usize| ((number >> at) & 1) as u64;
     (0..16).fold(0, |rank, at| rank << 2 | bit(column ^ row, at) << 1 | bit(row, at))
-}
-
-/// The ramp that this kind is, if it is one.
-pub fn ramp(kind: &Kind) -> Option<&Ramp> {
-    match kind {
-        Kind::Ramp(ramp) => Some(ramp),
-        _ => None,
-    }
-}
-
-/// Places just outside of the ramp's two ends.
-fn ends(ramp: &Ramp) -> Vec<DVec2> {
-    let first = ramp.path.first().map(|leg| leg.at(0.0) - leg.direction_at(0.0) * BALL_RADIUS_M);
-    let last = ramp.path.last().map(|leg| {
-        let length = leg.length();
-        leg.at(length) + leg.direction_at(length) * BALL_RADIUS_M
-    });
-    first.into_iter().chain(last).collect()
-}
-
-/// Whether a ball can roll onto the ramp: an end lies on the playfield, or another of these ramps begins or ends there.
-pub fn has_entrance<'a>(ramp: &Ramp, mut others: impl Iterator<Item = &'a Ramp>) -> bool {
-    let heights = [ramp.heights_m.first(), ramp.heights_m.last()];
-    let lies_low = heights.into_iter().flatten().any(|height| *height <= LOW_M);
-    let is_joined = |other: &Ramp| {
-        let near = |end: &DVec2| tips(ramp).iter().any(|own| own.distance(*end) <= JOINED_M);
-        other != ramp && tips(other).iter().any(near)
-    };
-    lies_low || others.any(is_joined)
-}
-
-/// The ramp's ends that lie on the playfield: the middle of each, and the way into the ramp.
-pub fn low_ends(ramp: &Ramp) -> Vec<(DVec2, DVec2)> {
-    let first = ramp.path.first().map(|leg| (leg.at(0.0), leg.direction_at(0.0)));
-    let last = ramp.path.last().map(|leg| (leg.at(leg.length()), -leg.direction_at(leg.length())));
-    let low = |height: Option<&f64>| height.is_some_and(|height| *height <= LOW_M);
-    let first = first.filter(|_| low(ramp.heights_m.first()));
-    first.into_iter().chain(last.filter(|_| low(ramp.heights_m.last()))).collect()
-}
-
-/// The ramp's two ends.
-fn tips(ramp: &Ramp) -> Vec<DVec2> {
-    let first = ramp.path.first().map(|leg| leg.at(0.0));
-    first.into_iter().chain(ramp.path.last().map(|leg| leg.at(leg.length()))).collect()
 }
 
 /// How much room there is for a ball in a square.

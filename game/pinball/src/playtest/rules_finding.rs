@@ -8,7 +8,6 @@ use physics::PartId;
 
 /// Place and sentence of what is the rules' fault alone; none of other findings.
 pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
-    let count = finding.count;
     let (function, sentence) = match finding.kind {
         FindingKind::NoGame => (
             "on_button",
@@ -32,11 +31,45 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
              `start_game`"
                 .to_string(),
         ),
+        FindingKind::NoNextGame => (
+            "on_button",
+            "the first game is over and no press of start begins another for 25 s; see what `on_button(name)` asks before \
+             it calls `start_game`"
+                .to_string(),
+        ),
+        _ => match of_ball_in_play(finding) {
+            Some(told) => told,
+            None => ("on_switch", of_lost_ball(finding, table)?),
+        },
+    };
+    let line = match finding.kind {
+        FindingKind::BeginsAnew => line_with(function, &table.rules),
+        FindingKind::AlwaysTilted => line_with("tilt(true)", &table.rules).or_else(|| line_of(function, &table.rules)),
+        FindingKind::FlippersDieAtLaunch => {
+            line_of(function, &table.rules).or_else(|| line_with("flippers(false)", &table.rules))
+        }
+        _ => line_of(function, &table.rules),
+    };
+    let line = line.map_or_else(String::new, |line| format!(":{line}"));
+    Some((format!("{}{line}", table.file(FILES[2])), sentence))
+}
+
+/// What the rules do wrong with a ball in play, and the function that it is about.
+fn of_ball_in_play(finding: &Finding) -> Option<(&'static str, String)> {
+    let count = finding.count;
+    Some(match finding.kind {
         FindingKind::DeadFlippers => (
             "on_button",
             format!(
                 "the flippers are dead while ball {count} of a game is in play; call `flippers(true)` where a game or a \
                  ball begins"
+            ),
+        ),
+        FindingKind::FlippersDieAtLaunch => (
+            "on_launch",
+            format!(
+                "the flippers are live while ball {count} of a game waits at the plunger, and dead when it has been shot; call \
+                 `flippers(false)` only where a game is over"
             ),
         ),
         FindingKind::AlwaysTilted => (
@@ -46,20 +79,8 @@ pub fn told(finding: &Finding, table: &Table) -> Option<(String, String)> {
                  `tilt(false)` where a ball begins, and `tilt(true)` only where `on_bob` or `on_slam` is told of a push"
             ),
         ),
-        FindingKind::NoNextGame => (
-            "on_button",
-            "the first game is over and no press of start begins another for 25 s; see what `on_button(name)` asks before \
-             it calls `start_game`"
-                .to_string(),
-        ),
-        _ => ("on_switch", of_lost_ball(finding, table)?),
-    };
-    let line = match finding.kind {
-        FindingKind::BeginsAnew => line_with(function, &table.rules),
-        _ => line_of(function, &table.rules),
-    };
-    let line = line.map_or_else(String::new, |line| format!(":{line}"));
-    Some((format!("{}{line}", table.file(FILES[2])), sentence))
+        _ => return None,
+    })
 }
 
 /// What the rules do wrong when a ball is lost.

@@ -4,7 +4,7 @@
 use super::finding::{Finding, FindingKind};
 use super::nearest::touchable;
 use super::reach::{self, Reach};
-use super::{USUAL_BURDEN, burden};
+use super::{USUAL_BURDEN, burden, put_ball};
 use geometry::{DVec2, Segment, Shape};
 use physics::{BALL_RADIUS_M, Controls, Event, EventKind, Gate, Kind, Machine, PartId, Ramp, Saucer, Spinner};
 
@@ -111,8 +111,7 @@ fn is_hit(kind: &Kind) -> Option<f64> {
 /// ball.
 fn meets(machine: &Machine, part: PartId, shot: Shot, ticks: usize, contact_solves: &mut u64) -> Option<bool> {
     let mut machine = machine.clone();
-    machine.put_ball(shot.place, shot.velocity, [0.0; 3]);
-    if machine.penetration_m() > 0.0 {
+    if !put_ball(&mut machine, shot.place, shot.velocity) {
         return None;
     }
     let is_ramp = matches!(machine.layout().parts[usize::from(part.0)].kind, Kind::Ramp(_));

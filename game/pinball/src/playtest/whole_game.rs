@@ -4,17 +4,20 @@
 //! A ball that is not lost by itself is put into a drain, so that what is found does not depend on where the walls lead
 //! balls. What saves a ball for some time is waited for: each ball that is played again is kept in play for longer.
 
+mod seen;
+
 use super::finding::{Finding, FindingKind};
 use super::first_game::BEGIN_TICKS;
-use crate::simulation::SimulationRules;
 use crate::{Buttons, Simulation};
 use geometry::DVec2;
-use physics::{BALL_RADIUS_M, BallPose, FlipperControl, Kind, PartId, TICKS_PER_SECOND};
+use physics::{BALL_RADIUS_M, BallPose, EventKind, Kind, PartId, TICKS_PER_SECOND};
+use seen::Seen;
+use std::collections::BTreeSet;
 
 /// The table may be empty in a game for so long: soon after that the ball search gives a ball, whatever the rules say.
 const EMPTY_TICKS: u64 = 14_300;
-/// With a ball on the table for so long flippers are live, ticks.
-const IN_PLAY_TICKS: u64 = 3000;
+/// No ball is lost sooner after it has come, ticks.
+const LEAST_TICKS: u64 = 3000;
 /// How long a ball that has left the plunger is kept in play, ticks: the first of a turn, and those that are played
 /// again. A game whose turn does not end behind so many balls has no end.
 const KEPT_TICKS: [u64; 5] = [2000, 2000, 8000, 16_000, 32_000];
@@ -66,21 +69,20 @@ struct WholeGame<'a> {
     /// The game just before the last ball on the table was put into the drain.
     before_loss: Option<Simulation>,
     seen: Seen,
+    /// Drop targets that have risen.
+    raised: BTreeSet<PartId>,
 }
 
-/// What has been seen of a ball.
-#[derive(Default)]
-struct Seen {
-    /// It has been on the table for so long.
-    in_play_ticks: u64,
-    /// The flippers have been live.
-    flippers_live: bool,
-    /// The machine was tilted.
-    tilted: bool,
-    /// It was not.
-    untilted: bool,
-    /// A press of a button has begun the game anew.
-    begins_anew: bool,
+/// What a game has shown.
+pub struct Played {
+    /// What the rules do wrong, or leave undone.
+    pub findings: Vec<Finding>,
+    /// What they complain about.
+    pub complaints: Vec<String>,
+    /// Drop targets that have risen.
+    pub raised: BTreeSet<PartId>,
+    /// The next game, if the game is over and another has begun.
+    pub next: Option<Simulation>,
 }
 
 /// What has become of a ball that was waited for.
@@ -100,14 +102,10 @@ enum Loss {
 
 /// What the rules do wrong, or leave undone, from here to the end of a game whose balls are lost in this drain, or until so
 /// many are lost; and what they complain about.
-pub fn play(
-    begun: &Simulation,
-    places: &LossPlaces,
-    drain: Option<(PartId, DVec2)>,
-    balls: usize,
-) -> (Vec<Finding>, Vec<String>) {
-    let seen = Seen::default();
-    let mut game = WholeGame { simulation: begun.clone(), places, drain, before_loss: None, seen };
+pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec2)>, balls: usize) -> Played {
+    let (seen, raised) = (Seen::default(), BTreeSet::new());
+    let mut game = WholeGame { simulation: begun.clone(), places, drain, before_loss: None, seen, raised };
+    let mut begins_again = false;
     let mut found = Vec::new();
     let (mut last_turn, mut same_turn, mut ends_early, mut restarts) = (None, 0, None, false);
     for lost in 0..=balls {
@@ -121,7 +119,8 @@ pub fn play(
         if is_over {
             let is_early = lost < game.simulation.rules_state().balls as usize;
             found.extend(is_early.then_some((FindingKind::OverEarly, lost)));
-            found.extend((!game.begins_again()).then_some((FindingKind::NoNextGame, lost)));
+            begins_again = game.begins_again();
+            found.extend((!begins_again).then_some((FindingKind::NoNextGame, lost)));
             break;
         }
         if matches!(arrival, Arrival::Never) {
@@ -138,7 +137,7 @@ pub fn play(
         }
         let loss = game.lose_ball(*kept_ticks);
         if found.is_empty() {
-            found.extend(game.dead_flippers().map(|kind| (kind, lost + 1)));
+            found.extend(game.seen.fault(game.simulation.table()).map(|kind| (kind, lost + 1)));
         }
         restarts |= game.seen.begins_anew;
         if matches!(loss, Loss::Unseen) {
@@ -151,7 +150,8 @@ pub fn play(
     found.extend(restarts.then_some((FindingKind::BeginsAnew, 1)));
     let part = drain.map(|(part, _)| part);
     let told = |(kind, count)| Finding { kind, part, place_mm: DVec2::ZERO, count };
-    (found.into_iter().map(told).collect(), game.simulation.complaints())
+    let (findings, complaints) = (found.into_iter().map(told).collect(), game.simulation.complaints());
+    Played { findings, complaints, raised: game.raised, next: begins_again.then_some(game.simulation) }
 }
 
 impl WholeGame<'_> {
@@ -166,7 +166,7 @@ impl WholeGame<'_> {
             if !self.balls().is_empty() {
                 return Arrival::Came;
             }
-            self.simulation.tick(if is_first { Buttons::NONE } else { answers(tick) });
+            self.tick(if is_first { Buttons::NONE } else { answers(tick) });
         }
         Arrival::Never
     }
@@ -187,18 +187,18 @@ impl WholeGame<'_> {
             if contact_solves > most_contact_solves {
                 return Loss::Unseen;
             }
-            self.seen.look(rules);
             let is_shot = balls.iter().any(|ball| self.is_away(ball));
+            self.seen.look(rules, is_shot);
             lost_at = lost_at.or(is_shot.then_some(tick + kept_ticks));
-            if lost_at.is_some_and(|at| tick == at.max(IN_PLAY_TICKS)) && rules.turn == (0, 1) {
+            if lost_at.is_some_and(|at| tick == at.max(LEAST_TICKS)) && rules.turn == (0, 1) {
                 self.seen.begins_anew = IN_PLAY.into_iter().any(|button| self.begins_anew_by(button));
             }
-            if lost_at.is_some_and(|at| tick >= at.max(IN_PLAY_TICKS)) {
+            if lost_at.is_some_and(|at| tick >= at.max(LEAST_TICKS)) {
                 self.lose_one(tick, &balls);
             } else {
                 rescue(&mut self.simulation, self.places, &balls);
             }
-            self.simulation.tick(self.plunger(tick));
+            self.tick(self.plunger(tick));
             contact_solves += self.simulation.machine().contact_solves();
         }
         Loss::Unseen
@@ -220,7 +220,7 @@ impl WholeGame<'_> {
         let (mut simulation, refuge) = (self.before_loss.clone()?, self.places.refuge?);
         let ball = simulation.machine().balls().first()?.id;
         let turn = simulation.rules_state().turn;
-        simulation.put_ball(refuge);
+        simulation.put_ball(refuge, DVec2::ZERO);
         simulation.tick(Buttons::NONE);
         simulation.move_ball(ball, self.drain?.1);
         for _ in 0..EARLY_TICKS {
@@ -253,16 +253,20 @@ impl WholeGame<'_> {
     /// Whether a press of a button begins the next game.
     fn begins_again(&mut self) -> bool {
         // What the rules complain about meanwhile is kept.
-        let simulation = &mut self.simulation;
         let mut is_begun_by = |button: Buttons| {
             (0..PRESS_PERIOD_TICKS).any(|tick| {
                 let is_down =
                     tick.checked_sub(PRESS_PERIOD_TICKS - BEGIN_TICKS).is_some_and(|since| since < PRESS_TICKS);
-                simulation.tick(if is_down { button } else { Buttons::NONE });
-                simulation.rules_state().playing
+                self.tick(if is_down { button } else { Buttons::NONE });
+                self.simulation.rules_state().playing
             })
         };
         BEGINNINGS.into_iter().any(&mut is_begun_by)
+    }
+
+    fn tick(&mut self, buttons: Buttons) {
+        self.simulation.tick(buttons);
+        self.raised.extend(risen(&self.simulation));
     }
 
     /// What is missing where no ball comes behind so many lost ones.
@@ -277,29 +281,12 @@ impl WholeGame<'_> {
         (kind, lost)
     }
 
-    fn dead_flippers(&self) -> Option<FindingKind> {
-        let has_flippers = self.simulation.table().layout.parts.iter().any(|part| is_flipper(&part.kind));
-        let seen = &self.seen;
-        let is_dead = has_flippers && seen.in_play_ticks >= IN_PLAY_TICKS && !seen.flippers_live;
-        match (seen.tilted, seen.untilted) {
-            _ if !is_dead => None,
-            (true, false) => Some(FindingKind::AlwaysTilted),
-            (true, true) => None,
-            (false, _) => Some(FindingKind::DeadFlippers),
-        }
-    }
-
     fn balls(&self) -> Vec<BallPose> {
         self.simulation.machine().balls()
     }
 
-    /// Whether the ball has left the plunger.
     fn is_away(&self, ball: &BallPose) -> bool {
-        let mut plungers = self.simulation.table().layout.parts.iter().filter_map(|part| match &part.kind {
-            Kind::Plunger(plunger) => Some(plunger.feed),
-            _ => None,
-        });
-        plungers.all(|feed| ball.center.distance(feed) > LANE_M)
+        is_away(&self.simulation, ball)
     }
 
     /// Pulls of different strength: a full one may come back round a bend.
@@ -315,13 +302,13 @@ impl WholeGame<'_> {
     }
 }
 
-impl Seen {
-    fn look(&mut self, rules: SimulationRules) {
-        self.in_play_ticks += 1;
-        self.flippers_live |= rules.flippers_live;
-        self.tilted |= rules.tilted;
-        self.untilted |= !rules.tilted;
-    }
+/// Whether the ball has left the plunger.
+pub fn is_away(simulation: &Simulation, ball: &BallPose) -> bool {
+    let mut plungers = simulation.table().layout.parts.iter().filter_map(|part| match &part.kind {
+        Kind::Plunger(plunger) => Some(plunger.feed),
+        _ => None,
+    });
+    plungers.all(|feed| ball.center.distance(feed) > LANE_M)
 }
 
 /// Brings balls back that are about to be lost.
@@ -340,8 +327,12 @@ fn rescue(simulation: &mut Simulation, places: &LossPlaces, balls: &[BallPose]) 
     }
 }
 
-fn is_flipper(kind: &Kind) -> bool {
-    matches!(kind, Kind::Flipper(flipper) if flipper.control != FlipperControl::Rules)
+/// Drop targets that have risen in the last tick.
+pub fn risen(simulation: &Simulation) -> impl Iterator<Item = PartId> {
+    let parts = &simulation.table().layout.parts;
+    let is_target = |part: &PartId| matches!(parts[usize::from(part.0)].kind, Kind::DropTarget(_));
+    let opened = simulation.events().filter(|event| event.kind == EventKind::Opened);
+    opened.filter_map(|event| event.part).filter(is_target)
 }
 
 /// The flippers' buttons, now the one and now the other.

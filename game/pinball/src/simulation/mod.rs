@@ -197,9 +197,9 @@ impl Simulation {
         }
     }
 
-    /// Puts a ball on the playfield, at rest: no game does that, trials do.
-    pub(crate) fn put_ball(&mut self, center: DVec2) {
-        self.machine.put_ball(center, DVec2::ZERO, [0.0; 3]);
+    /// Puts a ball on the playfield, and says its id: no game does that, trials do.
+    pub(crate) fn put_ball(&mut self, center: DVec2, velocity_m_s: DVec2) -> u32 {
+        self.machine.put_ball(center, velocity_m_s, [0.0; 3])
     }
 
     /// Puts a ball in play to another place, at rest: no game does that, trials do.

@@ -79,7 +79,10 @@ fn a_ramp_that_no_ball_rolls_onto_is_told() {
         sentences(&playtest, playtest.unreachable())
     };
     let told = unreachable(&ramp("way", "48 40", 700.0));
-    assert!(told.len() == 1 && told[0].contains(": way: no ball can come to it"), "{told:?}");
+    assert!(
+        told.len() == 1 && told[0].contains(": way: no ball can come onto it: its ends are 48 and 40 mm"),
+        "{told:?}"
+    );
     assert_eq!(unreachable(&ramp("way", "0 48", 700.0)), Vec::<String>::new());
     let joined = format!("{}{}", ramp("way", "0 48", 700.0), ramp("on", "48 40", 500.0));
     assert_eq!(unreachable(&joined), Vec::<String>::new());

@@ -1,6 +1,7 @@
 //! Where a ball can come to from the plunger, and where it can leave the playfield.
 
 use super::{WALLS, playtest, playtest_of, sentences};
+use crate::playtest::FindingKind;
 use crate::table::tests::with_rules;
 use geometry::{DVec2, Shape};
 
@@ -53,4 +54,40 @@ fn a_gap_in_a_round_frame_is_told_where_it_is() {
     let [told] = &sentences(&playtest, findings.clone())[..] else { panic!("{findings:?}") };
     assert!(told.starts_with("table.svg:5: frame: a ball can leave the playfield beside it, at 25"), "{told}");
     assert!(findings[0].place_mm.distance(DVec2::new(250.0, 13.0)) < 3.0, "{told}");
+}
+
+/// A ramp that begins 60 or 8 mm above the playfield, and a wire-form that begins 15 mm above the ramp's end: no ball came
+/// onto them, for none climbs and none lands on a ramp, and they were called good.
+#[test]
+fn a_ramp_whose_entry_no_ball_comes_to_is_told() {
+    let told = |ramp: &str, wire: &str| {
+        let drawn = format!(
+            r#"<path class="ramp" id="way" d="M200 600V400" data-heights-mm="{ramp}" stroke-width="40" fill="none"/>
+<path class="wire-form" id="wire" d="M200 400V250" data-heights-mm="{wire}" stroke-width="30" fill="none"/>"#
+        );
+        let playtest = playtest(&drawn);
+        let findings = playtest.unreachable();
+        assert!(findings.iter().all(|finding| finding.kind == FindingKind::Unreachable));
+        sentences(&playtest, findings)
+    };
+    assert_eq!(told("0 50", "50 40"), Vec::<String>::new());
+    assert_eq!(told("0 50", "46 40"), Vec::<String>::new(), "joined");
+    assert_eq!(told("1 50", "50 40"), Vec::<String>::new(), "on the playfield");
+    for entry in ["60", "8"] {
+        let expected = format!(
+            "warning: table.svg:9: way: no ball can come onto it: its ends are {entry} and 50 mm above the playfield, and no \
+             ramp that a ball can be on is joined to them; begin its data-heights-mm with 0, so that a ball rolls in"
+        );
+        assert_eq!(told(&format!("{entry} 50"), "50 40"), [expected], "of two ramps that are joined one is told");
+    }
+    for (end, other) in [("35", "50"), ("60", "50")] {
+        let expected = format!(
+            "warning: table.svg:10: wire: no ball can come onto it: its end beside that of way (line 9) is {other} mm high and \
+             that of way (line 9) {end} mm, and a ball falls down between the two; give both the same height there in \
+             data-heights-mm"
+        );
+        assert_eq!(told(&format!("0 {end}"), "50 40"), [expected]);
+    }
+    // Both ways: the wire-form's far end lies on the playfield.
+    assert_eq!(told("60 50", "50 0"), Vec::<String>::new());
 }

@@ -1,7 +1,8 @@
 //! Whether a ball can close the switches of a table, shot at them as a player can.
 
 use super::{WALLS, playtest, playtest_of, sentences, with_rules};
-use crate::playtest::FindingKind;
+use crate::playtest::{FindingKind, put_ball};
+use geometry::DVec2;
 use physics::Kind;
 
 fn coils(drawn: &str) -> Vec<String> {
@@ -182,4 +183,21 @@ fn a_kickback_whose_ball_falls_back_on_it_is_told() {
         );
         assert!(told.ends_with(&expected), "{told}");
     }
+}
+
+/// A captive ball that lay wedged was pressed into its cage by less than the width of an atom: nothing that was put anywhere
+/// had room, both flippers were told not to flip, and pockets were told of none.
+#[test]
+fn what_lies_in_a_wall_elsewhere_takes_no_room() {
+    let playtest = playtest(r#"<circle class="post" id="stud" cx="200" cy="300" r="10"/>"#);
+    let (stud, free) = (DVec2::new(0.2, 0.3), DVec2::new(0.3, 0.4));
+    let mut machine = playtest.machine.clone();
+    assert!(!put_ball(&mut machine, stud, DVec2::ZERO));
+    assert!(machine.penetration_m() > 0.0);
+    assert!(put_ball(&mut machine, free, DVec2::ZERO));
+    assert!(!put_ball(&mut machine, free + DVec2::new(0.02, 0.0), DVec2::ZERO), "in another ball");
+    let cage = r#"<path class="guide" d="M92 455V430A18 18 0 0 1 128 430V455" stroke-width="4"/>
+<path class="guide" d="M92 455V462M128 455L122 462" stroke-width="4"/>
+<circle class="captive-ball" id="cap" cx="110" cy="452" r="13.5"/>"#;
+    assert_eq!(coils(cage), Vec::<String>::new());
 }

@@ -211,6 +211,68 @@ fn a_machine_that_is_always_tilted_is_told_so() {
     let rules =
         changed("flippers(true);", once).replace("eject(\"hole\");", "eject(\"hole\"); tilt(false); flippers(true);");
     assert_eq!(first_game(&rules), []);
+    // Flippers that were given back hid a tilt under which nobody ever scored; so did the time before the plunger shot.
+    assert_eq!(first_game(&changed("flippers(true);", "tilt(true); flippers(true);")), [FindingKind::AlwaysTilted]);
+    let launched = format!("{GAME}\nfn on_launch() {{ tilt(true); }}");
+    assert_eq!(first_game(&launched), [FindingKind::AlwaysTilted]);
+    let told = told(DRAIN, &launched);
+    assert!(
+        told[0].starts_with("rules.rhai:7: the machine is tilted as long as ball 1 of a game is in play"),
+        "{told:?}"
+    );
+}
+
+/// Flippers that lived until the plunger shot were live for the trial, and dead in every ball.
+#[test]
+fn flippers_that_die_with_the_shot_are_told() {
+    let with_launch = |rules: &str, done: &str| format!("{rules}\nfn on_launch() {{ {done} }}");
+    let dead = with_launch(GAME, "flippers(false);");
+    assert_eq!(first_game(&dead), [FindingKind::FlippersDieAtLaunch]);
+    let expected = "rules.rhai:7: the flippers are live while ball 1 of a game waits at the plunger, and dead when it has been \
+                    shot; call `flippers(false)` only where a game is over";
+    assert_eq!(told(DRAIN, &dead), [expected]);
+    assert_eq!(first_game(&with_launch(&changed("flippers(true);", ""), "flippers(true);")), []);
+    let soon = GAME.replace("eject(\"hole\");", "eject(\"hole\"); flippers(true);");
+    assert_eq!(first_game(&with_launch(&soon, "flippers(false); after(500, \"live\");")), []);
+}
+
+/// With a captive ball on the table the trial of a saucer ended before its 20 s: what held a ball was called good.
+#[test]
+fn a_saucer_that_keeps_its_ball_is_told_beside_a_captive_ball() {
+    let captive = r#"<path class="guide" d="M88 467L82 460V435A18 18 0 0 1 118 435V460L112 467" stroke-width="4"/>
+<circle class="captive-ball" id="cap" cx="100" cy="457" r="13.5"/>"#;
+    let drawn = format!("{DRAIN}{captive}");
+    assert_eq!(kinds(&drawn, GAME), []);
+    assert_eq!(kinds(&drawn, &changed("after(1000", "after(60_000")), [FindingKind::NeverEjected]);
+    let asks = changed("eject(\"hole\");", "if ball() > 100 { eject(\"hole\"); }");
+    assert_eq!(kinds(&drawn, &asks), [FindingKind::NeverEjected]);
+}
+
+/// Drop targets that rules raised behind `1 > 2` fell once and lay for ever: some `raise` named them.
+#[test]
+fn a_drop_target_that_no_rule_raises_in_play_is_told() {
+    let target = |id: &str, x: u32| {
+        format!(r#"<line class="drop-target" id="{id}" x1="{x}" y1="500" x2="{}" y2="500" stroke-width="4"/>"#, x + 30)
+    };
+    let drawn = format!("{DRAIN}{}{}", target("d1", 150), target("d2", 250));
+    let never = changed("eject(\"hole\");", "eject(\"hole\"); if 1 > 2 { raise(\"d1\"); raise(\"d2\"); }");
+    assert_eq!(kinds(&drawn, &never), [FindingKind::NeverRaised; 2]);
+    let told = told(&drawn, &never);
+    assert!(
+        told[0].starts_with("warning: table.svg:8: d1: in a trial every drop target was hit, and no rule"),
+        "{told:?}"
+    );
+    // Of two the one.
+    assert_eq!(kinds(&drawn, &never.replace("1 > 2 { raise(\"d1\");", "ball() > 0 {")), [FindingKind::NeverRaised]);
+    // When both are down, when a ball begins, when a game does.
+    let both = GAME.replace(
+        "fn on_switch(name) {",
+        "fn on_switch(name) {\n  if closed(\"d1\") && closed(\"d2\") { after(900, \"up\"); }",
+    );
+    assert_eq!(kinds(&drawn, &both.replace("eject(\"hole\");", "eject(\"hole\"); raise(\"d1\"); raise(\"d2\");")), []);
+    let feeds = format!("{GAME}\nfn on_feed() {{ raise(\"d1\"); raise(\"d2\"); }}");
+    assert_eq!(kinds(&drawn, &feeds), []);
+    assert_eq!(kinds(&drawn, &changed("start_game(3);", "start_game(3); raise(\"d1\"); raise(\"d2\");")), []);
 }
 
 /// Rules that divided by 0 when the bob swung, or when the machine was slammed, were called good: nobody pushed it.
