@@ -1,5 +1,6 @@
 //! `caustic check`: every mistake in a table, and what play shows of it; or a line that says it is good.
 
+mod consequences;
 mod messages;
 mod report;
 mod trial;
@@ -78,6 +79,7 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
         report.found.extend(shown.into_iter().filter(|one| !report.found.contains(one)).collect::<Vec<_>>());
         report.play = Some((trial.places, trial.bot_score));
     }
+    report.found = consequences::once(report.found);
     Ok(report)
 }
 
