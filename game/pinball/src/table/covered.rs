@@ -13,6 +13,8 @@ use physics::Part;
 
 /// A wall that is filled over more than this part of the playfield is filled by mistake.
 const LEAST_LID: f64 = 0.5;
+/// What peeps out of a wall by no more than this is no light that anybody sees, mm.
+const MAX_RIM_MM: f64 = 1.2;
 /// Outlines that are nowhere farther from each other than this are one and the same, mm.
 const SAME_MM: f64 = 0.5;
 
@@ -101,12 +103,15 @@ fn hides(element: &Element, finish: &Finish) -> bool {
 /// Whether all of an outline lies under a solid.
 fn covers(solid: &Solid, outline: &Outline) -> bool {
     let is_under = |place: DVec2| {
-        solid.shapes_mm.iter().any(|shape| shape.distance(place).0 <= 0.0)
+        solid.shapes_mm.iter().any(|shape| shape.distance(place).0 <= MAX_RIM_MM)
             || solid.plastic_mm.as_ref().is_some_and(|top| contains(top, place))
     };
     let Some(polygons) = outline.polygons() else { return false };
     let bounds = outline.bounds();
-    is_under((bounds.min + bounds.max) * 0.5)
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let is_mostly_under = bounds.size().min_element() > 2.0 * MAX_RIM_MM;
+    is_mostly_under
+        && is_under(middle)
         && polygons.iter().all(|polygon| {
             let next = polygon.iter().cycle().skip(1);
             polygon.iter().zip(next).all(|(a, b)| is_under(*a) && is_under((*a + *b) * 0.5))

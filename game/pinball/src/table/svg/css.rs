@@ -14,6 +14,7 @@ mod sheet;
 mod spelling;
 mod unused;
 mod value;
+mod value_words;
 
 pub(in crate::table) use selector::Instance;
 

@@ -10,6 +10,7 @@ fn an_insert_wholly_under_what_is_opaque_is_told() {
     for (over, name) in [
         ("<circle class='bumper' id='pop' cx='203' cy='300' r='25'/>", "pop"),
         ("<line class='wall' id='bar' x1='100' y1='300' x2='400' y2='300' stroke-width='30'/>", "bar"),
+        ("<line class='wall' id='bar' x1='100' y1='301' x2='400' y2='301' stroke-width='16'/>", "bar"),
         ("<path class='plastic' id='lid' d='M150 250H250V350H150Z'/>", "lid"),
         ("<circle class='plastic' id='lid' cx='200' cy='300' r='30'/>", "lid"),
     ] {

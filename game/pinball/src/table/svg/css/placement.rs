@@ -2,6 +2,7 @@
 //! it, and the art's rasteriser reads attributes only. Of things it is a mistake, and told elsewhere.
 
 use super::declarations::Declaration;
+use super::grammar;
 use crate::table::source::{Diagnostic, Source};
 use crate::table::svg::drawing::is_thing;
 use roxmltree::Node;
@@ -60,7 +61,9 @@ impl Placements {
             return;
         }
         let said = |name: &str| declared.iter().any(|one| one.name == name && !is_idle(&one.value));
-        for one in declared.iter().filter(|one| !is_idle(&one.value)) {
+        // What is no value at all is told as that.
+        let is_value = |one: &&Declaration| !is_idle(&one.value) && grammar::mistake(&one.name, &one.value).is_none();
+        for one in declared.iter().filter(is_value) {
             // A turn about the middle is told as the turn.
             let Some(instead) = instead(node, one, said("transform")) else { continue };
             // Of what is around things each of them tells it.
