@@ -1,5 +1,6 @@
 //! `caustic check`: every mistake in a table, and what play shows of it; or a line that says it is good.
 
+mod consequences;
 mod messages;
 mod report;
 mod trial;
@@ -13,6 +14,7 @@ use crate::storage::tables;
 use crate::table::FILES;
 use crate::{Buttons, Failure, Simulation, Table, tell};
 use report::{Report, counted};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use tracer::View;
 
@@ -78,18 +80,22 @@ fn inspect(args: &CheckArgs) -> Result<Report, Failure> {
         report.found.extend(shown.into_iter().filter(|one| !report.found.contains(one)).collect::<Vec<_>>());
         report.play = Some((trial.places, trial.bot_score));
     }
+    report.found = consequences::once(report.found);
     Ok(report)
 }
 
-/// The complaints that are not about a line whose mistake the review has told already.
+/// The complaints that are not about a line whose mistake the review has told already, nor say the same of a line that uses a
+/// name of another.
 fn untold(complaints: Vec<Failure>, review: &Review) -> impl Iterator<Item = Failure> {
-    let place = |failure: &Failure| {
+    let parts = |failure: &Failure| {
         let sentence = failure.sentences().next()?;
-        sentence.split_once(": ").map(|(place, _)| place.to_string())
+        sentence.split_once(": ").map(|(place, what)| [place.to_string(), what.to_string()])
     };
     let errors = review.findings.iter().filter(|finding| !finding.is_warning());
-    let told: Vec<_> = errors.filter_map(place).collect();
-    complaints.into_iter().filter(move |complaint| place(complaint).is_none_or(|place| !told.contains(&place)))
+    let told: BTreeSet<String> = errors.filter_map(parts).flatten().collect();
+    complaints
+        .into_iter()
+        .filter(move |complaint| parts(complaint).is_none_or(|parts| parts.iter().all(|part| !told.contains(part))))
 }
 
 /// Prints the art on a small picture; what it costs.

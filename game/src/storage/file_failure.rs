@@ -6,7 +6,13 @@ use std::path::Path;
 
 /// `doing` (as in "write the picture") cannot be done with the file or folder `path`, and what to do about it.
 pub fn file_failure(doing: &str, path: &Path, error: &io::Error) -> Failure {
-    Failure::new(format!("cannot {doing} {}: {}", path.display(), because(error)))
+    // What is to be made and has its folder is refused by a file system of the kernel's own, as /proc is.
+    let makes = ["write", "make"].iter().any(|verb| doing.starts_with(verb));
+    let why = match error.kind() {
+        ErrorKind::NotFound if makes => "the system refuses it; choose another place".to_string(),
+        _ => because(error),
+    };
+    Failure::new(format!("cannot {doing} {}: {why}", path.display()))
 }
 
 /// The folder `path`, and those that it is in, cannot be made.
@@ -41,4 +47,22 @@ pub fn because(error: &io::Error) -> String {
         }
     };
     plain.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `frame --out /proc/x.png` said that there was no such file, which was to be made.
+    #[test]
+    fn what_is_made_where_the_system_makes_nothing_is_refused_by_the_system() {
+        let path = Path::new("/proc/x.png");
+        let said = |doing: &str| file_failure(doing, path, &ErrorKind::NotFound.into()).to_string();
+        assert_eq!(
+            said("write the picture"),
+            "cannot write the picture /proc/x.png: the system refuses it; choose another place"
+        );
+        assert!(said("make the recording").ends_with("the system refuses it; choose another place"));
+        assert_eq!(said("read the recording"), "cannot read the recording /proc/x.png: there is no such file");
+    }
 }

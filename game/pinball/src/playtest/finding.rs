@@ -66,6 +66,8 @@ pub enum FindingKind {
     EndsEarly,
     /// The game is over, and the player has not had all balls.
     OverEarly,
+    /// The same, for turns have ended while the ball was in play.
+    TurnsInPlay,
     /// A game begins while a ball of another is in play.
     BeginsAnew,
     /// The game is over, and no other begins.
@@ -80,6 +82,19 @@ pub enum FindingKind {
     NeverEjected,
     /// The rules never raise a drop target that was hit.
     NeverRaised,
+}
+
+impl FindingKind {
+    /// Whether rules that end in a mistake when a ball is lost leave this undone.
+    pub fn follows_mistakes(self) -> bool {
+        matches!(
+            self,
+            FindingKind::BallWithoutEnd
+                | FindingKind::NoNextBall
+                | FindingKind::NoGameOver
+                | FindingKind::GameWithoutEnd
+        )
+    }
 }
 
 /// One thing that only play shows.
@@ -122,6 +137,7 @@ impl Finding {
                 | FindingKind::EndsEarly
                 | FindingKind::NoNextGame
                 | FindingKind::OverEarly
+                | FindingKind::TurnsInPlay
                 | FindingKind::BeginsAnew
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross

@@ -112,6 +112,14 @@ fn of_lost_ball(finding: &Finding, table: &Table) -> Option<String> {
                  only where `next_player()` is false"
             )
         }
+        FindingKind::TurnsInPlay => {
+            let (balls, are) = if count == 1 { ("ball", "is") } else { ("balls", "are") };
+            let lines = lines_with("next_player(", &table.rules);
+            format!(
+                "the game is over when {count} {balls} {are} lost{drain}, for turns have ended while a ball was in play; call \
+                 `next_player()` only where a ball is lost (it is called in {lines})"
+            )
+        }
         FindingKind::EndsEarly => format!(
             "a ball that is lost{drain} ends the turn while another is on the table, as the ball search may have given one; \
              let it end only when `balls_in_play()` is 0"
@@ -132,6 +140,18 @@ fn name(part: PartId, table: &Table) -> String {
 fn line_with(word: &str, rules: &str) -> Option<usize> {
     let has_it = |line: &str| line.split("//").next().is_some_and(|code| code.contains(word));
     rules.lines().position(has_it).map(|index| index + 1)
+}
+
+/// The lines of the rules on which this word is no comment's, in words.
+fn lines_with(word: &str, rules: &str) -> String {
+    let has_it = |line: &str| line.split("//").next().is_some_and(|code| code.contains(word));
+    let lines = rules.lines().zip(1..).filter(|(line, _)| has_it(line));
+    let lines: Vec<String> = lines.map(|(_, number): (_, usize)| number.to_string()).collect();
+    match lines.split_last() {
+        Some((last, [])) => format!("line {last}"),
+        Some((last, first)) => format!("lines {} and {last}", first.join(", ")),
+        None => "the rules".to_string(),
+    }
 }
 
 /// The line on which a function of the rules begins, if there is one.

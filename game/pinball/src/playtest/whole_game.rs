@@ -112,13 +112,15 @@ pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec
         let arrival = game.wait_for_ball(lost == 0);
         let turn = game.simulation.rules_state().turn;
         let is_over = matches!(arrival, Arrival::GameOver);
+        let turns_in_play = game.turn_before_loss().is_some_and(|before| last_turn.is_some_and(|last| last != before));
         let has_ended = last_turn.is_some_and(|last| last != turn || is_over);
         if has_ended && ends_early.is_none() {
             ends_early = game.ends_early();
         }
         if is_over {
             let is_early = lost < game.simulation.rules_state().balls as usize;
-            found.extend(is_early.then_some((FindingKind::OverEarly, lost)));
+            let kind = if turns_in_play { FindingKind::TurnsInPlay } else { FindingKind::OverEarly };
+            found.extend(is_early.then_some((kind, lost)));
             begins_again = game.begins_again();
             found.extend((!begins_again).then_some((FindingKind::NoNextGame, lost)));
             break;
@@ -155,6 +157,11 @@ pub fn play(begun: &Simulation, places: &LossPlaces, drain: Option<(PartId, DVec
 }
 
 impl WholeGame<'_> {
+    /// Whose turn it was just before the last ball was lost.
+    fn turn_before_loss(&self) -> Option<(usize, u32)> {
+        self.before_loss.as_ref().map(|before| before.rules_state().turn)
+    }
+
     /// Waits until a ball is on the table, or none will come.
     fn wait_for_ball(&mut self, is_first: bool) -> Arrival {
         // The first has been waited for already.

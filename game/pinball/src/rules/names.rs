@@ -75,7 +75,11 @@ impl Names {
             (None, Some(_)) => match (self.nameless(name), self.meant_by_start(name)) {
                 // What it is called for want of an id is not what was meant.
                 (Some(why), _) => format!("{}; {why}", sentence.split("; did you mean").next().unwrap_or_default()),
-                (None, Some(meant)) => format!("{sentence}; did you mean \"{meant}\"?"),
+                // The lamp that is nearest to a start is none.
+                (None, Some(meant)) => {
+                    let begin = sentence.split("; did you mean").next().unwrap_or_default();
+                    format!("{begin}; did you mean \"{meant}\"?")
+                }
                 (None, None) => sentence,
             },
             _ => sentence,
@@ -86,8 +90,15 @@ impl Names {
     fn meant_by_start(&self, name: &str) -> Option<String> {
         let start = name.strip_suffix('*')?;
         let starts =
-            self.lamps.keys().flat_map(|lamp| lamp.match_indices('-').map(|(at, dash)| &lamp[..at + dash.len()]));
-        spelling::near_name(start, starts).map(|meant| format!("{meant}*"))
+            || self.lamps.keys().flat_map(|lamp| lamp.match_indices('-').map(|(at, dash)| &lamp[..at + dash.len()]));
+        // Letters that have changed places are a likelier slip than one too many.
+        let letters = |word: &str| {
+            let mut letters: Vec<char> = word.chars().collect();
+            letters.sort_unstable();
+            letters
+        };
+        let meant = starts().find(|other| letters(other) == letters(start));
+        meant.or_else(|| spelling::near_name(start, starts())).map(|meant| format!("{meant}*"))
     }
 
     /// What to say of the first part without an id of which this is the word: nobody has given it the name that stands beside

@@ -4,6 +4,8 @@
 
 mod captives;
 mod config;
+mod consequences;
+mod covered;
 mod embedded;
 mod file_kind;
 mod hash;

@@ -10,7 +10,9 @@ use super::svg::half_place;
 use super::svg::layers;
 use super::svg::written_out::{self, WrittenOut};
 use super::svg::xml;
-use super::{Lamp, NormalMapInputs, Solid, Table, captives, file_kind, lamps, parts, shaded, unseen};
+use super::{
+    Lamp, NormalMapInputs, Solid, Table, captives, consequences, covered, file_kind, lamps, parts, shaded, unseen,
+};
 use crate::Failure;
 use physics::{Layout, Part, PartId};
 
@@ -70,9 +72,10 @@ pub(super) fn parse(sources: TableSources) -> Result<Table, Vec<Failure>> {
     if !has_mistakes {
         diagnostics.extend(half_place::warnings(svg, document, &drawing.elements));
         diagnostics.extend(config::idle_warnings(&toml, config, &drawing.elements));
+        diagnostics.extend(covered::warnings(svg, drawing, &converted.parts, &converted.solids));
         diagnostics.extend(shaded::warnings(svg, drawing, &converted.parts, &converted.lamps, &converted.solids));
     }
-    let warnings = failures(diagnostics);
+    let warnings = failures(consequences::joined(diagnostics));
     if warnings.iter().any(|failure| !failure.is_warning()) {
         return Err(warnings);
     }

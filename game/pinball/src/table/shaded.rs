@@ -4,7 +4,7 @@
 use super::source::{Diagnostic, Source};
 use super::svg::drawing::Drawing;
 use super::svg::element_class::ElementClass;
-use super::{Lamp, LampKind, Solid};
+use super::{Lamp, LampKind, Solid, covered};
 use geometry::DVec2;
 use physics::Part;
 
@@ -37,6 +37,10 @@ pub(super) fn warnings(
         let solid = solids.iter().find(|solid| Some(solid.group) != *inside && holds(solid, *center_mm))?;
         let around = &parts[usize::from(solid.part?.0)].name;
         let named = drawing.elements.iter().find(|one| one.name == *around)?;
+        // What covers most of the table is told by itself.
+        if covered::lid(named, solid, drawing.page.size_mm).is_some() {
+            return None;
+        }
         let what = format!(
             "{}: it stands in {around} of line {}, which lets none of its light out; draw it beside that, or write \
              data-inside=\"{around}\"",
@@ -69,7 +73,7 @@ fn holds(solid: &Solid, place: DVec2) -> bool {
 }
 
 /// Whether a polygon holds a place, by the rule of even and odd.
-fn contains(polygon: &[DVec2], place: DVec2) -> bool {
+pub(super) fn contains(polygon: &[DVec2], place: DVec2) -> bool {
     let next = polygon.iter().cycle().skip(1);
     let crossed = polygon.iter().zip(next).filter(|(a, b)| {
         let is_beside = (a.y > place.y) != (b.y > place.y);

@@ -40,6 +40,16 @@ impl Diagnostic {
         (&self.path, self.line) == (&other.path, other.line) && self.what.starts_with(&other.what)
     }
 
+    /// Whether these words are in it.
+    pub fn says(&self, words: &str) -> bool {
+        self.what.contains(words)
+    }
+
+    /// The same as a mistake.
+    pub fn into_mistake(self) -> Diagnostic {
+        Diagnostic { is_warning: false, ..self }
+    }
+
     /// The same as a warning.
     pub fn into_warning(self) -> Diagnostic {
         Diagnostic { is_warning: true, ..self }

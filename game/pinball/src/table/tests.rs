@@ -1,6 +1,8 @@
 //! A small table, and what becomes of it.
 
+mod art_values;
 mod clones;
+mod covered;
 mod elements;
 mod errors;
 mod fuzz;

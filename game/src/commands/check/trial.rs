@@ -52,7 +52,9 @@ pub fn play(table: &Arc<Table>) -> Result<Trial, Failure> {
     bar.finish_and_clear();
     let run = run?.unwrap_or_default();
     let BotRun { findings: played, score, messages, complaints } = run;
-    let (rules, more) = rules?;
+    let (mut rules, more) = rules?;
+    // What rules leave undone that end in a mistake is a consequence of that.
+    rules.retain(|finding| more.is_empty() || !finding.kind.follows_mistakes());
     let all = [found, coils, playtest.open_edges(), playtest.unreachable(), played, rules].concat();
     let findings = [playtest.launch().to_vec(), playtest.merged(all)].concat().into_iter();
     // What both games complained about is told once.

@@ -3,8 +3,10 @@
 
 use super::facts::{Call, Facts};
 use super::remark::Remark;
+use super::timers::Silent;
 use crate::rules::names::Names;
 use crate::rules::script::{Kind as NodeKind, Script};
+use crate::spelling;
 use physics::{FlipperControl, Kind};
 
 /// What is said of rules that begin no game.
@@ -17,7 +19,7 @@ pub fn none(script: &Script) -> Option<Remark> {
 }
 
 /// What is never called, in rules that begin a game.
-pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
+pub fn remarks(facts: &Facts, names: &Names, joined: &[Silent]) -> Vec<Remark> {
     let Some(begin) = facts.calls_of("start_game").next() else { return Vec::new() };
     let line = begin.line as usize;
     let has_flippers = names
@@ -49,8 +51,8 @@ pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
     }
     found.extend(never_named(facts, names, "eject", |kind| matches!(kind, Kind::Saucer(_))).map(|name| {
         let what = format!(
-            "the saucer \"{name}\" keeps its ball: no rule calls `eject(\"{name}\")`; start a timer in `on_switch` and \
-             call it in `on_timer`"
+            "the saucer \"{name}\" keeps its ball: no rule calls `eject(\"{name}\")`; {}",
+            in_timer(joined, "start a timer in `on_switch` and call it in `on_timer`")
         );
         Remark::error(0, what)
     }));
@@ -64,8 +66,23 @@ pub fn remarks(facts: &Facts, names: &Names) -> Vec<Remark> {
     found.extend(never_named(facts, names, "divert", is_diverter).map(|name| {
         Remark::warning(0, format!("the diverter \"{name}\" never turns: no rule calls `divert(\"{name}\", true)`"))
     }));
-    found.extend(never_switched(facts, names));
+    found.extend(never_switched(facts, names, joined));
     found
+}
+
+/// Where to call what is called nowhere: for the one timer that is started for nothing, or else for a new one.
+fn in_timer(joined: &[Silent], usual: &str) -> String {
+    match joined {
+        [Silent { timer, line }] => {
+            format!("call it in `on_timer` for \"{timer}\", which line {line} starts and for which that does nothing")
+        }
+        _ => usual.to_string(),
+    }
+}
+
+/// Whether one of these remarks names the timer that was started for nothing.
+pub fn names_timer(remarks: &[Remark]) -> bool {
+    remarks.iter().any(|remark| remark.what.ends_with("for which that does nothing"))
 }
 
 fn is_diverter(kind: &Kind) -> bool {
@@ -73,7 +90,7 @@ fn is_diverter(kind: &Kind) -> bool {
 }
 
 /// Magnets that no rule switches on, or off again.
-fn never_switched(facts: &Facts, names: &Names) -> Option<Remark> {
+fn never_switched(facts: &Facts, names: &Names, joined: &[Silent]) -> Option<Remark> {
     let mut magnets = names.parts().filter(|(_, kind)| matches!(kind, Kind::Magnet(_)));
     let name = magnets.next().and_then(|(part, _)| names.part_name(part))?;
     let gives = |call: &Call, on: bool| !matches!(call.arguments.get(1).map(|node| &node.kind), Some(NodeKind::Bool(is)) if *is != on);
@@ -82,8 +99,8 @@ fn never_switched(facts: &Facts, names: &Names) -> Option<Remark> {
         (true, true) => return None,
         (false, _) => format!("the magnet \"{name}\" never pulls: no rule calls `magnet(\"{name}\", true)`"),
         (true, false) => format!(
-            "the magnet \"{name}\" never lets go, once it is on: no rule calls `magnet(\"{name}\", false)`; start a timer \
-             and call it in `on_timer`"
+            "the magnet \"{name}\" never lets go, once it is on: no rule calls `magnet(\"{name}\", false)`; {}",
+            in_timer(joined, "start a timer and call it in `on_timer`")
         ),
     };
     Some(Remark::warning(0, what))
@@ -97,11 +114,20 @@ fn never_named<'a>(
     is: fn(&Kind) -> bool,
 ) -> impl Iterator<Item = &'a str> {
     let given = facts.given(function, 0);
+    // A name that is nearly this part's is told itself.
+    let is_meant = |name: &str| {
+        given.literals.iter().any(|word| !names.exists(word) && spelling::near_name(word, [name]).is_some())
+    };
+    let meant: Vec<&str> =
+        names.parts().filter_map(|(part, _)| names.part_name(part)).filter(|name| is_meant(name)).collect();
     let parts = names.parts().filter(move |(_, kind)| is(kind));
     let named = parts.filter_map(|(part, _)| names.part_name(part));
-    named.filter(move |name| !given.others && given.told.is_empty() && !given.literals.contains(*name))
+    named.filter(move |name| {
+        !given.others && given.told.is_empty() && !given.literals.contains(*name) && !meant.contains(name)
+    })
 }
 
-fn switches_on(call: &Call) -> bool {
+/// Whether a call of `flippers` or `kickers` may switch them on.
+pub fn switches_on(call: &Call) -> bool {
     !matches!(call.arguments.first().map(|node| &node.kind), Some(NodeKind::Bool(false)))
 }

@@ -37,14 +37,24 @@ pub fn remarks(script: &Script) -> Vec<Remark> {
     let foreign = foreign(&uses);
     let set: BTreeSet<&Arc<str>> = uses.iter().flat_map(|one| &one.set).collect();
     let own = uses.iter().zip(0..).filter(|(_, number)| !foreign.contains(number));
-    let unset = own.flat_map(|(one, _)| &one.read).filter(|(name, _)| !set.contains(name));
-    unset
-        .map(|(name, line)| {
-            let meant = spelling::near(name, set.iter().map(|name| &***name));
-            let meant = meant.map_or_else(String::new, |meant| format!("; did you mean this.{meant}?"));
-            Remark::warning(*line as usize, format!("this.{name} is read here, and no rule ever sets it{meant}"))
-        })
-        .collect()
+    let mut unset: BTreeMap<&Arc<str>, Vec<u32>> = BTreeMap::new();
+    for (name, line) in own.flat_map(|(one, _)| &one.read).filter(|(name, _)| !set.contains(name)) {
+        unset.entry(name).or_default().push(*line);
+    }
+    let told = unset.into_iter().map(|(name, mut lines)| {
+        lines.sort_unstable();
+        let (first, more) = (lines[0], &lines[1..]);
+        let more: Vec<String> = more.iter().filter(|line| **line != first).map(u32::to_string).collect();
+        let also = match more.len() {
+            0 => String::new(),
+            1 => format!(" (and in line {})", more[0]),
+            _ => format!(" (and in lines {})", more.join(", ")),
+        };
+        let meant = spelling::near(name, set.iter().map(|name| &***name));
+        let meant = meant.map_or_else(String::new, |meant| format!("; did you mean this.{meant}?"));
+        Remark::warning(first as usize, format!("this.{name} is read here{also}, and no rule ever sets it{meant}"))
+    });
+    told.collect()
 }
 
 /// The functions whose `this` may be something else than what the script remembers.

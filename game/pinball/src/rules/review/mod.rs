@@ -19,6 +19,7 @@ mod remark;
 mod tilt;
 mod timers;
 mod types;
+mod undone;
 mod unlit;
 mod unreached;
 mod words;
@@ -70,21 +71,29 @@ impl Review {
         let hidden = hidden::remarks(script, &table.rules);
         // What the game's own function was to do is missing for that reason.
         let missing = |remarks: Vec<Remark>| if hidden.is_empty() { remarks } else { Vec::new() };
+        let silent = timers::silent(&facts, script, &table.rules);
+        let hears_timers = script.functions().any(|function| function.name == "on_timer");
+        let calls = calls::remarks(&facts, names, if hears_timers { &silent } else { &[] });
+        let joined = if hidden.is_empty() && calls::names_timer(&calls) { &silent[..] } else { &[] };
         let mut remarks = [
             hidden.clone(),
             names::remarks(&facts, names, &table.rules),
-            timers::remarks(&facts, script, &table.rules),
+            timers::remarks(&facts, script, &table.rules, joined),
             memory::remarks(script),
             entry_values::remarks(script),
-            missing(calls::remarks(&facts, names)),
+            missing(calls),
             missing(lost_ball::remarks(&facts, names, script, &table.rules)),
             missing(unlit::remark(&facts, names, script, &table.rules).into_iter().collect()),
             arguments::remarks(&facts, script, context),
             unreached::remarks(script, &table.rules),
             types::remarks(&facts, script, &table.rules),
             tilt::remark(&facts, script).into_iter().collect(),
-            calls::none(script).into_iter().collect(),
-            open_comment(&table.rules).map(|line| Remark::error(line, UNCLOSED_COMMENT)).into_iter().collect(),
+            undone::remarks(script),
+            // What a comment has swallowed is missing for that reason.
+            match open_comment(&table.rules) {
+                Some(line) => vec![Remark::error(line, UNCLOSED_COMMENT)],
+                None => calls::none(script).into_iter().collect(),
+            },
         ]
         .concat();
         remarks.sort();

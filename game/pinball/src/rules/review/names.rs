@@ -1,7 +1,7 @@
 //! Names with which a script compares what it is told, and names in what it hands to the game's functions.
 
 use super::facts::{Call, Comparison, Facts};
-use super::remark::{Remark, line_of};
+use super::remark::{Remark, line_of, written_line};
 use super::words::{Told, Words};
 use crate::rules::host_lamps::{check_color, effect};
 use crate::rules::literal_names;
@@ -15,7 +15,7 @@ pub fn remarks(facts: &Facts, names: &Names, script: &str) -> Vec<Remark> {
     let optional = facts.given("exists", 0);
     let started = facts.given("after", 1);
     let compared = facts.comparisons.iter().filter_map(|one| comparison(one, names, &started, &optional, script));
-    let handed = facts.calls.iter().flat_map(|call| arguments(call, names, &optional));
+    let handed = facts.calls.iter().flat_map(|call| arguments(call, names, &optional, script));
     compared.chain(handed).collect()
 }
 
@@ -72,12 +72,14 @@ fn impossible(told: Told, text: &str, names: &Names, started: &Words, optional: 
 }
 
 /// What is wrong with what a function of the game is given.
-fn arguments(call: &Call, names: &Names, optional: &Words) -> Vec<Remark> {
+fn arguments(call: &Call, names: &Names, optional: &Words, script: &str) -> Vec<Remark> {
+    let line = call.line as usize;
     let mut found = Vec::new();
     let name = call.function.name;
     let mut look = |place: usize, check: &dyn Fn(&str) -> Result<(), String>| {
         let words = call.words.get(place).map_or_else(Default::default, |words| words.literals.clone());
-        found.extend(words.iter().filter_map(|word| check(word).err()));
+        let wrong = words.iter().filter_map(|word| Some((word, check(word).err()?)));
+        found.extend(wrong.map(|(word, what)| Remark::error(written_line(word, script, line), what)));
     };
     let may_lack = |word: &str| optional.others || optional.literals.contains(word);
     look(0, &|word: &str| if may_lack(word) { Ok(()) } else { literal_names::check(name, word, names) });
@@ -91,9 +93,8 @@ fn arguments(call: &Call, names: &Names, optional: &Words) -> Vec<Remark> {
         "flash" => look(2, &check_color),
         _ => {}
     }
-    let line = call.line as usize;
     let asked = if name == "closed" { closed(call, names) } else { Vec::new() };
-    found.into_iter().map(|what| Remark::error(line, what)).chain(asked).collect()
+    found.into_iter().chain(asked).collect()
 }
 
 /// What `closed` is asked that it cannot answer.

@@ -34,5 +34,16 @@ pub fn line_of(quoted: &str, script: &str, near: u32) -> usize {
     before.or(lines.first()).copied().unwrap_or(near)
 }
 
+/// The line on which a text in quotes stands that is used on this one, if it stands on one line alone, as in a constant.
+pub fn written_line(quoted: &str, script: &str, used: usize) -> usize {
+    let quoted = format!("\"{quoted}\"");
+    let holds = |line: &str| line.split("//").next().is_some_and(|code| code.contains(&quoted));
+    let mut lines = script.lines().zip(1..).filter(|(line, _)| holds(line)).map(|(_, number)| number);
+    match (lines.next(), lines.next()) {
+        (Some(only), None) => only,
+        _ => used,
+    }
+}
+
 /// A case and what it does stand no farther apart.
 const NEAR_LINES: usize = 8;

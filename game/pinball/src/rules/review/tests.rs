@@ -3,7 +3,9 @@
 mod arguments;
 mod handlers;
 mod lost_ball;
+mod told_once;
 mod types;
+mod undone;
 mod unlit;
 mod unreached;
 

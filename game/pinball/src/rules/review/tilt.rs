@@ -1,5 +1,6 @@
 //! Tilt: a tilt kills the flippers, and something must give them back to the balls that follow.
 
+use super::calls::switches_on;
 use super::consequences::{Consequences, FLIPPERS_ON};
 use super::facts::{Call, Facts};
 use super::remark::Remark;
@@ -12,11 +13,14 @@ pub fn remark(facts: &Facts, script: &Script) -> Option<Remark> {
     let begins = facts.calls_of("start_game").next().is_some();
     let tilts = |call: &&Call| !matches!(call.arguments.first().map(|node| &node.kind), Some(Kind::Bool(false)));
     let tilt = facts.calls_of("tilt").find(tilts).filter(|_| begins)?;
+    // Of flippers that no rule switches on at all that is told.
+    facts.calls_of("flippers").find(|call| switches_on(call))?;
     let running = Words::unknown();
     let mut play = Consequences::new(script, facts, &running);
     // What is done when the machine is switched on is done once.
     handlers::names().filter(|name| *name != "on_start").for_each(|event| play.hear_in_play(event));
-    if play.can_call(&[FLIPPERS_ON]) {
+    // Where no ball follows none is without them.
+    if play.can_call(&[FLIPPERS_ON]) || !play.can_call(&["next_player", "add_ball"]) {
         return None;
     }
     let what = "a tilt kills the flippers, and they stay dead for the balls that follow in this game: no rule calls \

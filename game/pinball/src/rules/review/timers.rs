@@ -5,10 +5,33 @@ use super::remark::{Remark, line_of};
 use super::words::{Told, Words};
 use crate::rules::script::{Function, Kind, Node, Operator, Pattern, Root, Script, Switch};
 use crate::spelling;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The timers that are started, that no rule does anything for and nobody asks about.
-pub fn remarks(facts: &Facts, script: &Script, text: &str) -> Vec<Remark> {
+/// What is said of timers; `told` are those of [`silent`] that another remark names.
+pub fn remarks(facts: &Facts, script: &Script, text: &str, told: &[Silent]) -> Vec<Remark> {
+    let started = facts.given("after", 1);
+    let unstarted = unstarted(facts, &started);
+    let vain = unstarted.iter().map(|(call, timer)| vain(call, timer, &started, text));
+    let hears = script.functions().any(|function| function.name == "on_timer");
+    let what = if hears { "`on_timer` does nothing for it" } else { "there is no `on_timer(name)`" };
+    let silent = silent(facts, script, text).into_iter().filter(|one| !told.contains(one));
+    vain.chain(silent.map(|Silent { timer, line }| {
+        Remark::warning(line, format!("the timer \"{timer}\" is started for nothing: {what}"))
+    }))
+    .collect()
+}
+
+/// A timer that no rule does anything for and nobody asks about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Silent {
+    pub timer: Arc<str>,
+    /// Where it is first started.
+    pub line: usize,
+}
+
+/// The timers that are started for nothing, each once.
+pub fn silent(facts: &Facts, script: &Script, text: &str) -> Vec<Silent> {
     let asked = [facts.given("running", 0), facts.given("time_left", 0)];
     let is_asked = |timer: &str| asked.iter().any(|words| words.others || words.literals.contains(timer));
     let hears = script.functions().find(|function| function.name == "on_timer");
@@ -18,24 +41,17 @@ pub fn remarks(facts: &Facts, script: &Script, text: &str) -> Vec<Remark> {
     let mut sought: Vec<&str> = sought.map(|one| &*one.text).filter(|text| !started.literals.contains(*text)).collect();
     let unstarted = unstarted(facts, &started);
     sought.extend(unstarted.iter().map(|(_, timer)| &***timer));
-    let mut found: Vec<Remark> = unstarted.iter().map(|(call, timer)| vain(call, timer, &started, text)).collect();
+    let mut found: BTreeMap<&Arc<str>, usize> = BTreeMap::new();
     for call in facts.calls_of("after") {
         let Some(words) = call.words.get(1) else { continue };
         let silent =
             words.literals.iter().filter(|timer| !is_asked(timer) && !hears.is_some_and(|one| does(one, timer)));
-        let own = silent.filter(|timer| spelling::near(timer, sought.iter().copied()).is_none());
-        found.extend(own.map(|timer| {
-            let what = match hears {
-                Some(_) => "`on_timer` does nothing for it",
-                None => "there is no `on_timer(name)`",
-            };
-            Remark::warning(
-                line_of(timer, text, call.line),
-                format!("the timer \"{timer}\" is started for nothing: {what}"),
-            )
-        }));
+        for timer in silent.filter(|timer| spelling::near(timer, sought.iter().copied()).is_none()) {
+            let line = line_of(timer, text, call.line);
+            found.entry(timer).and_modify(|first| *first = line.min(*first)).or_insert(line);
+        }
     }
-    found
+    found.into_iter().map(|(timer, line)| Silent { timer: timer.clone(), line }).collect()
 }
 
 /// The calls that stop a timer or ask about one which nothing starts, each with that timer.

@@ -3,11 +3,18 @@
 
 use super::css;
 use super::drawing::{is_thing, meant_as_thing};
+use super::moved::around;
 use super::page::SVG;
 use super::path_data;
 use crate::table::source::{Diagnostic, Source};
 use roxmltree::{Document, Node};
 use std::str::FromStr;
+use svgtypes::LengthUnit;
+
+/// Pixels of a screen in a millimetre, as CSS has them.
+const PIXELS_PER_MM: f64 = 96.0 / 25.4;
+/// A length that is off by no more than this part is as it is written.
+const MAX_OFF: f64 = 0.02;
 
 /// Lengths that are read of each shape.
 fn lengths(element: &str) -> &'static [&'static str] {
@@ -72,9 +79,30 @@ fn wrong_length(node: Node, name: &str, length: &str) -> Option<String> {
         Ok(read) if read.number < 0.0 && is_size => Some(format!(
             "the {length} of this {name} is {text}, so it is not drawn as it is meant; no size is less than 0"
         )),
-        Ok(_) => None,
+        Ok(read) => wrong_unit(node, read).map(|what| format!("the {length} of this {name} is `{text}`: {what}")),
         Err(_) => Some(format!("the {length} of this {name} is `{text}`, which is no number, so it is not read")),
     }
+}
+
+/// What a length with a unit comes to where that is another length on the table: SVG takes a millimetre for as many units as a
+/// screen has pixels in one.
+fn wrong_unit(node: Node, read: svgtypes::Length) -> Option<String> {
+    let mm = match read.unit {
+        LengthUnit::Mm => 1.0,
+        LengthUnit::Cm => 10.0,
+        LengthUnit::In => 25.4,
+        LengthUnit::Pt => 25.4 / 72.0,
+        LengthUnit::Pc => 25.4 / 6.0,
+        _ => return None,
+    };
+    let own = around(node).and_then(|outer| outer.transformed(node.attribute("transform").unwrap_or("")));
+    let scale = own.and_then(|own| own.scale()).ok()?;
+    let units = read.number * mm * PIXELS_PER_MM;
+    let (meant, is) = (read.number * mm, units * scale);
+    let is_other = (is - meant).abs() > MAX_OFF * meant.abs();
+    is_other.then(|| {
+        format!("SVG makes {units:.1} units of that, which are {is:.1} mm here; write a number without a unit")
+    })
 }
 
 /// What of a text is not read, as `said` of an element and a property.

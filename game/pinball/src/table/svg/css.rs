@@ -7,17 +7,21 @@
 mod brackets;
 mod check;
 mod declarations;
+mod grammar;
+mod placement;
 mod selector;
 mod sheet;
 mod spelling;
 mod unused;
 mod value;
+mod value_words;
 
 pub(in crate::table) use selector::Instance;
 
 use super::sheet_values::{READ, SheetLines};
 use crate::table::source::{Diagnostic, Source};
 use declarations::Declaration;
+use placement::Placements;
 use roxmltree::{Document, Node};
 use selectors::matching::SelectorCaches;
 use sheet::Rule;
@@ -38,6 +42,8 @@ pub(in crate::table) struct Cascade {
     written: usize,
     /// See [`SheetLines`]; by the byte at which an element begins.
     pub lines: SheetLines,
+    /// What sheets and styles say of where art is.
+    placements: Placements,
     /// Every class that a sheet names, and perhaps other words.
     pub classes: BTreeSet<String>,
 }
@@ -63,7 +69,8 @@ impl Cascade {
         }
         diagnostics.extend(sheet::foreign(source, document));
         let lines = SheetLines::new();
-        let cascade = Cascade { rules, caches: SelectorCaches::default(), written: 0, lines, classes };
+        let (caches, placements) = (SelectorCaches::default(), Placements::default());
+        let cascade = Cascade { rules, caches, written: 0, lines, placements, classes };
         let comparisons = cascade.comparisons(document);
         if comparisons > MAX_COMPARISONS {
             let why = format!(
@@ -100,6 +107,11 @@ impl Cascade {
         unused::warnings(source, document, &self.rules)
     }
 
+    /// Warns of what places art and is not obeyed.
+    pub fn misplaced(&self, source: &Source) -> Vec<Diagnostic> {
+        self.placements.warnings(source)
+    }
+
     /// What is declared for an element, the weaker before the stronger, as a `style` attribute that every reader
     /// understands; nothing if its own attribute is that already.
     pub fn style(&mut self, element: Instance) -> Option<String> {
@@ -109,6 +121,9 @@ impl Cascade {
             return None;
         }
         let declared = strongest(self.declared(element), element.node);
+        if element.root.is_none() {
+            self.placements.look(element.node, &declared);
+        }
         for Declaration { name, value, sheet_line, .. } in declared.iter().filter(|one| READ.contains(&&*one.name)) {
             let at = element.node.range().start;
             self.lines.extend(sheet_line.map(|line| ((at, name.clone(), value.clone()), line)));
@@ -205,6 +220,15 @@ pub(in crate::table) fn wrong_colors(node: Node) -> Vec<(String, String)> {
     let declared = declared.into_iter().filter(|one| !one.is_valid && value::is_colored(&one.name));
     let all = attributes.chain(declared.map(|one| (one.name, one.value)));
     all.filter(|(_, value)| is_known(value)).collect()
+}
+
+/// What of an element has a value that nobody reads, with what to do: in its `style`, and as attributes.
+pub(in crate::table) fn unread_values(node: Node) -> Vec<(String, String, String)> {
+    let own = node.attributes().filter(|one| one.namespace().is_none());
+    let attributes = own.map(|one| (one.name().to_string(), one.value().trim().to_string()));
+    let declared = declarations::of_attribute(node.attribute("style").unwrap_or(""));
+    let all = attributes.chain(declared.into_iter().map(|one| (one.name, one.value)));
+    all.filter_map(|(name, value)| grammar::mistake(&name, &value).map(|hint| (name, value, hint))).collect()
 }
 
 /// Whether an element says a property once, so that what it says is what a reader finds.

@@ -190,9 +190,15 @@ impl Reader<'_> {
     /// Tells what is nearly the `data-group` of a group.
     fn misspelt_group(&mut self, node: Node) {
         let own = node.attributes().map(|attribute| attribute.name()).filter(|name| *name != "data-group");
+        // That of a copy is told where it was copied from.
+        let is_copy = || {
+            let begin = self.written.file.text.get(self.written.origin(node.range().start)..).unwrap_or_default();
+            let tag = begin.trim_start_matches('<').split(|c: char| c.is_whitespace() || matches!(c, '>' | '/')).next();
+            tag.is_some_and(|tag| tag.rsplit(':').next() == Some("use"))
+        };
         let is_meant = |name: &&str| class_typo::nearest(name, ["data-group"]).is_some();
         let wrong = own.into_iter().find(is_meant).filter(|_| is_container(node) && !node.has_attribute("data-group"));
-        if let Some(wrong) = wrong {
+        if let Some(wrong) = wrong.filter(|_| !is_copy()) {
             let name = node.tag_name().name();
             self.diagnostic(node, format!("a {name} has no `{wrong}`; did you mean `data-group`?"));
         }

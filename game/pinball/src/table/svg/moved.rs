@@ -32,7 +32,7 @@ impl DrawnShapes {
 }
 
 /// The coordinates that an element's own transform stands in.
-fn around(node: Node) -> Result<Transform, String> {
+pub(super) fn around(node: Node) -> Result<Transform, String> {
     let mut outer: Vec<Node> = node.ancestors().skip(1).filter(Node::is_element).collect();
     let root = outer.pop().ok_or("it is the drawing itself")?;
     let mut transform = Transform::scaling(Page::of(root)?.mm_per_unit);

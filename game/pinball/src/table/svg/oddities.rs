@@ -22,6 +22,7 @@ pub(in crate::table) fn warnings<'d>(
         let style = style_of(node).or_else(|| node.attribute("style")).unwrap_or("");
         reader.properties(node);
         reader.colors(node);
+        reader.values(node);
         reader.references(node, style);
         reader.link(node);
         reader.size(node, style);
@@ -82,6 +83,21 @@ impl Reader<'_> {
                 "the {property} of this {name} is `{value}`, which is no colour, so a browser passes over it; write it as \"#rrggbb\""
             );
             self.tell(node, what);
+        }
+    }
+
+    /// Tells other values that nobody reads, each once.
+    fn values(&mut self, node: Node) {
+        let name = node.tag_name().name();
+        // Of a typeface a weight is a range.
+        if name == "font-face" || name.starts_with("animate") || name == "set" {
+            return;
+        }
+        for (property, value, hint) in css::unread_values(node) {
+            let is_told = READ.contains(&&*property) && element_class(node).is_some();
+            if !is_told && self.told.insert((property.clone(), value.clone())) {
+                self.tell(node, format!("the {property} of this {name} is `{value}`, which is not read; {hint}"));
+            }
         }
     }
 

@@ -37,7 +37,10 @@ pub fn warnings<'d>(
         for server in paints.flat_map(|(_, value)| urls(value)).filter_map(|id| links.named(id)) {
             let chain = chain(server, links);
             let is_new = looked_at.insert(server.id().get_usize());
-            if is_new {
+            // Of one that builds on nothing that is told.
+            let is_whole =
+                chain.last().is_none_or(|last| drawn_by_href(*last).is_none() || links.target(*last).is_some());
+            if is_new && is_whole {
                 found.extend(nothing_in(&chain).map(|what| (server, what)));
             }
             for (index, node) in chain.into_iter().enumerate() {

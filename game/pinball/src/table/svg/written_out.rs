@@ -93,6 +93,7 @@ fn edits(source: &Source, diagnostics: &mut Vec<Diagnostic>) -> Result<Changes, 
     let Writer { edits, nameless, .. } = writer;
     cascade.check(source).map_err(|one| vec![one])?;
     diagnostics.extend(cascade.unused(source, document));
+    diagnostics.extend(cascade.misplaced(source));
     let lines =
         cascade.lines.into_iter().map(|((at, name, value), line)| ((source.line(at), name, value), line)).collect();
     Ok(Changes { edits, lines, styled: cascade.classes, nameless })

@@ -98,7 +98,7 @@ fn art_that_cannot_be_read_is_told() {
     }
     for good in [
         "<path d=''/><path d='none'/><path d='M1-2.5.5-3z'/><polygon points=''/><polygon points='1,2-3-4\n5 6'/>",
-        "<rect width='50%' height='4mm' rx='auto'/><circle r='0'/><ellipse cx='-3' rx='4' ry='2'/>",
+        "<rect width='50%' height='4px' rx='auto'/><circle r='0'/><ellipse cx='-3' rx='4' ry='2'/>",
         "<text style='font-size:0;text-anchor:middle'> <tspan style='font-size:9px'>a</tspan></text>",
     ] {
         assert_eq!(warned(good), [""; 0], "{good}");
