@@ -2,6 +2,7 @@
 
 mod art_values;
 mod clones;
+mod consequences;
 mod covered;
 mod elements;
 mod errors;

@@ -76,6 +76,16 @@ fn a_game_that_is_over_too_early_is_told() {
     assert!(told[0].contains("the game is over when 1 ball is lost in drain"), "{told:?}");
 }
 
+/// A bumper called `next_player()`: the advice was to call `game_over()` where that is false, as the rules did.
+#[test]
+fn turns_that_end_in_play_are_told_with_the_lines_that_end_them() {
+    let rules = format!("{GAME}\nfn on_launch() {{ next_player(); next_player(); }}");
+    let told = told(DRAIN, &rules);
+    let expected = "for turns have ended while a ball was in play; call `next_player()` only where a ball is lost (it is called in \
+                    lines 5 and 7)";
+    assert!(told.len() == 1 && told[0].ends_with(expected), "{told:?}");
+}
+
 /// A press of start in play gave the first ball anew, and all points were gone: check said ok.
 #[test]
 fn a_game_that_begins_anew_in_play_is_told() {

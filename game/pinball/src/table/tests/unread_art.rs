@@ -28,6 +28,10 @@ fn a_groups_misspelt_data_is_told_as_a_shapes_is() {
         let told = one(read(&group, "").unwrap_err());
         assert_eq!(told, format!("table.svg:6: a g has no `{wrong}`; did you mean `data-group`?"));
     }
+    // It was told of each clone too.
+    let cloned =
+        "<g id='two' data-gruop='a'><circle class='post' cx='99' cy='99' r='4'/></g>\n<use id='b' href='#two' x='40'/>";
+    assert_eq!(one(read(cloned, "").unwrap_err()), "table.svg:5: a g has no `data-gruop`; did you mean `data-group`?");
     assert_eq!(warned("<g data-group='a' data-grouping='b' data-name='c'><path d='M0 0h9'/></g>"), [""; 0]);
 }
 
