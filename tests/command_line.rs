@@ -104,7 +104,7 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["simulate", "--save-all", ""], "files are written into a folder: name one"),
         (&["simulate", "--save-failures", ""], "files are written into a folder: name one"),
         (&["plot", "--out", ""], "files are written into a folder: name one"),
-        (&["dump", "a", "--out", ""], "a value is required for '--out"),
+        (&["dump", "a", "--out", ""], "frames are written into a folder: name one"),
         (&["render", "a.svg", "--out", ""], "a value is required for '--out"),
         (&["render", ""], "a value is required for"),
         (&["optics", ""], "a value is required for"),
@@ -187,7 +187,7 @@ fn a_recording_is_told_by_its_name_whatever_is_wrong_with_it() {
             &["verify", &file][..],
             &["replay", &file],
             &["dump", &file, "--out", &out],
-            &["frame", "--replay", &file, "--out", &out],
+            &["frame", "--replay", &file, "--out", &format!("{out}.png")],
         ];
         for words in uses {
             let said = sentence(words);
@@ -220,7 +220,7 @@ fn recordings_of_other_versions_are_told_with_the_version() {
 fn moments_after_the_end_are_refused_with_the_length() {
     let folder = Folder::new("moments");
     let (recording, out) = (folder.recording(), folder.path("out"));
-    let said = sentence(&["frame", "--replay", &recording, "--at", "1.3", "--out", &out]);
+    let said = sentence(&["frame", "--replay", &recording, "--at", "1.3", "--out", &format!("{out}.png")]);
     assert!(said.contains("game-1.caustic is 1.200 s long; give --at less"), "{said}");
     let said = sentence(&["dump", &recording, "--from", "9", "--out", &out]);
     assert!(said.contains("game-1.caustic is 1.200 s long; give --from less"), "{said}");

@@ -15,7 +15,6 @@ const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 5
 <line class="flipper" id="rf" x1="324.5" y1="900" x2="265" y2="933" stroke-width="18" data-side="right" data-up-deg="51"/>
 <line class="plunger" id="plunger" x1="484" y1="960" x2="484" y2="1006" stroke-width="30"/>
 <rect class="drain" id="drain" x="12" y="1016" width="440" height="45"/>
-<circle class="lamp" id="L" cx="250" cy="400" r="5" fill="#ffddaa"/>
 </svg>"##;
 
 /// The beginning of every script here: a game starts, a lost ball ends it.

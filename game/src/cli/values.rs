@@ -15,8 +15,8 @@ pub(super) fn png_file(name: OsString) -> Result<PathBuf, String> {
             Err("a picture is written to a file: name a .png file".to_string())
         }
         Some(end) if end.eq_ignore_ascii_case("png") => Ok(path),
-        // A device or a pipe is called what it is called.
-        None if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(path),
+        // A device or a pipe is called what it is called; of a folder more is said where it would be written.
+        None if path.metadata().is_ok_and(|found| !found.is_file()) => Ok(path),
         _ => Err("pictures are written as PNG: name a .png file".to_string()),
     }
 }
