@@ -106,6 +106,7 @@ fn a_wrong_command_line_ends_with_2_and_says_what_is_wrong() {
         (&["plot", "--out", ""], "files are written into a folder: name one"),
         (&["dump", "a", "--out", ""], "frames are written into a folder: name one"),
         (&["render", "a.svg", "--out", ""], "a value is required for '--out"),
+        (&["render", "a.svg", "b.svg", "--out", "r.png"], "is the name of one picture"),
         (&["render", ""], "a value is required for"),
         (&["optics", ""], "a value is required for"),
         (&["verify", "a", "--salvage", ""], "a value is required for '--salvage"),

@@ -102,7 +102,6 @@ mod tests {
              picture); caustic dump --help says more"
         );
         assert!(told(&["frame", "--out", "picture"]).contains("pictures are written as PNG: name a .png file"));
-        assert!(told(&["render", "a.svg", "b.svg", "--out", "r.png"]).contains("is the name of one picture"));
         assert_eq!(told(&["frame"]), "it needs more words: --out <FILE.png>; caustic frame --help says more");
     }
 }
