@@ -181,3 +181,15 @@ fn a_mistake_is_told_once_and_all_are_counted() {
     let (status, told) = check("counted", &["check", "--quick"], &unknown);
     assert_eq!((status, told.lines().last()), (Some(1), Some("2 errors")), "{told}");
 }
+
+/// An entry of `this` that nothing sets was told by the review and by play, and a game of one ball as well.
+#[test]
+fn what_review_and_play_find_is_told_once() {
+    let unset = format!("{GAME}fn on_launch() {{ score(2 * this.bonus); }}\n");
+    let one_ball = GAME.replace("if !next_player() { game_over(); } else { add_ball(); }", "game_over();");
+    for (name, rules, told) in [("unset", unset, "this.bonus was never set"), ("one", one_ball, "stays at its first")] {
+        let (_, _, complained) = Folder::new(name, &rules).run(&["check"]);
+        let lines: Vec<&str> = complained.lines().collect();
+        assert!(lines.len() == 1 && lines[0].contains(told), "{name}: {complained}");
+    }
+}

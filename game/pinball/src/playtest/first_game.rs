@@ -3,15 +3,13 @@
 
 use super::finding::{Finding, FindingKind};
 use super::switches::Shot;
-use super::whole_game::{self, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
+use super::whole_game::{self, BEGIN_TICKS, BEGINNINGS, LossPlaces, MOST_BALLS, PRESS_TICKS, answers};
 use super::{fallen_targets, shaken};
 use crate::{Buttons, Failure, Simulation, Table};
 use geometry::DVec2;
 use physics::{Event, EventKind, Kind, PartId};
 use std::sync::Arc;
 
-/// A game is on so long after start was pressed, and has given its first ball at the latest, ticks.
-pub const BEGIN_TICKS: u64 = 2000;
 /// A saucer may keep its ball for so long, ticks.
 const HELD_TICKS: u64 = 20_000;
 /// Saucers that are tried.

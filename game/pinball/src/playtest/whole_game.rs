@@ -7,7 +7,6 @@
 mod seen;
 
 use super::finding::{Finding, FindingKind};
-use super::first_game::BEGIN_TICKS;
 use crate::{Buttons, Simulation};
 use geometry::DVec2;
 use physics::{BALL_RADIUS_M, BallPose, EventKind, Kind, PartId, TICKS_PER_SECOND};
@@ -39,6 +38,8 @@ const RESCUE_M: f64 = 0.04;
 const LOSS_PERIOD_TICKS: u64 = 200;
 /// What a lost ball ends while another is in play has ended by then, ticks.
 const EARLY_TICKS: u64 = 4000;
+/// A game is on so long after start was pressed, and has given its first ball at the latest, ticks.
+pub const BEGIN_TICKS: u64 = 2000;
 /// What begins a game: start, again as for a second coin, or another button.
 pub const BEGINNINGS: [Buttons; 5] = [Buttons::START, Buttons::START, Buttons::PLUNGER, Buttons::LEFT, Buttons::RIGHT];
 /// From one press that may begin the next game to another, ticks.

@@ -1,7 +1,6 @@
 //! Covered: inserts that lie wholly under what lets nothing through, or in each other's place, and walls that were filled by
 //! mistake and cover the table.
 
-use super::shaded::contains;
 use super::source::{Diagnostic, Source};
 use super::svg::drawing::Drawing;
 use super::svg::element::Element;
@@ -103,8 +102,7 @@ fn hides(element: &Element, finish: &Finish) -> bool {
 /// Whether all of an outline lies under a solid.
 fn covers(solid: &Solid, outline: &Outline) -> bool {
     let is_under = |place: DVec2| {
-        solid.shapes_mm.iter().any(|shape| shape.distance(place).0 <= MAX_RIM_MM)
-            || solid.plastic_mm.as_ref().is_some_and(|top| contains(top, place))
+        solid.shapes_mm.iter().any(|shape| shape.distance(place).0 <= MAX_RIM_MM) || solid.has_top_over(place)
     };
     let Some(polygons) = outline.polygons() else { return false };
     let bounds = outline.bounds();

@@ -56,7 +56,7 @@ pub(super) fn warnings(
 fn outside(solids: &[Solid], group: Option<u16>, place: DVec2) -> Option<f64> {
     let own: Vec<&Solid> = solids.iter().filter(|solid| Some(solid.group) == group).collect();
     let shapes = || own.iter().flat_map(|solid| &solid.shapes_mm);
-    let is_on_top = own.iter().any(|solid| solid.plastic_mm.as_ref().is_some_and(|top| contains(top, place)));
+    let is_on_top = own.iter().any(|solid| solid.has_top_over(place));
     let bounds = shapes().map(geometry::Shape::bounds).reduce(|all, one| all.union(one))?;
     // Lines may enclose it.
     let is_among = shapes().count() > 1 && place.cmpge(bounds.min).all() && place.cmple(bounds.max).all();
@@ -67,17 +67,5 @@ fn outside(solids: &[Solid], group: Option<u16>, place: DVec2) -> Option<f64> {
 /// Whether a place is inside of a solid that casts a shadow.
 fn holds(solid: &Solid, place: DVec2) -> bool {
     let is_in_line = || solid.shapes_mm.iter().any(|shape| shape.distance(place).0 < 0.0);
-    solid.shadow
-        && solid.part.is_some()
-        && (is_in_line() || solid.plastic_mm.as_ref().is_some_and(|top| contains(top, place)))
-}
-
-/// Whether a polygon holds a place, by the rule of even and odd.
-pub(super) fn contains(polygon: &[DVec2], place: DVec2) -> bool {
-    let next = polygon.iter().cycle().skip(1);
-    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
-        let is_beside = (a.y > place.y) != (b.y > place.y);
-        is_beside && place.x < a.x + (b.x - a.x) * (place.y - a.y) / (b.y - a.y)
-    });
-    crossed.count() % 2 == 1
+    solid.shadow && solid.part.is_some() && (is_in_line() || solid.has_top_over(place))
 }

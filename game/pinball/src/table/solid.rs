@@ -50,3 +50,20 @@ pub enum Profile {
     /// Round all over: a rubber ring, a wire, a dome.
     Dome,
 }
+
+impl Solid {
+    /// Whether its top has an outline of its own, and lies over a place.
+    pub fn has_top_over(&self, place_mm: DVec2) -> bool {
+        self.plastic_mm.as_ref().is_some_and(|top| contains(top, place_mm))
+    }
+}
+
+/// Whether a polygon holds a place, by the rule of even and odd.
+fn contains(polygon: &[DVec2], place: DVec2) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
+        let is_beside = (a.y > place.y) != (b.y > place.y);
+        is_beside && place.x < a.x + (b.x - a.x) * (place.y - a.y) / (b.y - a.y)
+    });
+    crossed.count() % 2 == 1
+}

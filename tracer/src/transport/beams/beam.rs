@@ -1,6 +1,6 @@
 //! A beam: four rays, and the light between them in the pixels that it crosses.
 
-use super::cell;
+use super::cell::{self, mean_place};
 use super::family::Bulge;
 use super::film::{Along, BeamFilm, Trapezoid};
 use crate::View;
@@ -101,7 +101,7 @@ impl Piece {
 
     /// The axis that it crosses more squarely; `None` for a piece without a length.
     fn along(&self) -> Option<Along> {
-        let way = mean(&self.to) - mean(&self.from);
+        let way = mean_place(&self.to) - mean_place(&self.from);
         let is_way = way.length_squared() > 0.0 && way.is_finite();
         is_way.then_some(if way.y.abs() >= way.x.abs() { Along::Row } else { Along::Column })
     }
@@ -115,7 +115,7 @@ impl Piece {
         let foremost = self.bulge.map_or(0.0, |bulge| bulge.foremost());
         let [a, b, c, d] = self.from;
         let (from, to) = (zone(&[a, b, c, d, self.begin(0, foremost), self.begin(1, foremost)]), zone(&self.to));
-        if turned(along, mean(&self.to) - mean(&self.from)).x >= 0.0 { [from, to] } else { [to, from] }
+        if turned(along, mean_place(&self.to) - mean_place(&self.from)).x >= 0.0 { [from, to] } else { [to, from] }
     }
 
     /// Where the ray at this edge and v (0 to 1) begins.
@@ -142,7 +142,7 @@ impl Piece {
     }
 
     fn lanes(&self, along: Along) -> Option<Lanes> {
-        let middle = [mean(&self.from), mean(&self.to)].map(|place| turned(along, place));
+        let middle = [mean_place(&self.from), mean_place(&self.to)].map(|place| turned(along, place));
         let way = middle[1] - middle[0];
         if !(way.x.abs() > 0.0 && way.is_finite()) {
             return None;
@@ -236,8 +236,4 @@ impl Lanes {
         let part = (x - own.x) / (other.x - own.x);
         (0.0..=1.0).contains(&part).then_some(own.y + (other.y - own.y) * part)
     }
-}
-
-fn mean(places: &[DVec2; 4]) -> DVec2 {
-    (places[0] + places[1] + places[2] + places[3]) * 0.25
 }

@@ -1,5 +1,7 @@
 //! A cell: the part of a family that one beam carries.
 
+use geometry::DVec2;
+
 /// v is halved down to this part of a stratum; then its middle stands for it.
 const NARROWEST_V: f64 = 1.0 / 64.0;
 
@@ -108,4 +110,9 @@ fn share(part: f64, whole: f64) -> f64 {
 /// The mean over a cell by Simpson's rule, from its corners and its middle.
 pub(super) fn mean(corners: [f64; 4], middle: f64) -> f64 {
     (0.25 * corners.iter().sum::<f64>() + 2.0 * middle) / 3.0
+}
+
+/// The middle of places.
+pub(super) fn mean_place(places: &[DVec2; 4]) -> DVec2 {
+    (places[0] + places[1] + places[2] + places[3]) * 0.25
 }

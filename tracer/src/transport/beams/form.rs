@@ -1,7 +1,7 @@
 //! Whether a beam is what its four rays say, or has to be divided.
 
 use super::beam::Piece;
-use super::cell::{Cell, mean};
+use super::cell::{Cell, mean, mean_place};
 use super::corner::Probe;
 use super::sweep::Sweep;
 use geometry::DVec2;
@@ -120,7 +120,7 @@ impl Question<'_> {
 impl Sweep<'_, '_> {
     /// Whether a beam is what its edges say: the rays in its middle go where they have them, they are as bright as each other, and
     /// nothing lies between them.
-    pub(super) fn form(&self, cell: &Cell, probes: &[Probe; 4], piece: &Piece) -> Form {
+    pub(super) fn form(&self, cell: &Cell, probes: &[Probe; 4], middle: Option<&Probe>, piece: &Piece) -> Form {
         let px = self.view.mm_per_px;
         let along = (mean_place(&piece.to) - mean_place(&piece.from)).normalize_or_zero();
         let strength = probes.iter().map(|probe| probe.corner.strength()).fold(f64::MIN_POSITIVE, f64::max);
@@ -140,32 +140,23 @@ impl Sweep<'_, '_> {
         if cell.halved[1] < MOST_HALVINGS[1] && spreads(probes, OVER_V) {
             return Form::BendsAcross;
         }
-        let defect = 0.5 * (self.strength(cell, probes) - mean_strength(probes)).abs() * cell.light;
+        let defect = 0.5 * (strength_of(probes, middle) - strength_of(probes, None)).abs() * cell.light;
         if defect > MOST_DEFECT && cell.halved[0] < MOST_HALVINGS[0] {
             return Form::Bends;
         }
         if may_halve == [false; 2] {
             return Form::Holds;
         }
-        let Some(middle) = self.middle(cell, probes) else {
-            return Form::Parts;
-        };
+        let Some(middle) = middle else { return Form::Parts };
         question.limits.light = cell.light * strength.max(middle.corner.strength());
         if may_halve[0] {
-            match self.bends_over_u(&question, &middle, wide) {
+            match self.bends_over_u(&question, middle, wide) {
                 Some(true) => return Form::Bends,
                 None => return Form::Parts,
                 Some(false) => {}
             }
         }
-        if may_halve[1] && self.bends_over_v(&question, &middle, high) { Form::BendsAcross } else { Form::Holds }
-    }
-
-    /// What of a cell's light has come as far: the mean over it by Simpson's rule, from its corners and the ray in its middle.
-    pub(super) fn strength(&self, cell: &Cell, probes: &[Probe; 4]) -> f64 {
-        let corners = mean_strength(probes);
-        let middle = self.middle(cell, probes);
-        middle.map_or(corners, |middle| mean(probes.map(|probe| probe.corner.strength()), middle.corner.strength()))
+        if may_halve[1] && self.bends_over_v(&question, middle, high) { Form::BendsAcross } else { Form::Holds }
     }
 
     /// The ray in a cell's middle, if it meets what the corners meet.
@@ -241,10 +232,8 @@ fn spreads(probes: &[Probe; 4], pairs: [[usize; 2]; 2]) -> bool {
     pairs.iter().any(|[one, other]| direction(*one).dot(direction(*other)) < LEAST_COSINE)
 }
 
-fn mean_strength(probes: &[Probe; 4]) -> f64 {
-    0.25 * probes.iter().map(|probe| probe.corner.strength()).sum::<f64>()
-}
-
-fn mean_place(places: &[DVec2; 4]) -> DVec2 {
-    (places[0] + places[1] + places[2] + places[3]) * 0.25
+/// What of a cell's light has come as far: the mean over it by Simpson's rule, from its corners and the ray in its middle.
+pub(super) fn strength_of(probes: &[Probe; 4], middle: Option<&Probe>) -> f64 {
+    let corners = probes.map(|probe| probe.corner.strength());
+    middle.map_or(0.25 * corners.iter().sum::<f64>(), |middle| mean(corners, middle.corner.strength()))
 }

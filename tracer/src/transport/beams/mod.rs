@@ -18,6 +18,7 @@ mod film;
 mod form;
 mod horizon;
 mod landmarks;
+mod leaf;
 mod picture;
 mod sweep;
 mod tracer;

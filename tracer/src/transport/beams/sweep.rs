@@ -8,25 +8,16 @@ use super::family::{Family, Lays};
 use super::film::BeamFilm;
 use super::form::Form;
 use super::horizon::Horizon;
+use super::leaf::Leaf;
 use super::tracer::BeamTracer;
 use crate::View;
-use crate::transport::{EdgeId, Falloff, Media};
-use geometry::DVec2;
+use crate::transport::{EdgeId, Media};
 
 /// What a beam met before: which edge, and what became of it there.
 #[derive(Clone, Copy)]
 pub(super) struct Met {
     pub edge: EdgeId,
     way: Way,
-}
-
-/// A beam that holds.
-struct Leaf {
-    cell: Cell,
-    probes: [Probe; 4],
-    piece: Piece,
-    /// What of its light has come as far.
-    strength: f64,
 }
 
 /// Found while a beam is divided: its rays do not all meet the same surface.
@@ -159,9 +150,10 @@ impl Sweep<'_, '_> {
         };
         let is_seen = self.touches(&piece);
         let may_divide = is_seen && leaves.len() < MOST_LEAVES;
-        match if may_divide { self.form(cell, probes, &piece) } else { Form::Holds } {
+        let middle = if is_seen { self.middle(cell, probes) } else { None };
+        match if may_divide { self.form(cell, probes, middle.as_ref(), &piece) } else { Form::Holds } {
             Form::Holds => {
-                leaves.push(self.leaf(cell, probes, piece));
+                leaves.push(self.leaf(cell, probes, middle.as_ref(), piece));
                 Ok(())
             }
             Form::Bends => {
@@ -183,29 +175,6 @@ impl Sweep<'_, '_> {
             }
             Form::Parts => Err(Parted),
         }
-    }
-
-    /// A beam that holds: as long as its rays are in the mean. Where its ends are curved a straight line between its corners' ends
-    /// would leave out what lies beyond.
-    fn leaf(&self, cell: &Cell, probes: &[Probe; 4], piece: Piece) -> Leaf {
-        let leaf = Leaf { cell: *cell, probes: *probes, piece, strength: self.strength(cell, probes) };
-        let Some(middle) = self.middle(cell, probes) else { return leaf };
-        let Piece { mut from, mut to, .. } = leaf.piece;
-        let along = (to.iter().sum::<DVec2>() - from.iter().sum::<DVec2>()).normalize_or_zero();
-        let beyond = |place: DVec2, corners: &[DVec2; 4]| {
-            let corners = corners.map(|corner| (corner - place).dot(along));
-            along * (mean(corners, 0.0) - 0.25 * corners.iter().sum::<f64>())
-        };
-        // The form of a source is another matter, and where light goes that meets nothing is nothing to see.
-        if !self.met.is_empty() {
-            let begins = beyond(middle.corner.ray.origin, &from);
-            from = from.map(|place| place + begins);
-        }
-        if middle.edge.is_some() {
-            let ends = beyond(middle.end, &to);
-            to = to.map(|place| place + ends);
-        }
-        Leaf { piece: Piece { from, to, ..leaf.piece }, ..leaf }
     }
 
     /// The ray at a place that meets this surface.
@@ -266,37 +235,5 @@ impl Sweep<'_, '_> {
             self.cell(cell, states);
         }
         self.met.pop();
-    }
-
-    /// Whether the piece may cross the picture.
-    fn touches(&self, piece: &Piece) -> bool {
-        let size = DVec2::new(self.view.width as f64, self.view.height as f64) * self.view.mm_per_px;
-        let (min, max) = (self.view.origin_mm, self.view.origin_mm + size);
-        let all = piece.from.iter().chain(&piece.to);
-        let low = all.clone().fold(DVec2::INFINITY, |low, place| low.min(*place));
-        let high = all.fold(DVec2::NEG_INFINITY, |high, place| high.max(*place));
-        low.cmple(max).all() && high.cmpge(min).all()
-    }
-
-    fn splat(&mut self, Leaf { cell, probes, piece, strength }: &Leaf) {
-        if !self.touches(piece) {
-            return;
-        }
-        let light = strength * cell.light / self.most;
-        let first = &probes[0].corner;
-        let absorption = first.media.absorption_per_mm(&self.tracer.surfaces, first.nm);
-        let falloff = self.family.source.falloff;
-        // The means over its rays: its length, and the way that light has come where it begins.
-        let length = 0.25 * probes.iter().map(|probe| probe.corner.ray.origin.distance(probe.end)).sum::<f64>();
-        let come = 0.25 * probes.iter().map(|probe| probe.corner.way).sum::<f64>();
-        let bulge = if self.met.is_empty() { self.family.bulge(cell.v) } else { None };
-        let piece = Piece { bulge, ..*piece }.on_screen(self.view);
-        if absorption == 0.0 && falloff == Falloff::Plane {
-            return piece.splat(self.film, |_| light);
-        }
-        piece.splat(self.film, |gone| {
-            let way = gone * length;
-            light * falloff.weight(come + way) * libm::exp(-absorption * way)
-        });
     }
 }
