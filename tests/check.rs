@@ -278,6 +278,15 @@ fn a_file_in_the_place_of_a_folder_is_told_as_such() {
     assert!(complained.ends_with("/tests/orchard\n"), "{complained}");
 }
 
+/// "There is no table called /dev/zero", which is there.
+#[cfg(unix)]
+#[test]
+fn a_device_in_the_place_of_a_folder_is_told_as_such() {
+    let (code, said, complained) = told(&check("/dev/zero"));
+    assert_eq!((code, said.as_str()), (Some(1), ""));
+    assert!(complained.ends_with("/dev/zero is a device and no folder; name the folder of a table\n"), "{complained}");
+}
+
 /// A small table of this test's own, with `drawn` on it.
 struct Table(PathBuf);
 

@@ -74,7 +74,7 @@ fn what_cannot_be_rendered_is_one_sentence() {
     for (words, code, expected) in [
         (vec!["nosuch.svg"], 1, "nosuch.svg"),
         (vec![&bad], 1, "bad.svg:1: glass: there is no glass `x`"),
-        (vec![&json], 1, "there is nothing in this scene"),
+        (vec![&json], 1, "a.json: there is no source of light in this scene; add"),
         (vec![&json, "--samples", "3"], 2, "has a list of rays of its own"),
         (vec![&prism, "--integrator", "exact", "--samples", "4"], 2, "exact light takes none"),
         (vec![&prism, "--integrator", "exact", "--size", "128x72"], 1, "data-falloff=\"table\""),

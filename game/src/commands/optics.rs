@@ -19,6 +19,7 @@ pub fn run(args: &OpticsArgs) -> Result<(), Failure> {
     let name = args.scene.display().to_string();
     let scene = OpticsScene::parse(&name, &text).map_err(Failure::of_many)?;
     scene.warnings.iter().for_each(|what| tell(&Failure::warning(what.clone())));
+    scene.check_lit(&name)?;
     if scene.detectors.is_empty() {
         return Err(Failure::new(format!(
             "{name}: there is no Detector in this scene, so nothing is measured; add one"

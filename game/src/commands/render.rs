@@ -199,6 +199,7 @@ fn integrator_name(integrator: Integrator) -> &'static str {
 fn optics(args: &RenderArgs, scene: &Path, name: &str) -> Result<Rendered, Failure> {
     let scene = OpticsScene::parse(name, &text_file::read(scene)?).map_err(Failure::of_many)?;
     scene.warnings.iter().for_each(|what| tell(&Failure::warning(what.clone())));
+    scene.check_lit(name)?;
     let bounds = picture::frame(&scene);
     let bounds =
         bounds.ok_or_else(|| Failure::new(format!("{name}: there is nothing in this scene that could be seen")))?;

@@ -37,6 +37,11 @@ pub fn mirror(attributes: &Attributes) -> Result<(Material, Option<Band>), Strin
                 .to_string(),
         );
     }
+    for (is, kind) in [(focal.is_some(), "focal-mm"), (transmittance.is_some(), "transmittance")] {
+        if is && roughness > 0.0 {
+            return Err(format!("a mirror with `data-{kind}` is smooth; leave `data-roughness` away"));
+        }
+    }
     let material = match (metal, focal, transmittance) {
         (Some(metal), ..) => Material::Metal { metal, roughness },
         (_, Some(focal_length), _) => Material::IdealMirror { focal_length: not_zero(focal_length)? },

@@ -121,13 +121,18 @@ fn unread<'a>(shape: &'a DrawnShape, attributes: &Attributes<'a>) -> impl Iterat
     let known: Vec<String> = attributes.known().into_iter().map(|name| format!("data-{name}")).collect();
     let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
     let (name, word) = (name(shape), word(shape).to_string());
+    let kind = match word.as_str() {
+        "lens" if body::is_closed(shape) => "lens of glass".to_string(),
+        "lens" => "lens that is a line".to_string(),
+        word => word.to_string(),
+    };
     let unread = attributes.unread().into_iter().map(str::to_string).collect::<Vec<_>>();
     // What a table says of its things is no mistake in a scene.
     let is_tables = !OWN_WORDS.contains(&word.as_str());
     unread
         .into_iter()
         .filter(move |_| !is_tables)
-        .map(move |unread| format!("{name}: a {word} has no `data-{unread}`, so it says nothing; it may have {known}"))
+        .map(move |unread| format!("{name}: a {kind} has no `data-{unread}`, so it says nothing; it may have {known}"))
 }
 
 fn thing(shape: &DrawnShape, attributes: &Attributes) -> Result<Thing, String> {

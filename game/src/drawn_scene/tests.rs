@@ -110,6 +110,34 @@ fn attributes_that_say_nothing_are_warned_of() {
 }
 
 /// What the drawing says as a whole is read, and told in its line where it cannot be.
+/// Roughness of an ideal mirror was read and passed over, and glass on a group was no glass at all.
+#[test]
+fn what_would_be_passed_over_is_a_mistake() {
+    let mirror = |more: &str| {
+        mistakes(&format!(
+            "{LAMP}\n<line class=\"mirror\" x1=\"9\" y1=\"9\" x2=\"9\" y2=\"60\" stroke=\"#fff\" {more}/>"
+        ))
+    };
+    let told = mirror("id=\"m\" data-focal-mm=\"50\" data-roughness=\"0.3\"");
+    assert_eq!(told, ["a.svg:3: m: a mirror with `data-focal-mm` is smooth; leave `data-roughness` away"]);
+    assert!(mirror("data-transmittance=\"0.5\" data-roughness=\"0.3\"")[0].contains("`data-transmittance` is smooth"));
+    let group = mistakes(&format!("{LAMP}\n<g class=\"glass\"><circle cx=\"99\" cy=\"99\" r=\"20\"/></g>"));
+    assert_eq!(group, ["a.svg:3: a group is no thing: give the class to each shape in it instead"]);
+}
+
+/// "A lens has no `data-glass`" and "a lens has no `data-focal-mm`" were told of two lenses.
+#[test]
+fn a_lens_of_glass_and_one_that_is_a_line_have_names_of_their_own() {
+    let line = read(&format!(
+        "{LAMP}<line class=\"lens\" data-focal-mm=\"50\" data-glass=\"F2\" x1=\"99\" y1=\"9\" x2=\"99\" y2=\"60\"/>"
+    ));
+    let told = line.expect("it is sound").warnings[0].to_string();
+    assert!(told.contains("a lens that is a line has no `data-glass`"), "{told}");
+    let glass = read(&format!("{LAMP}<circle class=\"lens\" data-focal-mm=\"50\" cx=\"99\" cy=\"99\" r=\"20\"/>"));
+    let told = glass.expect("it is sound").warnings[0].to_string();
+    assert!(told.contains("a lens of glass has no `data-focal-mm`"), "{told}");
+}
+
 #[test]
 fn ambient_light_and_exposure_are_the_drawings() {
     let of = |attributes: &str| {

@@ -63,7 +63,22 @@ const EDITOR_FIELDS: [&str; 26] = [
     "objs",
 ];
 
+/// Ways to look at a scene: they differ in how many rays there are.
+const MODES: [&str; 4] = ["rays", "extended", "images", "observer"];
+
 impl OpticsScene {
+    /// Whether it sends any light.
+    ///
+    /// # Errors
+    /// If it does not: nothing could be seen or measured.
+    pub fn check_lit(&self, name: &str) -> Result<(), Failure> {
+        if self.rays.is_empty() {
+            let what = "there is no source of light in this scene; add a PointSource, a Beam or a SingleRay";
+            return Err(Failure::new(format!("{name}: {what}")));
+        }
+        Ok(())
+    }
+
     /// Reads a scene; `name` is the file's.
     ///
     /// # Errors
@@ -71,8 +86,9 @@ impl OpticsScene {
     pub fn parse(name: &str, text: &str) -> Result<OpticsScene, Vec<Failure>> {
         let one = |what: String| vec![Failure::new(what)];
         let value: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|error| {
-            let (line, column) = (error.line(), error.column());
-            one(format!("{name}:{line}:{column}: this is not JSON, of which ray-optics scenes are made"))
+            let (line, column, said) = (error.line(), error.column().max(1), error.to_string());
+            let what = said.split(" at line ").next().unwrap_or(&said);
+            one(format!("{name}:{line}:{column}: this is not JSON, of which ray-optics scenes are made: {what}"))
         })?;
         let Value::Object(top) = &value else {
             return Err(one(format!("{name}: a scene is a JSON object: {{\"objs\": [..]}}")));
@@ -132,6 +148,9 @@ impl OpticsScene {
     /// What the top of the file says.
     fn read_top(&mut self, top: &Fields) -> Result<RayDensity, String> {
         let mode = top.text("mode")?.unwrap_or("rays");
+        if !MODES.contains(&mode) {
+            return Err(format!("\"mode\" is \"{mode}\"; it may be {}", MODES.join(", ")));
+        }
         let (ray_density, image_density) = (top.number("rayModeDensity", 0.1)?, top.number("imageModeDensity", 1.0)?);
         let density = if matches!(mode, "rays" | "extended") { ray_density } else { image_density };
         let length_scale = top.number("lengthScale", 1.0)?;

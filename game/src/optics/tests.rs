@@ -64,7 +64,15 @@ fn a_beam_meets_in_the_focus_of_a_lens() {
 
 #[test]
 fn what_is_not_read_is_named() {
-    assert_eq!(refused("{"), ["scene.json:1:1: this is not JSON, of which ray-optics scenes are made"]);
+    let broken = "this is not JSON, of which ray-optics scenes are made: EOF while parsing an object";
+    assert_eq!(refused("{"), [format!("scene.json:1:1: {broken}")]);
+    assert_eq!(refused("{\n"), [format!("scene.json:2:1: {broken}")]);
+    let modes = "it may be rays, extended, images, observer";
+    assert_eq!(refused(r#"{"mode": "ray", "objs": []}"#), [format!("scene.json: \"mode\" is \"ray\"; {modes}")]);
+    assert_eq!(
+        scene(&detector(60.0)).check_lit("a.json").unwrap_err().to_string(),
+        "a.json: there is no source of light in this scene; add a PointSource, a Beam or a SingleRay"
+    );
     assert_eq!(refused("{}"), ["scene.json: \"objs\" must be a list of the scene's objects"]);
     let unknown = refused(r#"{"objs": [{"type": "CurvedMirror"}, {"type": "Mirror", "p1": {"x": 1, "y": 1}}]}"#);
     let expected = [

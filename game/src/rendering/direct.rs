@@ -2,12 +2,9 @@
 
 use geometry::{Core, Shape};
 use tracer::monte_carlo::Sampling;
-use tracer::transport::spectrum::{WavelengthSampler, Weights};
-use tracer::transport::{Body, Curve, Falloff, LightSource, Scene, SourceForm};
+use tracer::transport::spectrum::Weights;
+use tracer::transport::{Body, Curve, Falloff, LightSource, Scene, SourceForm, into_gamut};
 use tracer::{Floor, Group, Integrator, ItemId, Lamp, Material, Occluder, Radiance, View, render};
-
-/// Draws of a lamp's spectrum for its colour.
-const DRAWS: u32 = 4096;
 
 /// The direct light in each pixel, row by row: every outline is opaque.
 ///
@@ -39,7 +36,7 @@ fn lamp(id: ItemId, source: &LightSource, weights: &Weights) -> Result<Lamp, Str
     let Falloff::Table { height_mm, reach_mm } = source.falloff else {
         return Err("direct light fades as on a table: write data-falloff=\"table\" on the drawing's <svg>".to_string());
     };
-    let color = color(source, weights);
+    let color = into_gamut(source.color(weights)).map(|channel| channel as f32);
     let lamp = match source.form {
         SourceForm::Point(center) => Lamp::disc(id, center, 0.0, color),
         SourceForm::Disc { center, radius } => Lamp::disc(id, center, radius, color),
@@ -51,19 +48,6 @@ fn lamp(id: ItemId, source: &LightSource, weights: &Weights) -> Result<Lamp, Str
         }
     };
     Ok(Lamp { height_mm, reach_mm, ..lamp })
-}
-
-/// The colour of a lamp's light, times its power.
-fn color(source: &LightSource, weights: &Weights) -> [f32; 3] {
-    let sampler = WavelengthSampler::new(&source.emission);
-    let mut sum = [0.0; 3];
-    for draw in 0..DRAWS {
-        let sample = sampler.sample((f64::from(draw) + 0.5) / f64::from(DRAWS));
-        let at = weights.at(sample.nm);
-        (0..3).for_each(|channel| sum[channel] += sample.weight * f64::from(at[channel]));
-    }
-    tracer::transport::into_gamut(sum)
-        .map(|channel| (channel * source.power * sampler.mean() / f64::from(DRAWS)) as f32)
 }
 
 fn occluders(body: &Body, occluders: &mut Vec<Occluder>) -> Result<(), String> {

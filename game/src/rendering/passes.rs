@@ -6,7 +6,9 @@ use tracer::View;
 use tracer::monte_carlo::Sampling;
 use tracer::transport::beams::{BeamOptions, BeamPicture, BeamTracer};
 use tracer::transport::spectrum::{Emission, Weights};
-use tracer::transport::{Counts, MOST_SURFACES, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer, Scene};
+use tracer::transport::{
+    Counts, LampFaces, MOST_SURFACES, Material, PathPicture, PathTracer, PhotonPicture, PhotonTracer, Scene,
+};
 
 /// Packets of a pass of photons: even where each meets a thousand surfaces, a pass is over in seconds.
 const PACKETS: u64 = 1 << 13;
@@ -69,6 +71,8 @@ pub enum Stopped {
 /// A picture in the making.
 pub struct Passes<'a> {
     work: Work<'a>,
+    /// What is seen of the lamps themselves; direct light has them in its own.
+    faces: LampFaces,
 }
 
 enum Work<'a> {
@@ -106,6 +110,10 @@ impl<'a> Passes<'a> {
     pub fn new(scene: &'a Scene, view: View, settings: &Settings) -> Passes<'a> {
         let weights = weights(settings.white_kelvin);
         let Settings { samples, seed, depth, .. } = *settings;
+        let faces = match settings.integrator {
+            Integrator::Exact | Integrator::MonteCarlo => LampFaces::default(),
+            _ => LampFaces::new(scene, &view, &weights),
+        };
         let work = match settings.integrator {
             Integrator::Exact | Integrator::MonteCarlo => {
                 let sampling = Sampling { samples, seed, stratified: true };
@@ -144,7 +152,7 @@ impl<'a> Passes<'a> {
                 Work::Bake { straight, families, done: 0, baking }
             }
         };
-        Passes { work }
+        Passes { work, faces }
     }
 
     /// Makes passes until all are made or `goes_on`, which is told how many steps of how many are done, says no.
@@ -247,13 +255,15 @@ impl<'a> Passes<'a> {
 
     /// The fluence in each pixel, row by row, signed.
     pub fn fluence(&self) -> Vec<[f64; 3]> {
-        match &self.work {
+        let mut fluence = match &self.work {
             Work::Direct { fluence, .. } => fluence.clone(),
             Work::Photons { picture, .. } => picture.fluence(),
             Work::Path { picture, .. } => picture.fluence(),
             Work::Beams { picture, .. } => picture.fluence(),
             Work::Bake { straight, baking, .. } => baking.added_to(straight.fluence()),
-        }
+        };
+        self.faces.add_to(&mut fluence);
+        fluence
     }
 
     /// How the packets of light have ended, where there were some.

@@ -40,8 +40,10 @@ pub struct SceneViewer {
     /// Why the file cannot be read, for as long as it cannot.
     unreadable: Option<String>,
     is_help: bool,
-    /// The next frame is the picture alone, and is saved.
+    /// The next frame of the picture that is asked for is that alone, and is saved.
     is_bare: bool,
+    /// The frame that is being painted is bare.
+    painted_bare: bool,
     /// The person was told that leaving loses what was moved.
     is_warned: bool,
     refiner: Refiner,
@@ -89,6 +91,7 @@ impl SceneViewer {
             unreadable: None,
             is_help: false,
             is_bare: false,
+            painted_bare: false,
             is_warned: false,
             refiner: Refiner::start(pool)?,
             orders: 0,
@@ -308,8 +311,8 @@ impl App for SceneViewer {
             }
             Event::FocusLost => self.end_drag(),
             Event::Message(text) => self.tell(text),
-            Event::FrameShown { .. } if self.is_bare => {
-                self.is_bare = false;
+            Event::FrameShown { .. } if self.painted_bare => {
+                (self.is_bare, self.painted_bare) = (false, false);
                 commands.screenshot = true;
             }
             Event::Key { down: false, .. } | Event::FrameShown { .. } => return,
@@ -321,15 +324,18 @@ impl App for SceneViewer {
     fn frame_input(&mut self, size: Size) -> Overlay {
         self.size = size;
         let view = self.camera.view(size);
+        let is_bare = self.is_bare && self.shown.as_ref().is_some_and(|shown| shown.view == view);
+        self.painted_bare = is_bare;
         Overlay {
             size,
-            picture: self.shown.as_ref().map(|shown| shown.frame.clone()),
+            view,
+            picture: self.shown.as_ref().map(|shown| (shown.frame.clone(), shown.view)),
             outline: self
                 .outline()
-                .filter(|_| !self.is_bare)
+                .filter(|_| !is_bare)
                 .map(|shape| overlay::outline(self.document.scene(), shape, &view)),
-            status: if self.is_bare { String::new() } else { self.status() },
-            is_help: self.is_help && !self.is_bare,
+            status: if is_bare { String::new() } else { self.status() },
+            is_help: self.is_help && !is_bare,
         }
     }
 

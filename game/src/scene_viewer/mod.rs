@@ -9,6 +9,7 @@ mod document;
 mod overlay;
 mod pick;
 mod refiner;
+mod resampling;
 #[cfg(test)]
 mod tests;
 

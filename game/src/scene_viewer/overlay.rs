@@ -1,6 +1,7 @@
 //! The overlay: the picture, and what stands over it.
 
 use super::pick::chords;
+use super::resampling::frame_in_view;
 use crate::Failure;
 use crate::drawn_scene::DrawnScene;
 use crate::hud::{Anchor, BRASS, FontFamily, IVORY, NIGHT, TextRenderer, TextStyle};
@@ -34,8 +35,10 @@ const LINE_PX: i32 = 22;
 pub struct Overlay {
     /// The frame's size.
     pub size: Size,
-    /// The picture; of another size while a new one is being made.
-    pub picture: Option<Arc<Frame>>,
+    /// Where the page is on it.
+    pub view: View,
+    /// The picture and its view: another one while a new picture is being made.
+    pub picture: Option<(Arc<Frame>, View)>,
     /// The outline of what the mouse holds or would take, pixels.
     pub outline: Option<Vec<Segment>>,
     /// A line at the foot.
@@ -53,12 +56,12 @@ pub fn painter() -> Result<impl FnMut(Overlay, &mut Frame) -> Result<(), Failure
     Ok(move |overlay: Overlay, frame: &mut Frame| {
         let Size { width, height } = overlay.size;
         (frame.width, frame.height) = (width, height);
-        frame.pixels.clear();
-        frame.pixels.resize(width * height, NIGHT);
-        let mut canvas = Canvas::new(frame);
-        if let Some(picture) = &overlay.picture {
-            canvas.copy(picture, Rect::new(0, 0, picture.width as i32, picture.height as i32), (0, 0));
+        match &overlay.picture {
+            Some((picture, view)) if *view == overlay.view => frame.pixels.clone_from(&picture.pixels),
+            Some((picture, view)) => frame.pixels = frame_in_view(picture, view, &overlay.view, NIGHT),
+            None => frame.pixels = vec![NIGHT; width * height],
         }
+        let mut canvas = Canvas::new(frame);
         if let Some(outline) = &overlay.outline {
             let mut layer = Layer::new(Rect::new(0, 0, width as i32, height as i32));
             outline.iter().for_each(|line| layer.line(line.a, line.b, 1.5, BRASS, 150));

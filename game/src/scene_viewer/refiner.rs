@@ -1,8 +1,9 @@
 //! The refiner: a thread that makes a scene's picture, first at once, then better and better, until another is asked for.
 
+use super::resampling::doubled;
 use crate::desktop::Waker;
 use crate::drawn_scene::DrawnScene;
-use crate::rendering::{Integrator, Passes, Settings, Stopped, add_art, develop, expose, finds_all_by_beams};
+use crate::rendering::{Integrator, Passes, Picture, Settings, Stopped, add_art, develop, expose, finds_all_by_beams};
 use crate::{Failure, art};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,8 +13,9 @@ use tracer::{Frame, View, tone_map};
 
 /// From one picture that is being refined to the next.
 const INTERVAL: Duration = Duration::from_millis(250);
-/// Beams of a family, packets or directions a pixel with which a picture is done.
+/// Beams of a family, packets or directions a pixel with which a picture is done; a preview has fewer beams.
 const BEAMS: u32 = 64;
+const PREVIEW_BEAMS: u32 = 32;
 const SAMPLES: u32 = 1024;
 /// Pieces of beams beyond which photons refine the picture; a preview has fewer.
 const MOST_PIECES: u64 = 3_000_000;
@@ -45,6 +47,8 @@ pub struct Order {
 pub struct Shown {
     /// Its pixels.
     pub frame: Arc<Frame>,
+    /// Where they are on the page.
+    pub view: View,
     /// The factor by which light was multiplied.
     pub exposure: f64,
     /// How it was made, for a person.
@@ -116,15 +120,22 @@ impl Worker {
     fn try_make(&self, order: &Order, waker: &Waker) -> Result<(), Failure> {
         let drawing = &order.scene.drawing;
         let art = art::drawing(&drawing.svg, drawing.size_mm, &order.view)?;
-        let preview =
-            Settings { most_pieces: Some(PREVIEW_PIECES), is_preview: true, ..settings(order, Integrator::Beams) };
+        let preview = Settings {
+            samples: PREVIEW_BEAMS,
+            most_pieces: Some(PREVIEW_PIECES),
+            is_preview: true,
+            ..settings(order, Integrator::Beams)
+        };
         let mut factor = order.exposure;
-        let mut passes = Passes::new(&order.scene.scene, order.view, &preview);
+        // A quarter of the pixels is there three times as soon.
+        let half = order.view.halved();
+        let mut passes = Passes::new(&order.scene.scene, half, &preview);
         self.run(order, &mut passes, None)?;
         if self.is_old(order) {
             return Ok(());
         }
-        self.show(order, &passes, &art, &mut factor, waker);
+        let (picture, report) = developed(order, &passes, &half, &mut factor);
+        self.show(order, doubled(&picture, order.view.width, order.view.height), report, &art, factor, waker);
         if order.is_moving {
             return Ok(());
         }
@@ -138,7 +149,8 @@ impl Worker {
                 Stopped::TooManyBeams => integrator = Integrator::Photons,
                 _ if self.is_old(order) => return Ok(()),
                 _ => {
-                    self.show(order, &passes, &art, &mut factor, waker);
+                    let (picture, report) = developed(order, &passes, &order.view, &mut factor);
+                    self.show(order, picture, report, &art, factor, waker);
                     return Ok(());
                 }
             }
@@ -164,7 +176,8 @@ impl Worker {
             }
             let calm = passes.counts().is_none_or(|counts| counts.sent as f64 > CALM * pixels);
             if calm || stopped == Stopped::Done {
-                self.show(order, &passes, art, factor, waker);
+                let (picture, report) = developed(order, &passes, &order.view, factor);
+                self.show(order, picture, report, art, *factor, waker);
             }
             if stopped == Stopped::Done {
                 return Ok(());
@@ -181,19 +194,32 @@ impl Worker {
         stopped.map_err(Failure::new)
     }
 
-    fn show(&self, order: &Order, passes: &Passes, art: &[[u8; 4]], factor: &mut Option<f64>, waker: &Waker) {
-        let (fluence, scene) = (passes.fluence(), &order.scene);
-        let (mut picture, used) = match *factor {
-            Some(factor) => (expose(&fluence, &order.view, factor), factor),
-            None => develop(&fluence, &order.view, scene.stops),
-        };
-        *factor = Some(used);
-        add_art(&mut picture, art, scene.ambient);
+    fn show(
+        &self,
+        order: &Order,
+        mut picture: Picture,
+        report: String,
+        art: &[[u8; 4]],
+        exposure: Option<f64>,
+        waker: &Waker,
+    ) {
+        add_art(&mut picture, art, order.scene.ambient);
         let frame = Arc::new(tone_map::map_pixels(&picture.pixels, picture.width, 1.0));
-        let report = passes.amount(passes.steps().0);
-        let _ = self.outbox.send(Ok(Shown { frame, exposure: used, report }));
+        let shown = Shown { frame, view: order.view, exposure: exposure.unwrap_or(1.0), report };
+        let _ = self.outbox.send(Ok(shown));
         waker.wake();
     }
+}
+
+/// The picture of what passes have found, and how it was made; the first one is exposed by its own light.
+fn developed(order: &Order, passes: &Passes, view: &View, factor: &mut Option<f64>) -> (Picture, String) {
+    let fluence = passes.fluence();
+    let (picture, used) = match *factor {
+        Some(factor) => (expose(&fluence, view, factor), factor),
+        None => develop(&fluence, view, order.scene.stops),
+    };
+    *factor = Some(used);
+    (picture, passes.amount(passes.steps().0))
 }
 
 fn settings(order: &Order, integrator: Integrator) -> Settings {

@@ -26,10 +26,14 @@ pub fn folder_failure(path: &Path, error: &io::Error) -> Failure {
         Ok(found) if found.is_symlink() && !there.exists() => {
             "is a link that leads nowhere; make the folder that it names, or remove it"
         }
+        Ok(found) if !found.is_file() => "is no folder; name one",
         _ => "is a file; name a folder",
     };
     Failure::new(format!("cannot make the folder {}: {} {what}", path.display(), there.display()))
 }
+
+/// Linux's number for a link that leads to itself.
+const ELOOP: i32 = 40;
 
 /// What the system says, in plain words and with what to do.
 pub fn because(error: &io::Error) -> String {
@@ -41,6 +45,8 @@ pub fn because(error: &io::Error) -> String {
         ErrorKind::AlreadyExists => "there is already one of that name; choose another name or move it away",
         ErrorKind::StorageFull => "the disk is full; make room or choose another place",
         ErrorKind::ReadOnlyFilesystem => "it lies on a disk that cannot be written; choose another place",
+        // `ErrorKind::FilesystemLoop` is not stable yet.
+        _ if error.raw_os_error() == Some(ELOOP) => "it is a link that leads to itself; make it lead to a file",
         _ => {
             let said = error.to_string();
             return said.split(" (os error").next().unwrap_or(&said).to_string();

@@ -69,8 +69,9 @@ fn check_kind(kind: FileType) -> io::Result<()> {
     Err(io::Error::new(ErrorKind::InvalidInput, format!("it is {} and no file; name a file", special(kind))))
 }
 
+/// What it is that is neither a file nor a folder.
 #[cfg(unix)]
-fn special(kind: FileType) -> &'static str {
+pub(super) fn special(kind: FileType) -> &'static str {
     use std::os::unix::fs::FileTypeExt;
     if kind.is_fifo() {
         "a pipe"
@@ -82,6 +83,6 @@ fn special(kind: FileType) -> &'static str {
 }
 
 #[cfg(not(unix))]
-fn special(_: FileType) -> &'static str {
+pub(super) fn special(_: FileType) -> &'static str {
     "a device"
 }

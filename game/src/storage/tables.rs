@@ -2,7 +2,7 @@
 
 use super::assets::{find, roots};
 use super::file_failure::because;
-use super::limited_read;
+use super::limited_read::{self, special};
 use crate::art;
 use crate::table::{FILES, LIMITS_BYTES, TableSources};
 use crate::{Failure, Table};
@@ -93,6 +93,15 @@ fn table_dir(name: &str) -> Result<PathBuf, Failure> {
     }
     if folder.is_dir() {
         return Err(Failure::new(format!("the folder {name} has no table.svg, so it is no table")));
+    }
+    if let Ok(found) = folder.metadata() {
+        return Err(Failure::new(format!(
+            "{name} is {} and no folder; name the folder of a table",
+            special(found.file_type())
+        )));
+    }
+    if folder.symlink_metadata().is_ok() {
+        return Err(Failure::new(format!("{name} is a link that leads nowhere; name the folder of a table")));
     }
     let names = names();
     let there_are = match names.as_slice() {

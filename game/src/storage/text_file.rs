@@ -21,10 +21,5 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 /// # Errors
 /// If it cannot be read, is too large, or is no text.
 pub fn read(path: &Path) -> Result<String, Failure> {
-    let bytes = read_bytes(path)?;
-    String::from_utf8(bytes).map_err(|error| {
-        let line =
-            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
-        Failure::new(format!("{}:{line}: this is no text in UTF-8", path.display()))
-    })
+    pinball::table::text(&path.display().to_string(), read_bytes(path)?)
 }

@@ -1,6 +1,6 @@
 //! Light sources: what sends light out, how much, and of which wavelengths.
 
-use super::spectrum::Emission;
+use super::spectrum::{Emission, WavelengthSampler, Weights};
 use geometry::{DVec2, Ray, Segment, trig};
 use std::f64::consts::{PI, TAU};
 
@@ -85,6 +85,23 @@ impl Falloff {
                 TAU * way * reference / (way * way + height_mm * height_mm) * window * window
             }
         }
+    }
+}
+
+/// Draws of a spectrum for its colour.
+const COLOR_DRAWS: u32 = 4096;
+
+impl LightSource {
+    /// The colour of its light, linear and signed, times its power.
+    pub fn color(&self, weights: &Weights) -> [f64; 3] {
+        let sampler = WavelengthSampler::new(&self.emission);
+        let mut sum = [0.0; 3];
+        for draw in 0..COLOR_DRAWS {
+            let sample = sampler.sample((f64::from(draw) + 0.5) / f64::from(COLOR_DRAWS));
+            let at = weights.at(sample.nm);
+            (0..3).for_each(|channel| sum[channel] += sample.weight * f64::from(at[channel]));
+        }
+        sum.map(|channel| channel * self.power * sampler.mean() / f64::from(COLOR_DRAWS))
     }
 }
 

@@ -243,7 +243,7 @@ impl Prepared<'_> {
 
 impl SourceForm {
     /// A point of the source, drawn by `unit`, and the fluence at `point` of unit power if all that shines there is as visible as
-    /// that point. `None` for light that comes in one direction only.
+    /// that point. `None` for light that comes in one direction only, and inside a disc.
     fn towards(&self, point: DVec2, unit: f64) -> Option<(DVec2, f64)> {
         match *self {
             SourceForm::Point(center) | SourceForm::Cone { center, .. } => Some((center, self.fluence(point)?)),
@@ -251,7 +251,8 @@ impl SourceForm {
                 let away = center - point;
                 let distance = away.length();
                 if distance <= radius {
-                    return Some((point, self.fluence(point)?));
+                    // Its light goes outwards: what is seen inside is its face.
+                    return None;
                 }
                 let half = libm::asin(radius / distance);
                 let direction = trig::rotate(away / distance, (2.0 * unit - 1.0) * half);

@@ -29,6 +29,7 @@ pub use lamp::{Emitter, Lamp, LampKind};
 pub use normal_map::NormalMapInputs;
 pub use parse::{FILES, LIMITS_BYTES, TableSources};
 pub use solid::{Finish, Profile, Solid};
+pub use source::text;
 pub use svg::css::style_declarations;
 pub use svg::drawn_shapes::{DrawnLine, DrawnOutline, DrawnPiece, DrawnShape, DrawnShapes};
 pub use svg::element_class::LIGHT_BENDING_WORDS;

@@ -106,6 +106,15 @@ fn other_than_text(path: &str, bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
+/// The text of the file called `path`, which holds `bytes`.
+///
+/// # Errors
+/// If that is no text in UTF-8: what it is, and what to do.
+pub fn text(path: &str, bytes: Vec<u8>) -> Result<String, Failure> {
+    let source = Source::read(path.to_string(), Ok(bytes), u64::MAX);
+    source.map(|source| source.text).map_err(|diagnostic| diagnostic.failure())
+}
+
 /// A text file that has been read whole.
 #[derive(Clone, Debug)]
 pub(super) struct Source {

@@ -37,6 +37,11 @@ pub(in crate::table) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = 
         })
 }
 
+/// Whether two words are one but for case and hyphens.
+pub(in crate::table) fn is_same(word: &str, other: &str) -> bool {
+    bare(word) == bare(other)
+}
+
 /// A word without case, hyphens and underscores.
 fn bare(word: &str) -> Vec<char> {
     word.chars().filter(|c| !matches!(c, '-' | '_' | '.')).flat_map(char::to_lowercase).collect()

@@ -167,6 +167,9 @@ impl Reader<'_> {
                     false => format!("the class `{word}` means nothing{meant}"),
                 };
                 self.diagnostics.push(self.source.diagnostic(node.range().start, what).into_warning());
+            } else if let Some(meant) = class_typo::meant_for_art(word).filter(|_| is_thing) {
+                let what = format!("the class `{word}` means nothing; did you mean `{meant}`?");
+                self.diagnostics.push(self.source.diagnostic(node.range().start, what).into_warning());
             }
         }
         typo
@@ -286,6 +289,18 @@ impl Reader<'_> {
         id.to_string()
     }
 
+    /// Tells of a word that lacks its `data-`, and takes it for what was meant.
+    fn without_prefix(&mut self, node: Node, class: ElementClass, name: &str, data: &mut BTreeMap<String, String>) {
+        for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
+            let Some(meant) = class.data().find(|word| class_typo::is_same(word, attribute.name())) else { continue };
+            if !data.contains_key(meant) {
+                let (wrong, article) = (attribute.name(), class.with_article());
+                self.diagnostic(node, format!("{name}: {article} has no `{wrong}`; did you mean `data-{meant}`?"));
+                data.insert(meant.to_string(), attribute.value().trim().to_string());
+            }
+        }
+    }
+
     /// What its `data-` attributes say: a misspelt one is told, and says all the same what was meant.
     fn data(&mut self, node: Node, class: ElementClass, name: &str) -> BTreeMap<String, String> {
         let written = node.attributes().filter_map(|attribute| {
@@ -294,6 +309,7 @@ impl Reader<'_> {
         });
         let mut data: BTreeMap<String, String> = written.collect();
         let known: Vec<&str> = class.data().chain(["group"]).collect();
+        self.without_prefix(node, class, name, &mut data);
         let unknown: Vec<String> = data.keys().filter(|key| !known.contains(&key.as_str())).cloned().collect();
         for key in unknown {
             let lacking = known.iter().copied().filter(|known| !data.contains_key(*known));
@@ -302,7 +318,10 @@ impl Reader<'_> {
                 Some(meant) => format!("did you mean `data-{meant}`?"),
                 None => format!("it may have {}", words_of_data(class)),
             };
-            self.diagnostic(node, format!("{name}: {} has no `data-{key}`; {what}", class.with_article()));
+            let what = format!("{name}: {} has no `data-{key}`; {what}", class.with_article());
+            let told = self.source.diagnostic(node.range().start, what);
+            // A word of the maker's own is allowed, and says nothing.
+            self.diagnostics.push(if meant.is_some() || is_tables_word(&key) { told } else { told.into_warning() });
             if let (Some(meant), Some(value)) = (meant, data.remove(&key)) {
                 data.insert(meant.to_string(), value);
             }
@@ -322,6 +341,11 @@ fn is_art(node: Node) -> bool {
 /// Whether a word of an element's class is nearly a thing's: that is a mistake of its own.
 pub(in crate::table) fn meant_as_thing(node: Node) -> bool {
     node.attribute("class").unwrap_or("").split_ascii_whitespace().any(|word| class_typo::meant(word).is_some())
+}
+
+/// Whether this is a `data-` word of any thing, or nearly.
+fn is_tables_word(key: &str) -> bool {
+    class_typo::nearest(key, ElementClass::ALL.into_iter().flat_map(ElementClass::data).chain(["group"])).is_some()
 }
 
 /// The `data-` attributes that a thing of this class may have, for a sentence.

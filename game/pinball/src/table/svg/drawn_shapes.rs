@@ -169,6 +169,7 @@ impl Reader<'_> {
         let attribute = node.attribute("transform").unwrap_or("");
         let transform = around.clone().and_then(|transform| transform.transformed(attribute));
         if is_container(node) {
+            self.group_with_a_word(node);
             let is_inner_svg = node.tag_name().name() == "svg";
             let inner = if is_inner_svg { transform.and_then(|outer| inner_svg(outer, node)) } else { transform };
             return self.children(node, &inner);
@@ -184,6 +185,15 @@ impl Reader<'_> {
         match transform.and_then(|transform| shape(node, transform)) {
             Ok(shape) => self.shapes.push(shape),
             Err(why) => self.tell(node, why),
+        }
+    }
+
+    /// Tells of a group that is meant to be a thing: its shapes would be art.
+    fn group_with_a_word(&mut self, node: Node) {
+        let words = node.attribute("class").unwrap_or("").split_ascii_whitespace();
+        let is_known = |word: &&str| self.words.contains(word) || ElementClass::from_word(word).is_some();
+        if words.into_iter().any(|word| is_known(&word)) {
+            self.tell(node, "a group is no thing: give the class to each shape in it instead");
         }
     }
 

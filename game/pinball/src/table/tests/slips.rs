@@ -78,6 +78,35 @@ fn a_misspelt_data_word_is_one_mistake() {
     assert_eq!(told, ["table.svg:5: l: a lamp has no `data-isnide`; did you mean `data-inside`?"]);
 }
 
+/// `finish="glass"` on a guide was passed over, and it had no glass.
+#[test]
+fn a_data_word_without_its_data_is_told() {
+    let guide = "<line class='guide' id='g' finish='glass' x1='99' y1='99' x2='160' y2='99' stroke-width='5'/>";
+    let told = read(guide, "").unwrap_err();
+    assert_eq!(told[0], "table.svg:5: g: a guide has no `finish`; did you mean `data-finish`?");
+    // One that it needs was told to be missing, and is one mistake.
+    let gate = drawn("<line class='gate' id='g' way='left' x1='99' y1='99' x2='99' y2='140'/>");
+    assert_eq!(gate, "5: g: a gate has no `way`; did you mean `data-way`?");
+}
+
+/// A maker's own `data-note` was a mistake.
+#[test]
+fn a_data_word_of_the_makers_own_is_warned_of() {
+    let post = "<circle class='post' cx='99' cy='99' r='4' data-note='mine'/>";
+    let [told] = &warned(post)[..] else { panic!("{:?}", warned(post)) };
+    assert!(told.ends_with("5: post#3: a post has no `data-note`; it may have data-finish"), "{told}");
+}
+
+/// A misspelt word of art beside a thing's word was taken for a drawing program's own: the plastic had no grain.
+#[test]
+fn a_misspelt_word_of_art_on_a_thing_is_told() {
+    let plastic = |word: &str| warned(&format!("<path class='plastic {word}' fill='red' d='M40 40h40v9z'/>"));
+    let [told] = &plastic("woods")[..] else { panic!("{:?}", plastic("woods")) };
+    assert!(told.ends_with("5: the class `woods` means nothing; did you mean `wood`?"), "{told}");
+    assert_eq!(plastic("wood"), [""; 0]);
+    assert_eq!(plastic("st0"), [""; 0]);
+}
+
 #[test]
 fn what_is_not_xml_is_told_in_plain_words() {
     let xml = |from: &str, to: &str| {
