@@ -15,7 +15,7 @@ use geometry::DVec2;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tracer::View;
-use tracer::transport::{Counts, Scene};
+use tracer::transport::Scene;
 
 /// The longer side of a picture, pixels, where no size is given.
 const USUAL_SIDE: f64 = 1080.0;
@@ -118,9 +118,9 @@ fn drawing(args: &RenderArgs, scene: &Path, name: &str, begin: Instant) -> Resul
     if stopped == Stopped::Early {
         report += &format!(" of {all} (stopped early)");
     }
-    if let Some(Counts { sent, given_up, .. }) = passes.counts().filter(|counts| counts.given_up > 0) {
-        let part = given_up as f64 / sent as f64;
-        report += &format!(", {:.4} % of the light given up after too many surfaces", 100.0 * part);
+    if passes.given_up() > 0.0 {
+        let percent = 100.0 * passes.given_up();
+        report += &format!(", {percent:.4} % of the light given up after too many surfaces (--depth)");
     }
     let mut metadata = vec![
         ("Integrator", integrator_name(settings.integrator).to_string()),

@@ -266,6 +266,18 @@ impl<'a> Passes<'a> {
         fluence
     }
 
+    /// The part of the light that was followed no farther, for it had met too many surfaces.
+    pub fn given_up(&self) -> f64 {
+        match &self.work {
+            Work::Photons { picture, .. } => {
+                let Counts { sent, given_up, .. } = *picture.counts();
+                given_up as f64 / sent.max(1) as f64
+            }
+            Work::Beams { picture, .. } => picture.given_up(),
+            Work::Direct { .. } | Work::Path { .. } | Work::Bake { .. } => 0.0,
+        }
+    }
+
     /// How the packets of light have ended, where there were some.
     pub fn counts(&self) -> Option<Counts> {
         match &self.work {

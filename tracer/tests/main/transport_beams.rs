@@ -164,3 +164,49 @@ fn what_is_smaller_than_a_beam_casts_its_shadow() {
     }
     assert!(counts[0] > 20 && counts[1] > 150, "{counts:?}");
 }
+
+/// A post before another one: a cell whose rays part in two places was never divided there, and one ray had its light.
+#[test]
+fn beams_past_two_posts_are_as_even_as_the_closed_form() {
+    let post = |x: f64, y: f64, radius: f64| Body::of_shape(&Shape::disc(DVec2::new(x, y), radius), Material::Absorber);
+    let form = SourceForm::Disc { center: DVec2::new(96.0, 96.0), radius: 22.0 };
+    let source = LightSource { form, emission: Emission::EqualEnergy, power: 1.0, falloff: Falloff::Plane };
+    let scene = Scene { bodies: vec![post(96.0, 330.0, 26.0), post(148.0, 452.0, 18.0)], sources: vec![source] };
+    let view = View::fit(192, 540, DVec2::new(192.0, 540.0));
+    let light = beams(&scene, view, BeamOptions::default());
+    // Between the lamp and the nearer post nothing is in the way of any light.
+    for y in (130..300).step_by(7) {
+        for x in 90..120 {
+            let place = view.table_from_pixel(x, y);
+            let expected = form.fluence(place).expect("it has one");
+            let found = light[y * view.width + x][1];
+            assert!((found / expected - 1.0).abs() < 1e-2, "{place}: {found} for {expected}");
+        }
+    }
+}
+
+/// Light that goes round in a mirror met 24 surfaces, and its rest was gone without a word; more overflowed the stack.
+#[test]
+fn beams_follow_light_through_hundreds_of_surfaces_and_count_what_they_give_up() {
+    let ring = Body::of_shape(
+        &Shape::disc(DVec2::new(50.0, 50.0), 40.0),
+        Material::Mirror { reflectance: [0.99; 3], roughness: 0.0 },
+    );
+    let line = Segment { a: DVec2::new(40.0, 50.0), b: DVec2::new(41.0, 50.0) };
+    let form = SourceForm::Beam { line, half_angle: 0.0 };
+    let source = LightSource { form, emission: Emission::EqualEnergy, power: 1.0, falloff: Falloff::Plane };
+    let scene = Scene { bodies: vec![ring], sources: vec![source] };
+    let view = View::fit(50, 50, DVec2::new(100.0, 100.0));
+    for most_surfaces in [24, 300] {
+        let options = BeamOptions { beams: 2, most_surfaces, ..BeamOptions::default() };
+        let mut picture = BeamPicture::new(BeamTracer::new(&scene, &Weights::equal_energy(), options), view);
+        while picture.expose(8, &|| true) {}
+        let expected = 0.99_f64.powi(most_surfaces as i32 + 1);
+        assert!((picture.given_up() / expected - 1.0).abs() < 1e-6, "{} {expected}", picture.given_up());
+        // All of the light's way is in the ring: from mirror to mirror one chord, each as much weaker.
+        let light: f64 = picture.fluence().iter().map(|pixel| pixel[1]).sum::<f64>() * view.mm_per_px * view.mm_per_px;
+        let chord = 2.0 * (40.0_f64.powi(2) - 9.5_f64.powi(2)).sqrt();
+        let way = chord * (0.5 + (0.99 - expected) / 0.01);
+        assert!((light / way - 1.0).abs() < 5e-3, "{light} for {way}");
+    }
+}

@@ -8,6 +8,9 @@ use super::sweep::{State, Sweep};
 /// nothing to see.
 const FINEST: f64 = 1.0 / (1_u64 << 36) as f64;
 
+/// After so many cuts a cell is halved in v.
+const HALVED_EVERY: u32 = 4;
+
 /// A place where rays part.
 struct Parting {
     place: f64,
@@ -35,6 +38,10 @@ impl Sweep<'_, '_> {
         if states.iter().all(Option::is_none) {
             // It comes here because the ray in its middle is not dark.
             return self.quarter(cell);
+        }
+        // Along a curve where rays part, chords between its points may cut off slivers for ever: halves come nearer to it.
+        if !cell.is_line() && cell.cuts.is_multiple_of(HALVED_EVERY) {
+            return self.halve_across(cell, states);
         }
         if cell.is_line() {
             let parting = self.parting_over_u(&cell, 0, states, false);

@@ -1,12 +1,15 @@
 //! A picture by beams in the making.
 
+use super::family::Lays;
 use super::film::BeamFilm;
 use super::horizon::Horizon;
-use super::sweep::Sweep;
+use super::sweep::{GIVEN_UP_UNIT, Sweep};
 use super::tracer::BeamTracer;
 use crate::View;
+use crate::transport::luminance;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// A beam's picture in the making.
@@ -21,6 +24,8 @@ pub struct BeamPicture<'a> {
     done: usize,
     /// Whether a family had more pieces than it may have.
     is_cut: AtomicBool,
+    /// Of each family's light what had met the most surfaces, in units of [`GIVEN_UP_UNIT`].
+    given_up: Vec<AtomicU64>,
 }
 
 /// Parts into which a family is divided, so that all threads have work.
@@ -32,7 +37,8 @@ impl<'a> BeamPicture<'a> {
         let film = || Mutex::new(BeamFilm::new(view.width, view.height));
         let films = (0..rayon::current_num_threads().max(1)).map(|_| film()).collect();
         let light = vec![[0.0; 3]; view.width * view.height];
-        BeamPicture { tracer, view, films, light, done: 0, is_cut: AtomicBool::new(false) }
+        let given_up = tracer.families.iter().map(|_| AtomicU64::new(0)).collect();
+        BeamPicture { tracer, view, films, light, done: 0, is_cut: AtomicBool::new(false), given_up }
     }
 
     /// Sweeps `families` more, and those that have the last one's colour; `false` when all are done. Where `goes_on` says no they
@@ -67,14 +73,17 @@ impl<'a> BeamPicture<'a> {
             film: &mut film,
             most,
             horizon: Horizon::new(&self.view),
-            met: Vec::new(),
+            met: Rc::default(),
+            pending: Vec::new(),
             // A part by itself, so that what is left out does not depend on who is first.
             pieces_left: self.tracer.options.most_pieces / PARTS as u64,
+            given_up: 0,
             goes_on,
         };
         if !sweep.run(part(task % PARTS)..part(task % PARTS + 1)) {
             self.is_cut.store(true, Ordering::Relaxed);
         }
+        self.given_up[task / PARTS].fetch_add(sweep.given_up, Ordering::Relaxed);
     }
 
     /// Takes the light from all films into the pixels.
@@ -99,6 +108,19 @@ impl<'a> BeamPicture<'a> {
     /// Whether some light is left out: a family had [`super::BeamOptions::most_pieces`].
     pub fn is_cut(&self) -> bool {
         self.is_cut.load(Ordering::Relaxed)
+    }
+
+    /// The part of all light that was given up because it had met [`super::BeamOptions::most_surfaces`].
+    pub fn given_up(&self) -> f64 {
+        let (mut lost, mut sent) = (0.0, 0.0);
+        for ((family, _), given_up) in self.tracer.families.iter().zip(&self.given_up) {
+            if family.lays != Lays::BeforeSurfaces {
+                let power = luminance(family.color.map(f64::abs));
+                sent += power;
+                lost += power * given_up.load(Ordering::Relaxed) as f64 * GIVEN_UP_UNIT;
+            }
+        }
+        if sent > 0.0 { lost / sent } else { 0.0 }
     }
 
     /// The fluence in each pixel, row by row, signed.

@@ -12,12 +12,20 @@ use super::leaf::Leaf;
 use super::tracer::BeamTracer;
 use crate::View;
 use crate::transport::{EdgeId, Media};
+use std::rc::Rc;
 
 /// What a beam met before: which edge, and what became of it there.
 #[derive(Clone, Copy)]
 pub(super) struct Met {
     pub edge: EdgeId,
     way: Way,
+}
+
+/// A cell behind what its beam has met.
+pub(super) struct Pending {
+    met: Rc<[Met]>,
+    cell: Cell,
+    states: [State; 4],
 }
 
 /// Found while a beam is divided: its rays do not all meet the same surface.
@@ -37,12 +45,20 @@ pub(super) struct Sweep<'a, 'b> {
     pub most: f64,
     /// Where rays that meet nothing end.
     pub horizon: Horizon,
-    pub met: Vec<Met>,
+    /// What the cell that is looked at has met.
+    pub met: Rc<[Met]>,
+    /// Cells behind surfaces that are not looked at yet: a list and no recursion, since light may meet hundreds of surfaces.
+    pub pending: Vec<Pending>,
     /// Pieces that may still be looked at.
     pub pieces_left: u64,
+    /// The family's light that had met the most surfaces, in units of [`GIVEN_UP_UNIT`].
+    pub given_up: u64,
     /// Asked now and then whether to go on.
     pub goes_on: &'b (dyn Fn() -> bool + Sync),
 }
+
+/// A part of a family's light: whole numbers of it are the same sum in any order.
+pub(super) const GIVEN_UP_UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// What is less than this part of a beam counts as weaker in proportion.
 const SMALL_PART: f64 = 4.0;
@@ -62,7 +78,12 @@ impl Sweep<'_, '_> {
         let count = f64::from(self.tracer.options.beams);
         for beam in beams {
             let cell = Cell::new([beam, beam + 1].map(|edge| f64::from(edge) / count));
+            self.met = Rc::default();
             self.cell(cell, std::array::from_fn(|at| self.probe(cell.corner(at))));
+            while let Some(Pending { met, cell, states }) = self.pending.pop() {
+                self.met = met;
+                self.cell(cell, states);
+            }
         }
         self.pieces_left > 0
     }
@@ -71,7 +92,7 @@ impl Sweep<'_, '_> {
     pub(super) fn probe(&self, [u, v]: [f64; 2]) -> State {
         let surfaces = &self.tracer.surfaces;
         let mut corner = self.tracer.start(self.family, self.media, [u, v]);
-        for met in &self.met {
+        for met in self.met.iter() {
             let contacts = surfaces.meet(&corner.ray, &corner.starts_on)?;
             if contacts.first().edge != met.edge {
                 return None;
@@ -130,9 +151,11 @@ impl Sweep<'_, '_> {
             leaves.iter().for_each(|leaf| self.splat(leaf));
         }
         let Some(edge) = probes[0].edge else { return };
-        let is_last = self.met.len() >= self.tracer.options.most_surfaces as usize;
-        if is_last || self.family.lays == Lays::BeforeSurfaces {
+        if self.family.lays == Lays::BeforeSurfaces {
             return;
+        }
+        if self.met.len() >= self.tracer.options.most_surfaces as usize {
+            return self.give_up(&cell);
         }
         self.pieces_left = self.pieces_left.saturating_sub(leaves.len() as u64);
         for way in [Way::Reflected, Way::Through] {
@@ -207,6 +230,14 @@ impl Sweep<'_, '_> {
         probe.corner.next(surfaces, &contacts, way)
     }
 
+    /// Counts the light that goes on from a cell that is followed no farther.
+    fn give_up(&mut self, cell: &Cell) {
+        let Some(middle) = self.probe(cell.center()) else { return };
+        let strengths = [Way::Reflected, Way::Through].map(|way| self.behind(&middle, way).map(|on| on.strength()));
+        let light = cell.light * strengths.into_iter().flatten().sum::<f64>();
+        self.given_up += (light / GIVEN_UP_UNIT) as u64;
+    }
+
     /// A cell behind the surface that it meets: all of it, or leaf by leaf where some of its rays go nowhere, as beyond the angle of
     /// total reflection, so that no light is lost between corners that are all dark.
     fn go_on(&mut self, cell: &Cell, probes: &[Probe; 4], leaves: &[Leaf], met: Met) {
@@ -229,11 +260,10 @@ impl Sweep<'_, '_> {
         } else {
             whole.into()
         };
-        self.met.push(met);
+        let behind: Rc<[Met]> = self.met.iter().copied().chain([met]).collect();
         for (cell, probes) in cells {
             let states = probes.each_ref().map(|probe| Some(self.onward(self.behind(probe, met.way)?)));
-            self.cell(cell, states);
+            self.pending.push(Pending { met: behind.clone(), cell, states });
         }
-        self.met.pop();
     }
 }

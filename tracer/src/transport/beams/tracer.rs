@@ -30,7 +30,7 @@ impl Default for BeamOptions {
             beams: 64,
             wavelengths: 32,
             widths: 4,
-            most_surfaces: 24,
+            most_surfaces: 256,
             least_power: 1e-3,
             most_pieces: u64::MAX,
         }
