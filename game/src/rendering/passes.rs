@@ -212,6 +212,7 @@ impl<'a> Passes<'a> {
                 format!("{:.3} packets a pixel, {:.2} million in all", sent / *pixels as f64, sent * 1e-6)
             }
             Work::Path { picture, .. } => format!("{} directions a pixel", steps * u64::from(picture.directions())),
+            Work::Beams { .. } if steps == 1 => "one family of rays".to_string(),
             Work::Beams { .. } => format!("{steps} families of rays"),
             Work::Bake { baking, .. } => format!("{} packets from each lamp", baking.packets()),
         }
