@@ -54,6 +54,7 @@ impl Finding {
                 | FindingKind::OverEarly
                 | FindingKind::TurnsInPlay
                 | FindingKind::BeginsAnew
+                | FindingKind::DeadKickers
                 | FindingKind::DoesNotFlip
                 | FindingKind::FlippersCross
                 | FindingKind::NeverRaised

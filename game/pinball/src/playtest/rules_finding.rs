@@ -65,6 +65,13 @@ fn of_ball_in_play(finding: &Finding) -> Option<(&'static str, String)> {
                  ball begins"
             ),
         ),
+        FindingKind::DeadKickers => (
+            "on_button",
+            format!(
+                "bumpers, slingshots, kickbacks and magnets do nothing while ball {count} of a game is in play; call \
+                 `kickers(true)` where a game or a ball begins"
+            ),
+        ),
         FindingKind::FlippersDieAtLaunch => (
             "on_launch",
             format!(

@@ -68,6 +68,8 @@ pub(crate) struct SimulationRules {
     pub tilted: bool,
     /// Flippers obey their buttons.
     pub flippers_live: bool,
+    /// Bumpers, slingshots, kickbacks and magnets work.
+    pub kickers_live: bool,
     /// Balls that were asked for and have not arrived yet.
     pub owed: u32,
     /// Whose turn it is: the player, from 0, and the ball, from 1.
@@ -189,6 +191,7 @@ impl Simulation {
             playing: score.playing,
             tilted: score.tilted,
             flippers_live: state.flippers,
+            kickers_live: state.kickers,
             owed: state.owed,
             turn: (score.player, score.ball),
             balls: score.balls,

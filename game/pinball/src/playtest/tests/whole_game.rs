@@ -127,6 +127,21 @@ fn rules_that_leave_a_game_unplayable_are_told() {
     assert_eq!(changed("\"hole\" {", "\"hloe\" {"), [FindingKind::NeverEjected]);
 }
 
+/// `kickers(true)` stood only where the second ball begins, and the bumpers were dead all through the first.
+#[test]
+fn bumpers_that_are_dead_while_a_ball_is_in_play_are_told() {
+    let bumper = format!("{DRAIN}<circle class='bumper' id='pop' cx='300' cy='200' r='30'/>");
+    let kinds = |begin: &str, next: &str| {
+        let rules = changed("flippers(true); add_ball();", &format!("flippers(true); {begin} add_ball();"));
+        kinds(&bumper, &rules.replace("if next_player() {", &format!("if next_player() {{ {next}")))
+    };
+    assert_eq!(kinds("kickers(true);", ""), []);
+    assert_eq!(kinds("", "kickers(true);"), [FindingKind::DeadKickers]);
+    assert_eq!(kinds("kickers(true);", "kickers(false);"), [FindingKind::DeadKickers]);
+    // That no rule ever switches them on is told without play.
+    assert_eq!(kinds("", ""), []);
+}
+
 /// On a table whose first ball was not lost within the trial nothing was said of what a lost ball leads to, and behind the
 /// first ball nothing on any.
 #[test]

@@ -18,6 +18,8 @@ pub struct Seen {
     in_play_ticks: u64,
     /// Since then the flippers have been live.
     flippers_live: bool,
+    /// Since then bumpers and their like have worked.
+    kickers_live: bool,
     /// Since then the machine was tilted.
     tilted: bool,
     /// Since then it was not.
@@ -36,11 +38,12 @@ impl Seen {
         }
         self.in_play_ticks += 1;
         self.flippers_live |= rules.flippers_live;
+        self.kickers_live |= rules.kickers_live;
         self.tilted |= rules.tilted;
         self.untilted |= !rules.tilted;
     }
 
-    /// What is wrong with flippers or tilt.
+    /// What is wrong with flippers, kickers or tilt.
     pub fn fault(&self, table: &Table) -> Option<FindingKind> {
         if self.in_play_ticks < IN_PLAY_TICKS {
             return None;
@@ -48,11 +51,29 @@ impl Seen {
         let has_flippers = table.layout.parts.iter().any(|part| is_flipper(&part.kind));
         match (self.tilted, self.untilted) {
             (true, false) => Some(FindingKind::AlwaysTilted),
-            _ if self.tilted || self.flippers_live || !has_flippers => None,
+            _ if self.tilted => None,
+            _ if self.flippers_live || !has_flippers => self.dead_kickers(table),
             _ if self.waits_live => Some(FindingKind::FlippersDieAtLaunch),
             _ => Some(FindingKind::DeadFlippers),
         }
     }
+
+    fn dead_kickers(&self, table: &Table) -> Option<FindingKind> {
+        let has_kickers = table.layout.parts.iter().any(|part| is_kicker(&part.kind));
+        let is_dead = has_kickers && !self.kickers_live && switch_kickers_on(&table.rules);
+        is_dead.then_some(FindingKind::DeadKickers)
+    }
+}
+
+/// Whether a part works only where rules say `kickers(true)`.
+fn is_kicker(kind: &Kind) -> bool {
+    matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_))
+}
+
+/// Whether rules switch kickers on somewhere; that they never do is told of them without play.
+fn switch_kickers_on(rules: &str) -> bool {
+    let code = rules.lines().filter_map(|line| line.split("//").next());
+    code.flat_map(|code| code.split("kickers(").skip(1)).any(|argument| !argument.trim_start().starts_with("false"))
 }
 
 fn is_flipper(kind: &Kind) -> bool {

@@ -1,5 +1,6 @@
 //! Entry values: conditions on entries of `this` that no rule ever makes true.
 
+use super::comparison::Comparison;
 use super::literal::{literal, same, shown};
 use super::memory::foreign_functions;
 use super::remark::Remark;
@@ -20,8 +21,14 @@ struct Values {
 struct Question {
     name: Arc<str>,
     line: u32,
-    /// The value that it must have; nothing if it must be true.
-    value: Option<Data>,
+    asked: Asked,
+}
+
+/// What an entry must be.
+enum Asked {
+    True,
+    Value(Data),
+    Number(Comparison),
 }
 
 /// The conditions that are never true.
@@ -40,30 +47,34 @@ pub fn remarks(script: &Script) -> Vec<Remark> {
 
 /// What is told of a question whose answer is known.
 fn answer(question: &Question, values: &Values) -> Option<Remark> {
-    let Question { name, line, value } = question;
+    let Question { name, line, asked } = question;
     if values.others {
         return None;
     }
     let line = *line as usize;
-    match value {
-        None => {
+    let set_to = || {
+        let mut own: Vec<String> = values.plain.iter().map(shown).collect();
+        own.sort();
+        own.dedup();
+        format!("rules set it to {} and to nothing else", own.join(" or "))
+    };
+    match asked {
+        Asked::True => {
             // One that is only ever set to true is asked before it is set: that may be meant.
             let is_never = values.plain.iter().all(|value| matches!(value, Data::Bool(false)));
             let what = format!("this.{name} is asked here and is always false: no rule ever sets it to true");
             is_never.then(|| Remark::warning(line, what))
         }
-        Some(value) => {
+        Asked::Value(value) => {
             let is_known = values.plain.iter().any(|own| same(own, value));
-            let mut own: Vec<String> = values.plain.iter().map(shown).collect();
-            own.sort();
-            own.dedup();
-            (!is_known).then(|| {
-                let (value, own) = (shown(value), own.join(" or "));
-                Remark::warning(
-                    line,
-                    format!("this.{name} is compared with {value} here, and rules set it to {own} and to nothing else"),
-                )
-            })
+            let what = || format!("this.{name} is compared with {} here, and {}", shown(value), set_to());
+            (!is_known).then(|| Remark::warning(line, what()))
+        }
+        Asked::Number(comparison) => {
+            // What is no whole number is compared otherwise.
+            let holds = |value: &Data| !matches!(value, Data::Int(own) if !comparison.holds(*own));
+            let what = || format!("`this.{name} {}` is never true here: {}", comparison.shown(), set_to());
+            (!values.plain.iter().any(holds)).then(|| Remark::warning(line, what()))
         }
     }
 }
@@ -112,20 +123,26 @@ fn collect_questions(node: &Node, script: &Script, questions: &mut Vec<Question>
     questions.extend(asked.into_iter().filter_map(asked_whole).map(|(name, line)| Question {
         name,
         line,
-        value: None,
+        asked: Asked::True,
+    }));
+    let number = Comparison::of(node, script).map(|comparison| (comparison.name.clone(), comparison));
+    questions.extend(number.map(|(name, comparison)| Question {
+        name,
+        line: comparison.line,
+        asked: Asked::Number(comparison),
     }));
     if let Kind::Binary(Operator::Equal, sides) = &node.kind {
         let [left, right] = &**sides;
         let pair = |place: &Node, value: &Node| asked_whole(place).zip(literal(value, script));
         let pair = pair(left, right).or_else(|| pair(right, left));
         let pair = pair.filter(|(_, value)| !matches!(value, Data::Unit));
-        questions.extend(pair.map(|((name, line), value)| Question { name, line, value: Some(value) }));
+        questions.extend(pair.map(|((name, line), value)| Question { name, line, asked: Asked::Value(value) }));
     }
     node.for_each_child(&mut |child| collect_questions(child, script, questions));
 }
 
 /// The entry of `this` that a node is, and its line.
-fn asked_whole(node: &Node) -> Option<(Arc<str>, u32)> {
+pub fn asked_whole(node: &Node) -> Option<(Arc<str>, u32)> {
     let Kind::Chain(chain) = &node.kind else { return None };
     entry(chain).filter(|(_, is_whole)| *is_whole).map(|(name, _)| (name, node.line))
 }

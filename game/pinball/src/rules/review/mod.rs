@@ -3,6 +3,7 @@
 
 mod arguments;
 mod calls;
+mod comparison;
 mod consequences;
 mod entry_values;
 mod facts;
@@ -22,6 +23,7 @@ mod types;
 mod undone;
 mod unlit;
 mod unreached;
+mod unused_value;
 mod words;
 
 #[cfg(test)]
@@ -81,6 +83,7 @@ impl Review {
             timers::remarks(&facts, script, &table.rules, joined),
             memory::remarks(script),
             entry_values::remarks(script),
+            comparison::remarks(script),
             missing(calls),
             missing(lost_ball::remarks(&facts, names, script, &table.rules)),
             missing(unlit::remark(&facts, names, script, &table.rules).into_iter().collect()),
@@ -89,6 +92,7 @@ impl Review {
             types::remarks(&facts, script, &table.rules),
             tilt::remark(&facts, script).into_iter().collect(),
             undone::remarks(script),
+            unused_value::remarks(script),
             // What a comment has swallowed is missing for that reason.
             match open_comment(&table.rules) {
                 Some(line) => vec![Remark::error(line, UNCLOSED_COMMENT)],

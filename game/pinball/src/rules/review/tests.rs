@@ -8,6 +8,7 @@ mod types;
 mod undone;
 mod unlit;
 mod unreached;
+mod unused_value;
 
 use super::Review;
 use crate::rules::tests::bench::table;
@@ -143,7 +144,7 @@ fn a_timer_that_is_stopped_or_asked_about_and_never_started_is_told() {
 fn a_timer_that_somebody_may_hear_or_ask_about_is_left_alone() {
     for rules in [
         "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { score(1); }",
-        "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { if name != \"y\" { score(1); } } fn on_bob() { after(1, \"y\"); running(\"y\"); }",
+        "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { if name != \"y\" { score(1); } } fn on_bob() { after(1, \"y\"); let y = running(\"y\"); }",
         "fn on_feed() { after(100, \"x\"); } fn on_switch(name) { if running(\"x\") { score(1); } }",
         "fn on_feed() { after(100, \"x\"); } fn on_timer(name) { if name != \"x\" { return; } score(1); }",
         "fn on_switch(name) { after(100, name); } fn on_timer(name) { switch name { \"dock\" => score(1) } }",

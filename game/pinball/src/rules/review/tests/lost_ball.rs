@@ -75,7 +75,7 @@ fn a_timer_that_nothing_starts_is_no_consequence() {
     assert_eq!(told(&lost("after(700, \"bonus\");")), Vec::<String>::new());
     let no = "a lost ball has no consequence: ";
     tells(&lost("flippers(false);"), "4", no);
-    let side = "let side = if playing() { \"left\" } else { \"right\" }; after(9, \"boost-\" + side); running(\"boost-\" + side);";
+    let side = "let side = if playing() { \"left\" } else { \"right\" }; after(9, \"boost-\" + side); let runs = running(\"boost-\" + side);";
     tells(&lost(side), "4", no);
     assert_eq!(told(&lost("let timer = \"bon\" + \"us\"; after(9, timer);")), Vec::<String>::new());
 }

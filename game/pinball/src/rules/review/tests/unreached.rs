@@ -91,3 +91,30 @@ fn entries_that_only_ever_have_another_value_are_told() {
         assert_eq!(told(&rules(set, asked)), Vec::<String>::new(), "{set} {asked}");
     }
 }
+
+/// `=+ 1` for `+= 1` set it to 1 for ever, and a reward at 5 never came: only what was asked with `==` was told.
+#[test]
+fn numbers_that_are_never_reached_are_told() {
+    let rules = |set: &str, asked: &str| {
+        format!("fn on_start() {{ this.hits = 0; {set} }}\nfn on_feed() {{ if {asked} {{ score(1); }} }}")
+    };
+    let set_to = |own: &str| format!("is never true here: rules set it to {own} and to nothing else");
+    let never = |asked: &str, own: &str| format!("warning: 2: `this.hits {asked}` {}", set_to(own));
+    assert_eq!(told(&rules("this.hits =+ 1;", "this.hits >= 5")), [never(">= 5", "0 or 1")]);
+    assert_eq!(told(&rules("", "this.hits > 0")), [never("> 0", "0")]);
+    assert_eq!(told(&rules("", "0 < this.hits && playing()")), [never("> 0", "0")]);
+    assert_eq!(told(&rules("this.hits = 3;", "this.hits < 0")), [never("< 0", "0 or 3")]);
+    let both = "warning: 2: `this.hits >= 5` and `this.hits < 3` are never true together";
+    assert_eq!(told(&rules("this.hits += 1;", "this.hits >= 5 && this.hits < 3")), [both]);
+    assert_eq!(told(&rules("this.hits += 1;", "this.hits < 3 && playing() && 5 <= this.hits")), [both]);
+    for (set, asked) in [
+        ("this.hits += 1;", "this.hits >= 5"),
+        ("this.hits = 7;", "this.hits >= 5"),
+        ("this.hits = \"many\";", "this.hits >= 5"),
+        ("this.hits += 1;", "this.hits >= 3 && this.hits <= 3"),
+        ("this.hits += 1;", "this.hits > 2 && this.hits < 4"),
+        ("this.hits += 1; this.more = this.hits;", "this.hits >= 5 && this.more < 3"),
+    ] {
+        assert_eq!(told(&rules(set, asked)), Vec::<String>::new(), "{set} {asked}");
+    }
+}
