@@ -69,6 +69,9 @@ const LEFT_OUT: f64 = 1.0 / 8.0;
 /// Leaves of one beam at most: where it bends more, what is left of it is laid as it is.
 const MOST_LEAVES: usize = 1 << 12;
 
+/// With more cells pending than this, some hundred megabytes, what is partly dark goes on whole.
+const MOST_PENDING: usize = 1 << 17;
+
 /// From one question to the next whether to go on: pieces, some milliseconds.
 const ASKED_EVERY: u64 = 1 << 10;
 
@@ -255,7 +258,7 @@ impl Sweep<'_, '_> {
             return;
         }
         let whole = [(if power < 1.0 { cell.as_one() } else { *cell }, *probes)];
-        let cells: Vec<(Cell, [Probe; 4])> = if is_dark && power >= 1.0 {
+        let cells: Vec<(Cell, [Probe; 4])> = if is_dark && power >= 1.0 && self.pending.len() < MOST_PENDING {
             leaves.iter().map(|leaf| (leaf.cell, leaf.probes)).collect()
         } else {
             whole.into()

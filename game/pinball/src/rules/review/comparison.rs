@@ -3,6 +3,7 @@
 use super::entry_values::asked_whole;
 use super::literal::literal;
 use super::remark::Remark;
+use super::unreached::is_still;
 use crate::rules::script::{Data, Kind, Node, Operator, Script};
 use std::sync::Arc;
 
@@ -80,7 +81,9 @@ pub fn remarks(script: &Script) -> Vec<Remark> {
 
 fn look(node: &Node, script: &Script, found: &mut Vec<Remark>) {
     if let Kind::And(parts) = &node.kind {
-        let asked: Vec<Comparison> = parts.iter().filter_map(|part| Comparison::of(part, script)).collect();
+        // What a function changes may be something else behind it.
+        let parts = parts.iter().take_while(|part| is_still(part));
+        let asked: Vec<Comparison> = parts.filter_map(|part| Comparison::of(part, script)).collect();
         let excluded = asked.iter().find_map(|one| {
             let other = asked.iter().find(|other| other.name == one.name && one.excludes(other))?;
             let (name, low, high) = (&one.name, one.shown(), other.shown());

@@ -196,7 +196,7 @@ fn this_place(chain: &Chain) -> Option<Place> {
 }
 
 /// Whether looking at it changes nothing: no function is called.
-fn is_still(node: &Node) -> bool {
+pub fn is_still(node: &Node) -> bool {
     let own = match &node.kind {
         Kind::Script(..) | Kind::Host(..) | Kind::Assign(_) => false,
         Kind::Chain(chain) => {

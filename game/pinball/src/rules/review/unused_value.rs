@@ -5,7 +5,7 @@ use crate::rules::handlers;
 use crate::rules::script::{Kind, Node, Script};
 
 /// Functions of the game that do nothing but answer.
-const ASKS: [&str; 13] = [
+const ASKS: [&str; 14] = [
     "score",
     "scores",
     "player",
@@ -19,6 +19,7 @@ const ASKS: [&str; 13] = [
     "now",
     "exists",
     "closed",
+    "balls_in_play",
 ];
 
 /// Answers that nobody takes.
@@ -51,7 +52,19 @@ fn look(node: &Node, is_statement: bool, found: &mut Vec<Remark>) {
             look(&parts[0], false, found);
             parts[1..].iter().for_each(|branch| look(branch, is_statement, found));
         }
-        Kind::While(parts) | Kind::Do(parts, _) => parts.iter().for_each(|part| look(part, false, found)),
+        Kind::While(parts) => {
+            look(&parts[0], false, found);
+            look(&parts[1], true, found);
+        }
+        Kind::Do(parts, _) => {
+            look(&parts[0], true, found);
+            look(&parts[1], false, found);
+        }
+        Kind::For(parts) => {
+            look(&parts.subject, false, found);
+            look(&parts.body, true, found);
+        }
+        Kind::Try(parts) => [&parts.body, &parts.handler].into_iter().for_each(|part| look(part, is_statement, found)),
         Kind::Switch(switch) => {
             switch.branches.iter().for_each(|branch| look(&branch.body, is_statement, found));
         }

@@ -312,8 +312,10 @@ impl Reader<'_> {
         self.without_prefix(node, class, name, &mut data);
         let unknown: Vec<String> = data.keys().filter(|key| !known.contains(&key.as_str())).cloned().collect();
         for key in unknown {
-            let lacking = known.iter().copied().filter(|known| !data.contains_key(*known));
-            let meant = class_typo::nearest(&key, lacking);
+            let lacking = || known.iter().copied().filter(|known| !data.contains_key(*known));
+            // `data-eject` lacks what it is measured in.
+            let begins = |known: &&str| known.strip_prefix(key.as_str()).is_some_and(|rest| rest.starts_with('-'));
+            let meant = class_typo::nearest(&key, lacking()).or_else(|| lacking().find(begins));
             let what = match meant {
                 Some(meant) => format!("did you mean `data-{meant}`?"),
                 None => format!("it may have {}", words_of_data(class)),

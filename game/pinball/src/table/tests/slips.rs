@@ -73,6 +73,9 @@ fn a_misspelt_data_word_is_one_mistake() {
     let told = flipper("data-sied='left' data-up-deg='50'");
     assert_eq!(told, "5: f: a flipper has no `data-sied`; did you mean `data-side`?");
     assert!(flipper("data-side='left' data-updeg='50'").ends_with("did you mean `data-up-deg`?"));
+    assert!(
+        flipper("data-side='left' data-up='50'").ends_with("a flipper has no `data-up`; did you mean `data-up-deg`?")
+    );
     let lamp = "<circle class='lamp' id='l' cx='99' cy='99' r='4' fill='red' data-isnide='p'/>";
     let told = read(&format!("<circle class='bumper' id='p' cx='99' cy='99' r='20'/>{lamp}"), "").unwrap_err();
     assert_eq!(told, ["table.svg:5: l: a lamp has no `data-isnide`; did you mean `data-inside`?"]);

@@ -9,6 +9,8 @@ fn an_answer_that_nothing_uses_is_told() {
         ("fn on_switch(name) {\n score();\n message(\"A\", 900); }", 2),
         ("fn on_switch(name) {\n if name == \"dock\" {\n score(); } }", 3),
         ("fn on_switch(name) { switch name {\n \"dock\" => score(),\n \"target\" => score(9) } }", 2),
+        ("fn on_switch(name) { for i in 0..3 {\n score(); } }", 2),
+        ("fn on_switch(name) { try {\n score(); } catch (e) { } }", 2),
         ("fn on_switch(name) { bonus(); } fn bonus() {\n score();\n score(9) }", 2),
     ] {
         let expected = format!("warning: {line}: the answer of `score` is used by nothing; `score(100)` gives points");
