@@ -77,6 +77,7 @@ impl<'a> BeamPicture<'a> {
             pending: Vec::new(),
             // A part by itself, so that what is left out does not depend on who is first.
             pieces_left: self.tracer.options.most_pieces / PARTS as u64,
+            work: 0,
             given_up: 0,
             goes_on,
         };

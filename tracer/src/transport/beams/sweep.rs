@@ -51,6 +51,8 @@ pub(super) struct Sweep<'a, 'b> {
     pub pending: Vec<Pending>,
     /// Pieces that may still be looked at.
     pub pieces_left: u64,
+    /// What was done since the last question whether to go on.
+    pub work: u64,
     /// The family's light that had met the most surfaces, in units of [`GIVEN_UP_UNIT`].
     pub given_up: u64,
     /// Asked now and then whether to go on.
@@ -72,8 +74,8 @@ const MOST_LEAVES: usize = 1 << 12;
 /// With more cells pending than this, some hundred megabytes, what is partly dark goes on whole.
 const MOST_PENDING: usize = 1 << 17;
 
-/// From one question to the next whether to go on: pieces, some milliseconds.
-const ASKED_EVERY: u64 = 1 << 10;
+/// From one question to the next whether to go on: surfaces that rays are led through again, some milliseconds.
+const ASKED_EVERY: u64 = 1 << 12;
 
 impl Sweep<'_, '_> {
     /// All beams of these; `false` if some were left out.
@@ -89,6 +91,17 @@ impl Sweep<'_, '_> {
             }
         }
         self.pieces_left > 0
+    }
+
+    /// Asks whether to go on, after as much work wherever it is done: behind hundreds of surfaces a single cell takes seconds.
+    fn ask_now_and_then(&mut self) {
+        self.work += 1 + self.met.len() as u64;
+        if self.work >= ASKED_EVERY {
+            self.work = 0;
+            if !(self.goes_on)() {
+                self.pieces_left = 0;
+            }
+        }
     }
 
     /// The ray at u and v behind the same surfaces, and what it meets next.
@@ -117,9 +130,7 @@ impl Sweep<'_, '_> {
     pub(super) fn cell(&mut self, cell: Cell, states: [State; 4]) {
         let Some(left) = self.pieces_left.checked_sub(1) else { return };
         self.pieces_left = left;
-        if left % ASKED_EVERY == 0 && !(self.goes_on)() {
-            self.pieces_left = 0;
-        }
+        self.ask_now_and_then();
         if states.iter().all(Option::is_none) && self.probe(cell.center()).is_none() {
             return;
         }
@@ -167,7 +178,7 @@ impl Sweep<'_, '_> {
     }
 
     /// Divides a beam until its parts hold.
-    fn leaves(&self, cell: &Cell, probes: &[Probe; 4], leaves: &mut Vec<Leaf>) -> Result<(), Parted> {
+    fn leaves(&mut self, cell: &Cell, probes: &[Probe; 4], leaves: &mut Vec<Leaf>) -> Result<(), Parted> {
         let piece = Piece {
             from: probes.map(|probe| probe.corner.ray.origin),
             to: probes.map(|probe| probe.end),
@@ -175,7 +186,8 @@ impl Sweep<'_, '_> {
             bulge: None,
         };
         let is_seen = self.touches(&piece);
-        let may_divide = is_seen && leaves.len() < MOST_LEAVES;
+        self.ask_now_and_then();
+        let may_divide = is_seen && leaves.len() < MOST_LEAVES && self.pieces_left > 0;
         let middle = if is_seen { self.middle(cell, probes) } else { None };
         match if may_divide { self.form(cell, probes, middle.as_ref(), &piece) } else { Form::Holds } {
             Form::Holds => {
