@@ -68,7 +68,7 @@ fn of_ball_in_play(finding: &Finding) -> Option<(&'static str, String)> {
         FindingKind::DeadKickers => (
             "on_button",
             format!(
-                "bumpers, slingshots, kickbacks and magnets do nothing while ball {count} of a game is in play; call \
+                "bumpers, slingshots and their like do nothing while ball {count} of a game is in play; call \
                  `kickers(true)` where a game or a ball begins"
             ),
         ),

@@ -30,7 +30,7 @@ pub(crate) mod tests;
 
 pub use display::Display;
 pub use program::Program;
-pub use review::{KnownMessage, NO_START, Review};
+pub use review::{KnownMessage, NO_START, Review, is_kicker};
 pub use score::Score;
 pub use script_state::ScriptState;
 pub use value::Value;

@@ -68,7 +68,7 @@ pub(crate) struct SimulationRules {
     pub tilted: bool,
     /// Flippers obey their buttons.
     pub flippers_live: bool,
-    /// Bumpers, slingshots, kickbacks and magnets work.
+    /// Bumpers, slingshots and their like work.
     pub kickers_live: bool,
     /// Balls that were asked for and have not arrived yet.
     pub owed: u32,

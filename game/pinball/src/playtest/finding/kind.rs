@@ -65,7 +65,7 @@ pub enum FindingKind {
     NoNextGame,
     /// The flippers do not obey their buttons while a ball is in play.
     DeadFlippers,
-    /// Bumpers, slingshots, kickbacks and magnets do nothing while a ball is in play.
+    /// Bumpers, slingshots and their like do nothing while a ball is in play.
     DeadKickers,
     /// The flippers obey their buttons until the ball is shot, and then no more.
     FlippersDieAtLaunch,

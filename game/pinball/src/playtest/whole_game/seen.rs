@@ -3,6 +3,7 @@
 
 use crate::Table;
 use crate::playtest::finding::FindingKind;
+use crate::rules::is_kicker;
 use crate::simulation::SimulationRules;
 use physics::{FlipperControl, Kind};
 
@@ -63,11 +64,6 @@ impl Seen {
         let is_dead = has_kickers && !self.kickers_live && switch_kickers_on(&table.rules);
         is_dead.then_some(FindingKind::DeadKickers)
     }
-}
-
-/// Whether a part works only where rules say `kickers(true)`.
-fn is_kicker(kind: &Kind) -> bool {
-    matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_))
 }
 
 /// Whether rules switch kickers on somewhere; that they never do is told of them without play.

@@ -13,6 +13,11 @@ use physics::{FlipperControl, Kind};
 pub const NO_START: &str = "no game can begin: no rule speaks of `start_game` or of \"start\"; if the table is there to be \
                             played, call `start_game(3)` and `add_ball()` in `on_button(name)`";
 
+/// Whether a part works only where rules say `kickers(true)`.
+pub fn is_kicker(kind: &Kind) -> bool {
+    matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_))
+}
+
 /// What is said of rules without any rule: in other rules play shows it.
 pub fn none(script: &Script) -> Option<Remark> {
     script.functions().next().is_none().then(|| Remark::warning(0, NO_START))
@@ -42,8 +47,6 @@ pub fn remarks(facts: &Facts, names: &Names, joined: &[Silent]) -> Vec<Remark> {
         let what = "no player can score: no rule calls `score(points)`; call it in `on_switch(name)`, as `score(100)`";
         found.push(Remark::warning(line, what));
     }
-    let is_kicker =
-        |kind: &Kind| matches!(kind, Kind::Bumper(_) | Kind::Slingshot(_) | Kind::Kickback(_) | Kind::Magnet(_));
     if names.parts().any(|(_, kind)| is_kicker(kind)) && !facts.calls_of("kickers").any(switches_on) {
         let what = "bumpers, slingshots, kickbacks and magnets never work: no rule calls `kickers(true)`; call it behind \
                     `start_game`";

@@ -29,7 +29,7 @@ mod words;
 #[cfg(test)]
 mod tests;
 
-pub use calls::NO_START;
+pub use calls::{NO_START, is_kicker};
 pub use messages::KnownMessage;
 
 use super::host_function::ScriptContext;
